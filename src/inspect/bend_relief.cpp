@@ -1,5 +1,7 @@
 #include "rule_checks.hpp"
 
+#include <planish/inspect/missing_relief.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -101,9 +103,16 @@ Relief relief_at(const Workpiece& workpiece, const ZoneCorner& corner, const Lim
   return relief;
 }
 
-/// How far a relief falls short of the limits, negative if it does.
+/// Where the sheet beside the bend ends at the tangent line, a relief no deeper than that is air.
+bool asks_for_cut(const Relief& relief, const Limits& limits) {
+  return !relief.flush || limits.depth > kDrawn;
+}
+
+/// How far a relief falls short of the limits, negative if it does; least where nothing is to be
+/// cut.
 double excess(const Relief& relief, const Limits& limits) {
-  if (relief.missing) return -std::max(limits.width, limits.depth);
+  if (relief.missing)
+    return asks_for_cut(relief, limits) ? -std::max(limits.width, limits.depth) : -2.0 * kDrawn;
   return std::min(relief.width - limits.width, relief.depth - limits.depth);
 }
 
@@ -124,6 +133,10 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
                                         factors_text(rules.relief_width_t));
   const std::string depth = fmt::format("{} ({})", mm_text(limits.depth + setback),
                                         factors_text(rules.relief_depth_t, rules.relief_depth_r));
+  if (relief.missing && !asks_for_cut(relief, limits)) {
+    return fmt::format("bend {} ends flush with an edge at {} without relief; the corner bulges",
+                       bend.id, point_text(relief.at));
+  }
   if (relief.missing) {
     return fmt::format(
         "bend {} ends {} at {} without relief; it needs one {} wide and, from the "
@@ -141,46 +154,111 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
       bend.id, point_text(relief.at), mm_text(relief.depth + setback), depth);
 }
 
-bool seen_already(const std::vector<Observation>& observations, const Vec2& p, double near) {
-  return std::any_of(observations.begin(), observations.end(),
-                     [&](const Observation& o) { return (o.place.at.front() - p).norm() <= near; });
+/// What the rules ask for beside a bend. Measured from the outside of the bend, like flanges: from
+/// there R + T reaches the tangent line.
+Limits limits_for(const FlatBend& bend, const Rules& rules, double thickness) {
+  return {rules.relief_width_t * thickness, rules.relief_depth_t * thickness +
+                                                rules.relief_depth_r * bend.inside_radius -
+                                                (bend.inside_radius + thickness)};
+}
+
+/// An end of a bend that has no relief, or less than the rules ask for.
+struct ShortRelief {
+  const FlatBend& bend;
+  ZoneCorner corner;  // the worse one
+  Relief relief;      // beside it
+  Limits limits;
+  double zone = 0.0;           // width of the bend zone
+  bool on_both_sides = false;  // the other corner asks for a cut as well
+};
+
+/// That at the bend's end in `direction`, if it is short.
+std::optional<ShortRelief> short_relief(const Workpiece& workpiece, size_t bend,
+                                        const Vec2& direction, const Rules& rules) {
+  const FlatBend& given = workpiece.pattern.bends[bend];
+  const Limits limits = limits_for(given, rules, workpiece.thickness);
+  ShortRelief worst{given, {}, {}, limits};
+  const auto corners = corners_towards(workpiece, bend, direction);
+  int cuts = 0;
+  for (const ZoneCorner& corner : corners) {
+    const Relief relief = relief_at(workpiece, corner, limits,
+                                    given.inside_radius + workpiece.thickness);
+    if (excess(relief, limits) < -kDrawn && asks_for_cut(relief, limits)) ++cuts;
+    const bool same = worst.relief.missing && relief.missing;
+    if (same ? worst.relief.flush && !relief.flush
+             : excess(relief, limits) < excess(worst.relief, limits)) {
+      worst.relief = relief;
+      worst.corner = corner;
+    }
+  }
+  if (excess(worst.relief, limits) >= -kDrawn) return std::nullopt;
+  for (const ZoneCorner& other : corners)
+    worst.zone = std::max(worst.zone, (worst.corner.at - other.at).dot(worst.corner.outward));
+  worst.on_both_sides = cuts > 1;
+  return worst;
+}
+
+/// All of them, in the order of bends. Bends that meet in a corner lack only one relief between
+/// them.
+std::vector<ShortRelief> short_reliefs(const Workpiece& workpiece, const Rules& rules) {
+  std::vector<ShortRelief> found;
+  if (rules.relief_width_t <= 0.0) return found;
+  for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
+    if (!workpiece.spans[b]) continue;
+    const Vec2 along = workpiece.spans[b]->end - workpiece.spans[b]->start;
+    for (const Vec2& direction : {Vec2(-along), along}) {
+      const auto relief = short_relief(workpiece, b, direction, rules);
+      if (!relief) continue;
+      const bool seen = std::any_of(found.begin(), found.end(), [&](const ShortRelief& other) {
+        return (other.relief.at - relief->relief.at).norm() <= workpiece.thickness;
+      });
+      if (!seen) found.push_back(*relief);
+    }
+  }
+  return found;
+}
+
+/// How far the sheet beside the bend goes on behind the bend zone, if that is less than `limit`.
+double web_behind(const Workpiece& workpiece, const ShortRelief& relief, double limit) {
+  const ZoneCorner& corner = relief.corner;
+  const Vec2 from = corner.at + kHalf * relief.limits.width * corner.beyond -
+                    relief.zone * corner.outward;
+  if (!workpiece.material(from)) return 0.0;
+  const double web = free_way(workpiece, from, -corner.outward, limit);
+  return std::isfinite(web) ? web : 0.0;
 }
 
 }  // namespace
 
 std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules& rules) {
   std::vector<Observation> result;
-  if (rules.relief_width_t <= 0.0) return result;
-  for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
-    if (!workpiece.spans[b]) continue;
-    const FlatBend& bend = workpiece.pattern.bends[b];
-    const double outside = bend.inside_radius + workpiece.thickness;
-    // Measured from the outside of the bend, like flanges: from there R + T reaches the tangent
-    // line.
-    const Limits limits{rules.relief_width_t * workpiece.thickness,
-                        rules.relief_depth_t * workpiece.thickness +
-                            rules.relief_depth_r * bend.inside_radius - outside};
-    const Vec2 along = workpiece.spans[b]->end - workpiece.spans[b]->start;
-    for (const bool forward : {false, true}) {
-      Relief worst;
-      for (const ZoneCorner& corner :
-           corners_towards(workpiece, b, forward ? along : Vec2(-along))) {
-        const Relief relief = relief_at(workpiece, corner, limits, outside);
-        const bool same = worst.missing && relief.missing;
-        if (same ? worst.flush && !relief.flush : excess(relief, limits) < excess(worst, limits))
-          worst = relief;
-      }
-      // Bends that meet in a corner lack only one relief between them.
-      if (excess(worst, limits) >= -kDrawn || seen_already(result, worst.at, workpiece.thickness))
-        continue;
-      result.push_back({"bend_relief",
-                        {severity(bend, worst, limits, rules, workpiece.thickness),
-                         relief_text(bend, worst, limits, rules, workpiece.thickness),
-                         {worst.at}},
-                        excess(worst, limits)});
-    }
-  }
+  for (const ShortRelief& found : short_reliefs(workpiece, rules))
+    result.push_back(
+        {"bend_relief",
+         {severity(found.bend, found.relief, found.limits, rules, workpiece.thickness),
+          relief_text(found.bend, found.relief, found.limits, rules, workpiece.thickness),
+          {found.relief.at}},
+         excess(found.relief, found.limits)});
   return result;
 }
 
 }  // namespace planish::inspect_detail
+
+namespace planish {
+
+std::vector<MissingRelief> missing_reliefs(const Sheet& sheet, const FlatPattern& pattern,
+                                           const Rules& rules) {
+  using namespace inspect_detail;
+  std::vector<MissingRelief> missing;
+  const Workpiece workpiece(sheet, pattern);
+  for (const ShortRelief& found : short_reliefs(workpiece, rules)) {
+    if (!asks_for_cut(found.relief, found.limits)) continue;
+    const ZoneCorner& corner = found.corner;
+    const double web = web_behind(workpiece, found, rules.opening_to_edge_t * workpiece.thickness);
+    missing.push_back({found.bend.id, corner.at, corner.beyond, corner.outward, found.limits.width,
+                       std::max(found.limits.depth, 0.0), found.zone + web, found.on_both_sides});
+  }
+  return missing;
+}
+
+}  // namespace planish

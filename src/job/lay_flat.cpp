@@ -98,9 +98,16 @@ std::optional<Error> lay_and_certify(Report& report, const SheetToLay& given,
   return std::nullopt;
 }
 
+Rules rules_of(const SheetToLay& given) {
+  const Rules& usual = given.checks.rules;
+  const std::optional<ShopChoice>& shop = given.checks.shop;
+  return shop ? rules_with_gauge(usual, *shop, given.sheet.thickness) : usual;
+}
+
 /// The pattern with its reliefs, and the certificate's areas with it.
 void take_reliefs(Report& report, Relieved relieved) {
   report.flat = std::move(relieved.pattern);
+  report.reliefs = std::move(relieved.cutouts);
   if (relieved.removed > 0.0) report.size = blank_size(report.flat);
   Certificate& certificate = report.certificate;
   if (certificate.volume_ratio)
@@ -118,15 +125,17 @@ void take_reliefs(Report& report, Relieved relieved) {
 /// Mends small overlaps and draws slits once, if that is wanted. Returns why it cannot be done.
 std::optional<Error> relieve(Report& report, const SheetToLay& given,
                              std::vector<Finding>& overlaps) {
-  if (given.relief.shape == Relief::none) return std::nullopt;
+  const bool mends = given.relief.shape != Relief::none;
+  if (!mends && given.relief.beside_bends == Relief::none) return std::nullopt;
   std::vector<DoubleCover> covers;
-  if (!overlaps.empty()) covers = double_covers(given.sheet, report.layout, report.flat);
-  auto relieved = with_reliefs(given.sheet, report.layout, report.flat, covers, given.relief);
+  if (mends && !overlaps.empty()) covers = double_covers(given.sheet, report.layout, report.flat);
+  auto relieved = with_reliefs(given.sheet, report.layout, report.flat, covers, given.relief,
+                               rules_of(given));
   if (!relieved) return relieved.error();
-  if (!overlaps.empty() && !contour_crossings(relieved->pattern).empty())
+  if (mends && !overlaps.empty() && !contour_crossings(relieved->pattern).empty())
     return Error{ErrorCode::overlap, "contours cross elsewhere", {}};
   take_reliefs(report, std::move(*relieved));
-  overlaps.clear();
+  if (mends) overlaps.clear();
   return std::nullopt;
 }
 
@@ -142,11 +151,8 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   }
   if (given.folded) append(report.findings, self_intersections(report, *given.folded));
   const std::optional<ShopChoice>& shop = given.checks.shop;
-  if (given.checks.rules.enabled) {
-    const Rules& usual = given.checks.rules;
-    const Rules rules = shop ? rules_with_gauge(usual, *shop, given.sheet.thickness) : usual;
-    append(report.findings, check_rules(given.sheet, report.flat, rules));
-  }
+  if (given.checks.rules.enabled)
+    append(report.findings, check_rules(given.sheet, report.flat, rules_of(given)));
   if (shop) append(report.findings, shop_findings(report, *shop));
   return std::nullopt;
 }

@@ -83,6 +83,14 @@ Done set_relief(Request& to, const OptionValue& value) {
   return {};
 }
 
+Done set_bend_relief(Request& to, const OptionValue& value) {
+  const std::string& word = text_of(value);
+  to.relief.beside_bends = word == "square"  ? Relief::square
+                           : word == "round" ? Relief::round
+                                             : Relief::none;
+  return {};
+}
+
 Done set_units(Request& to, const OptionValue& value) {
   to.units = text_of(value) == "inch" ? LengthUnit::inch
              : text_of(value) == "m"  ? LengthUnit::m
@@ -273,6 +281,14 @@ const std::vector<Option>& relief_options() {
        .otherwise = "rip",
        .words = {"none", "rip", "square", "round"},
        .set = set_relief},
+      {.name = "bend_relief",
+       .kind = OptionKind::word,
+       .group = "Corners",
+       .description = "what is cut beside bends that would tear the sheet, as wide and deep as the "
+                      "rules ask for",
+       .otherwise = "none",
+       .words = {"none", "square", "round"},
+       .set = set_bend_relief},
       {.name = "rip_width",
        .kind = OptionKind::number,
        .group = "Corners",

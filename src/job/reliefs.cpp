@@ -2,6 +2,8 @@
 
 #include "units.hpp"
 
+#include <planish/geometry/region.hpp>
+#include <planish/inspect/missing_relief.hpp>
 #include <planish/sheet/cutout.hpp>
 
 #include <fmt/format.h>
@@ -65,21 +67,42 @@ Cutout cutout_along(const Segment& slit, const ReliefOptions& options) {
   return cutout;
 }
 
+Loop ring_through(const std::array<Vec2, 3>& corners) {
+  return {Segment{corners[0], corners[1]}, Segment{corners[1], corners[2]},
+          Segment{corners[2], corners[0]}};
+}
+
+/// Area of the sheet within a cutout and outside of all before it.
+double new_area_within(const Relieved& relieved, const Sheet& sheet, const Layout& layout,
+                       const Loop& outline, double chord) {
+  std::vector<Polygon> before;
+  for (const Loop& other : relieved.cutouts)
+    if (bounds(other).overlaps(bounds(outline))) before.push_back(polygon_of({other, {}}, chord));
+  if (before.empty()) return area_within(sheet, layout, relieved.pattern, outline);
+  double sum = 0.0;
+  for (const auto& corners : inset_triangles(polygon_of({outline, {}}, chord), 0.0, before))
+    sum += area_within(sheet, layout, relieved.pattern, ring_through(corners));
+  return sum;
+}
+
 /// Cuts one out, and checks the area against that of the faces within it.
 Result<void> cut(Relieved& relieved, const Sheet& sheet, const Layout& layout,
                  const Cutout& cutout) {
   auto left = without_cutout(relieved.pattern, cutout);
   if (!left) return tl::unexpected(left.error());
   const double removed = relieved.pattern.area - left->area;
-  const double within = area_within(sheet, layout, relieved.pattern, cutout.outline());
+  const Loop outline = cutout.outline();
   // Polygons leave out or add a chord's height along each curve.
-  const double slack = kContactShare * relieved.pattern.thickness * length(cutout.outline());
+  const double chord = kContactShare * relieved.pattern.thickness;
+  const double within = new_area_within(relieved, sheet, layout, outline, chord / 4);
+  const double slack = chord * length(outline);
   if (!(std::abs(removed - within) <= slack))
     return fail(
         ErrorCode::pattern_wrong,
         fmt::format("a relief took {:.4g} mm² where the sheet has {:.4g} mm²", removed, within));
   relieved.pattern = std::move(*left);
   relieved.removed += removed;
+  relieved.cutouts.push_back(outline);
   return {};
 }
 
@@ -107,17 +130,97 @@ std::vector<Segment> straight_slits(FlatPattern& pattern) {
   return slits;
 }
 
+/// How far the relief begins within the bend, mm: its end may lie on the sheet beside it. Less than
+/// what contours are joined across.
+constexpr double kIntoBend = 5e-6;
+/// How far it goes beyond what is needed, as a share of the thickness, so that the bend is clear.
+constexpr double kPastNeed = 0.1;
+
+/// At least as long as it is wide: beside narrow bends that is what can be cut.
+
+Cutout cutout_beside(const MissingRelief& place, double thickness, Relief shape) {
+  const double half = (place.width + kIntoBend) / 2;
+  const double radius = shape == Relief::round ? half : 0.0;
+  const double behind = place.back + (place.on_both_sides ? place.depth : 0.0);
+  const double past = std::max(kPastNeed * thickness, (place.width - place.depth - behind) / 2);
+  const double top = place.depth + past + radius, bottom = -behind - past - radius;
+  Cutout cutout;
+  cutout.middle = place.corner + (place.width - kIntoBend) / 2 * place.beyond +
+                  (top + bottom) / 2 * place.into_flange;
+  cutout.along = place.beyond;
+  cutout.half = {half, (top - bottom) / 2};
+  cutout.corner_radius = radius;
+  return cutout;
+}
+
+/// Whether one of them is at the same end of the same bend.
+bool is_among(const std::vector<MissingRelief>& places, const MissingRelief& place) {
+  return std::any_of(places.begin(), places.end(), [&](const MissingRelief& other) {
+    return other.bend == place.bend && other.beyond.dot(place.beyond) > 0.0;
+  });
+}
+
+/// Cuts them except at `left` where they can be. Bends that meet in a corner share one, so others
+/// may be found missing after a first round. Returns the places.
+std::vector<MissingRelief> cut_missing(Relieved& relieved, const Sheet& sheet, const Layout& layout,
+                                       Relief shape, const Rules& rules,
+                                       const std::vector<MissingRelief>& left) {
+  const double thickness = relieved.pattern.thickness;
+  std::vector<MissingRelief> tried = left, done;
+  for (bool going_on = true; going_on;) {
+    going_on = false;
+    for (const MissingRelief& place : missing_reliefs(sheet, relieved.pattern, rules)) {
+      if (is_among(tried, place)) continue;
+      tried.push_back(place);
+      going_on = true;
+      if (cut(relieved, sheet, layout, cutout_beside(place, thickness, shape)))
+        done.push_back(place);
+    }
+  }
+  return done;
+}
+
+Finding cut_beside(const std::vector<MissingRelief>& places, double thickness, Relief shape) {
+  std::vector<std::string> bends;
+  std::vector<Vec2> at;
+  for (const MissingRelief& place : places) {
+    if (std::find(bends.begin(), bends.end(), place.bend) == bends.end())
+      bends.push_back(place.bend);
+    at.push_back(place.corner);
+  }
+  const Vec2 size = 2 * cutout_beside(places.front(), thickness, shape).half;
+  const int count = static_cast<int>(places.size());
+  return {"bend_relief_cut", Severity::info,
+          fmt::format("{} cut beside {} {}{} {:.3g} mm by {:.3g} mm",
+                      counted(count, name_of(shape)) + (count == 1 ? " is" : " are"),
+                      bends.size() == 1 ? "bend" : "bends", fmt::join(bends, ", "),
+                      count == 1 ? "," : "; the first is", size.x(), size.y()),
+          at};
+}
+
+/// A place at which none can be cut, or where it would be of no use, keeps its finding.
+void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const Layout& layout, Relief shape,
+                      const Rules& rules) {
+  const double thickness = relieved.pattern.thickness;
+  Relieved with = relieved;
+  std::vector<MissingRelief> places = cut_missing(with, sheet, layout, shape, rules, {});
+  std::vector<MissingRelief> useless = missing_reliefs(sheet, with.pattern, rules);
+  std::erase_if(useless, [&](const MissingRelief& place) { return !is_among(places, place); });
+  if (!useless.empty()) {
+    with = relieved;
+    places = cut_missing(with, sheet, layout, shape, rules, useless);
+  }
+  if (places.empty()) return;
+  relieved = std::move(with);
+  relieved.findings.push_back(cut_beside(places, thickness, shape));
+}
+
 /// A slit that cannot be given a width stays a line.
 void rip_slits(Relieved& relieved, const Sheet& sheet, const Layout& layout,
                const ReliefOptions& options) {
   std::vector<Vec2> places;
   for (const Segment& slit : straight_slits(relieved.pattern)) {
     if (!cut(relieved, sheet, layout, cutout_along(slit, options))) continue;
-    std::erase_if(relieved.pattern.slits, [&](const Curve2& other) {
-      const auto* line = std::get_if<Segment>(&other);
-      return line && line->a == slit.a && line->b == slit.b;
-    });
-    relieved.pattern.perimeter -= (slit.b - slit.a).norm();
     places.push_back((slit.a + slit.b) / 2);
   }
   if (places.empty()) return;
@@ -132,9 +235,9 @@ void rip_slits(Relieved& relieved, const Sheet& sheet, const Layout& layout,
 }  // namespace
 
 Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern,
-                              const std::vector<DoubleCover>& covers,
-                              const ReliefOptions& options) {
-  Relieved relieved{pattern, 0.0, static_cast<int>(covers.size()), {}};
+                              const std::vector<DoubleCover>& covers, const ReliefOptions& options,
+                              const Rules& rules) {
+  Relieved relieved{pattern, 0.0, static_cast<int>(covers.size()), {}, {}};
   for (const DoubleCover& cover : covers) {
     if (auto small = check_size(cover, pattern); !small) return tl::unexpected(small.error());
     const Cutout cutout = cutout_at(cover, pattern, options);
@@ -143,6 +246,8 @@ Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const Fl
     relieved.findings.push_back(mended(cover, cutout, pattern, options.shape));
   }
   relieved.pattern = with_slits_drawn_once(std::move(relieved.pattern));
+  if (options.beside_bends != Relief::none)
+    cut_beside_bends(relieved, sheet, layout, options.beside_bends, rules);
   if (options.width > 0.0) rip_slits(relieved, sheet, layout, options);
   return relieved;
 }

@@ -136,6 +136,7 @@ Maker unfold_maker() {
                                        {"up"},
                                        {"extruded"},
                                        {"relief"},
+                                       {"bend_relief"},
                                        {"rip_width"},
                                        {"process"},
                                        {"rules"},

@@ -41,20 +41,10 @@ RawContour walk(const Layout& layout, const Topology& topology, BorderId start,
 }
 
 Contour finished(RawContour raw, double tolerance) {
-  Contour contour;
-  MergedLoop merged_loop = merged(raw.loop, tolerance);
-  const size_t inputs = raw.origins.size();
-  const size_t outputs = merged_loop.loop.size();
-  contour.origins.resize(outputs);
-  for (size_t i = 0; i < outputs; ++i) {
-    const size_t first = static_cast<size_t>(merged_loop.first_input[i]);
-    const size_t last = static_cast<size_t>(merged_loop.first_input[(i + 1) % outputs]);
-    const size_t span = outputs == 1 ? inputs : (last + inputs - first) % inputs;
-    for (size_t k = 0; k < span; ++k)
-      contour.origins[i].push_back(raw.origins[(first + k) % inputs]);
-  }
-  contour.loop = std::move(merged_loop.loop);
-  return contour;
+  Contour contour{std::move(raw.loop), {}};
+  for (const Origin& origin : raw.origins)
+    contour.origins.push_back({origin});
+  return joined_contour(contour, tolerance);
 }
 
 /// The formed feature that a contour outlines; empty for a cut.
@@ -104,6 +94,22 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
     return fail(ErrorCode::closed_loop,
                 "The sheet has no outer contour: its bends close on themselves.");
   return contours;
+}
+
+Contour joined_contour(const Contour& contour, double tolerance) {
+  MergedLoop whole = merged(contour.loop, tolerance);
+  const size_t inputs = contour.loop.size(), outputs = whole.loop.size();
+  std::vector<std::vector<Origin>> origins(outputs);
+  for (size_t i = 0; i < outputs; ++i) {
+    const auto first = static_cast<size_t>(whole.first_input[i]);
+    const auto last = static_cast<size_t>(whole.first_input[(i + 1) % outputs]);
+    const size_t span = outputs == 1 ? inputs : (last + inputs - first) % inputs;
+    for (size_t k = 0; k < span; ++k) {
+      const auto& known = contour.origins[(first + k) % inputs];
+      origins[i].insert(origins[i].end(), known.begin(), known.end());
+    }
+  }
+  return {std::move(whole.loop), std::move(origins)};
 }
 
 }  // namespace planish::sheet_detail

@@ -17,4 +17,8 @@ struct Contours {
 Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
                                 const FlattenOptions& options);
 
+/// Neighbouring curves that are one line or circle within `tolerance` joined, with their origins
+/// (`merged`). Each curve has its list of origins.
+Contour joined_contour(const Contour& contour, double tolerance);
+
 }  // namespace planish::sheet_detail

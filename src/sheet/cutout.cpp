@@ -1,7 +1,9 @@
+#include "contour.hpp"
 #include "measure.hpp"
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
 
 #include <fmt/format.h>
@@ -138,11 +140,14 @@ std::vector<Stretch> paths_of(const Contour& contour, const Cutout& cutout, cons
   return paths;
 }
 
-/// The outline from one place to another, clockwise.
+/// How near two places of the outline are one, mm.
+constexpr double kOnePlace = 1e-6;
+
+/// The outline from one place to another, clockwise; all of it from a place to itself.
 Loop along_outline(const Loop& outline, double from, double to) {
   const double whole = length(outline);
   double left = to - from;
-  if (left < 0.0) left += whole;
+  if (left < kOnePlace) left = std::min(left + whole, whole);
   Loop part;
   for (size_t i = 0, laps = 0; left > 0.0 && laps < 2 * outline.size() + 1;
        i = (i + 1) % outline.size(), ++laps) {
@@ -176,7 +181,6 @@ Result<std::vector<Contour>> joined_along(std::vector<Stretch> paths, const Cuto
   std::sort(ends.begin(), ends.end());
   // A slit leaves and enters at one place: out along its left bank, back along the other, from
   // where the outline goes on clockwise.
-  constexpr double kOnePlace = 1e-6;  // mm
   for (size_t k = 0; k < ends.size(); ++k) {
     auto &here = ends[k], &after = ends[(k + 1) % ends.size()];
     if (here.second < 0 && after.second >= 0 && std::abs(after.first - here.first) < kOnePlace) {
@@ -221,6 +225,29 @@ std::vector<Segment> outside(const Segment& line, const Cutout& cutout) {
   return parts;
 }
 
+/// Whether the middle of a cutout that no contour enters lies in the material.
+bool in_material(const std::vector<Contour>& contours, const Cutout& cutout) {
+  std::vector<std::vector<Vec2>> rings;
+  for (const Contour& contour : contours)
+    rings.push_back(sampled(contour.loop, cutout.half.minCoeff() / 2));
+  return inside(rings, cutout.middle);
+}
+
+/// Slits end at the cutout.
+std::vector<Curve2> left_of_slits(const std::vector<Curve2>& slits, const Cutout& cutout) {
+  std::vector<Curve2> left;
+  for (const Curve2& slit : slits) {
+    const auto* line = std::get_if<Segment>(&slit);
+    if (line == nullptr) {
+      left.push_back(slit);
+      continue;
+    }
+    const std::vector<Segment> parts = outside(*line, cutout);
+    left.insert(left.end(), parts.begin(), parts.end());
+  }
+  return left;
+}
+
 }  // namespace
 
 double Cutout::distance(const Vec2& p) const {
@@ -254,7 +281,7 @@ Loop Cutout::outline() const {
   return loop;
 }
 
-Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout) {
+Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout, double tolerance) {
   const Loop outline = reversed(cutout.outline());
   std::vector<Contour> kept;
   std::vector<Stretch> paths;
@@ -271,8 +298,11 @@ Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout) {
   if (!paths.empty()) {
     auto made = joined_along(std::move(paths), cutout, outline);
     if (!made) return tl::unexpected(made.error());
-    for (Contour& contour : *made)
-      kept.push_back(std::move(contour));
+    for (const Contour& contour : *made)
+      kept.push_back(joined_contour(contour, tolerance));
+  } else if (in_material(kept, cutout)) {
+    const std::vector<std::vector<Origin>> none(outline.size());
+    kept.push_back(joined_contour({outline, none}, tolerance));
   }
   pattern.outer = {};
   pattern.openings.clear();
@@ -287,6 +317,7 @@ Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout) {
   if (pattern.outer.loop.empty()) return covered_twice(cutout);
   for (FlatBend& bend : pattern.bends)
     trim_bend(bend, [&](const Segment& line) { return outside(line, cutout); });
+  pattern.slits = left_of_slits(pattern.slits, cutout);
   measure(pattern);
   return pattern;
 }

@@ -1,9 +1,9 @@
+#include "contour.hpp"
 #include "measure.hpp"
 #include "slot_shape.hpp"
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
-#include <planish/geometry/fit.hpp>
 #include <planish/sheet/slots.hpp>
 
 #include <fmt/format.h>
@@ -196,25 +196,6 @@ Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) 
   return {};
 }
 
-/// When a slit is a line, there is no corner where it leaves its contour.
-void merge_contours(FlatPattern& pattern, double tolerance) {
-  for (Contour* contour : contours_of(pattern)) {
-    const MergedLoop whole = merged(contour->loop, tolerance);
-    std::vector<std::vector<Origin>> origins(whole.loop.size());
-    const std::size_t inputs = contour->loop.size(), outputs = whole.loop.size();
-    for (std::size_t i = 0; i < outputs; ++i) {
-      const auto first = static_cast<std::size_t>(whole.first_input[i]),
-                 last = static_cast<std::size_t>(whole.first_input[(i + 1) % outputs]);
-      const std::size_t span = outputs == 1 ? inputs : (last + inputs - first) % inputs;
-      for (std::size_t k = 0; k < span; ++k) {
-        const auto& known = contour->origins[(first + k) % inputs];
-        origins[i].insert(origins[i].end(), known.begin(), known.end());
-      }
-    }
-    *contour = {whole.loop, std::move(origins)};
-  }
-}
-
 }  // namespace
 
 Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
@@ -240,7 +221,9 @@ Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
   }
   for (FlatBend& bend : pattern.bends)
     trim_bend(bend, [&](const Segment& line) { return outside(line, *slots); });
-  merge_contours(pattern, options.tolerance);
+  // When a slit is a line, there is no corner where it leaves its contour.
+  for (Contour* contour : contours_of(pattern))
+    *contour = joined_contour(*contour, options.tolerance);
   measure(pattern);
   return pattern;
 }

@@ -2,7 +2,13 @@
 each is known by a formula. Written from the standard's entity definitions, without a CAD kernel."""
 
 import math
+import pathlib
 import re
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from known_parts.boxes import tab_plate  # noqa: E402
+from known_parts.step_text import step_text  # noqa: E402
 
 HEADER = """ISO-10303-21;
 HEADER;
@@ -356,6 +362,11 @@ def perforated_channel(width=280.0, height=30.0, thickness=2.0, radius=2.0, dept
 def thousand_openings():
     """A channel with 40 × 25 holes of Ø 5 at a pitch of 10."""
     return perforated_channel(holes=[(15.0 + 10 * i, 20.0 + 10 * j) for i in range(40) for j in range(25)])
+
+
+def lanced(slit=0.01):
+    """A plate of 80 × 50 × 2 mm, a tab of 20 mm bent up out of a side with R 2, between slits 12 mm deep to its tangent line."""
+    return step_text("lanced", [("lanced", tab_plate(2, 2, 80, 50, 20, 25, slit, 12, 90, True).solid, False)])
 
 
 def surface_only():

@@ -223,6 +223,49 @@ class Outputs(CliTest):
         self.assertEqual((self.dir / "block.dxf").read_text(), "older")
 
 
+class Reliefs(CliTest):
+    """A tab of 2 mm with R 2 between slits of 0.01 mm, where the rules ask for half the thickness."""
+
+    ZONE, DEEPER = math.pi / 2 * (2 + 0.44 * 2), 0.2
+
+    def cut(self, shape):
+        self.write("lanced.step", step_files.lanced())
+        self.run_cli("unfold", "lanced.step", "--bend-relief", shape, "--profile", "default", "--json", "report.json")
+        return self.json("report.json"), ezdxf.readfile(self.dir / "lanced.dxf").modelspace()
+
+    @staticmethod
+    def area(outline):
+        """Of a closed polyline with arcs: the polygon of their chords, and the segments beyond."""
+        points = list(outline.get_points("xyb"))
+        sum_ = 0.0
+        for (x, y, bulge), (u, v, _) in zip(points, points[1:] + points[:1]):
+            angle, chord = 4 * math.atan(bulge), math.hypot(u - x, v - y)
+            sum_ += (x * v - u * y) / 2
+            if bulge:
+                sum_ += (chord / 2 / math.sin(angle / 2)) ** 2 * (angle - math.sin(angle)) / 2
+        return abs(sum_)
+
+    def test_they_are_as_wide_as_the_rules_ask_for(self):
+        drawn, _ = self.cut("none")
+        self.assertEqual([(f["code"], len(f["places"])) for f in drawn["checks"]], [("bend_relief", 2)])
+        # Each 1 mm wide over the zone and beyond at both ends; the slits are cut anyway. Round ones end in half circles.
+        square = 0.99 * (self.ZONE + self.DEEPER) + 1.0 * self.DEEPER
+        for shape, gone in (("square", square), ("round", square + math.pi / 8 + self.beside_a_slit(0.01))):
+            with self.subTest(shape):
+                report, drawing = self.cut(shape)
+                self.assertEqual([f["code"] for f in report["checks"]], ["bend_relief_cut"])
+                self.assertAlmostEqual(report["flat"]["area"], drawn["flat"]["area"] - 2 * gone, delta=1e-3)
+                (outline,) = drawing.query("LWPOLYLINE")
+                self.assertAlmostEqual(self.area(outline), report["flat"]["area"], delta=1e-3)
+                self.assertEqual(report["verification"]["openings"], drawn["verification"]["openings"])
+
+    @staticmethod
+    def beside_a_slit(slit):
+        """Of a half circle of 1 mm, what is left beside a slit along its side."""
+        middle = 1 - 2 * slit
+        return math.pi / 8 - (math.acos(middle) - middle * math.sqrt(1 - middle ** 2)) / 8
+
+
 class SeveralBodies(CliTest):
     def setUp(self):
         super().setUp()

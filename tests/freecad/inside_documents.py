@@ -246,7 +246,7 @@ class Unfold(Document):
         def words(schema):
             return set(schema.get("enum", ())) | {word for one in schema.get("anyOf", ()) for word in words(one)}
 
-        for name, offered in (("relief", features.RELIEF), ("extruded", features.EXTRUDED), ("up", features.UP),
+        for name, offered in (("relief", features.RELIEF), ("bend_relief", features.BEND_RELIEF), ("extruded", features.EXTRUDED), ("up", features.UP),
                               ("metal", features.METAL[1:]), ("lateral", features.LATERAL),
                               ("profile", preferences.PROFILES)):
             self.assertEqual(set(offered), words(options[name]), name)

@@ -1,6 +1,8 @@
 #include "rule_findings.hpp"
 #include "support/sheets.hpp"
 
+#include <planish/inspect/missing_relief.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,8 +28,7 @@ TEST(BendRelief, IsMissedAtBothEndsOfATabOnAnEdge) {
   const auto found = findings_of(tab_without_relief());
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_THAT(messages(found), ElementsAre("bend B1 ends flush with an edge at (-10, 0) without "
-                                           "relief; it needs one 2 mm (T) wide and, from "
-                                           "the outside of the bend, 4 mm (T + R) deep",
+                                           "relief; the corner bulges",
                                            HasSubstr("at (10, 0) without relief")));
   EXPECT_EQ(found[0].code, "bend_relief");
   EXPECT_NEAR((found[0].at.at(0) - Vec2(-10, 0)).norm(), 0.0, 1e-9);
@@ -177,6 +178,46 @@ TEST(BendRelief, OfAKerfIsInformationAndAShallowOneAWarning) {
   deep.relief_depth_t = 7.0;  // R + 7 T: 12 mm beyond the tangent line, of 16 in all
   EXPECT_EQ(worst_of(tab(15.0, 2.0, 4.1), deep), Severity::info) << "8.1 of 16 mm";
   EXPECT_EQ(worst_of(tab(15.0, 2.0, 3.9), deep), Severity::warning) << "7.9 of 16 mm";
+}
+
+TEST(BendRelief, NamesOneBesideAFlushEdgeIfTheRulesWantItDeeper) {
+  Rules rules = strict_rules();
+  rules.relief_depth_t = 1.5;
+  const auto found = findings_of(tab_without_relief(), rules);
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  EXPECT_EQ(found[0].message,
+            "bend B1 ends flush with an edge at (-10, 0) without relief; it needs one 2 mm (T) "
+            "wide and, from the outside of the bend, 5 mm (1.5 T + R) deep");
+}
+
+TEST(BendRelief, ToBeCutIsAStripOverTheBendZoneAndIntoTheFlange) {
+  Rules rules = strict_rules();
+  rules.relief_depth_t = 1.5;  // 1 mm beyond the tangent line
+  const auto missing = missing_reliefs({}, tab(15.0, 0.0, 0.0), rules);
+  ASSERT_EQ(missing.size(), 2u);
+  for (const MissingRelief& place : missing) {
+    const double side = place.corner.x() < 0.0 ? -1.0 : 1.0;
+    EXPECT_EQ(place.bend, "B1");
+    EXPECT_NEAR((place.corner - Vec2(side * 10, 0)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((place.beyond - Vec2(side, 0)).norm(), 0.0, 1e-12);
+    EXPECT_NEAR((place.into_flange - Vec2(0, -1)).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(place.width, 2.0, 1e-12);
+    EXPECT_NEAR(place.depth, 1.0, 1e-12);
+    EXPECT_NEAR(place.back, test::zone_width(), 1e-9);
+    EXPECT_FALSE(place.on_both_sides);
+  }
+}
+
+TEST(BendRelief, ToBeCutLeavesNoThinWebBehindIt) {
+  // 3 mm of sheet beside the tab behind the bend zone, where webs of 4 mm are asked for, then 5 mm.
+  const double w = test::zone_width();
+  EXPECT_NEAR(missing_reliefs({}, tab(w + 3.0, 0.0, 0.0), strict_rules()).at(0).back, w + 3.0,
+              1e-9);
+  EXPECT_NEAR(missing_reliefs({}, tab(w + 5.0, 0.0, 0.0), strict_rules()).at(0).back, w, 1e-9);
+}
+
+TEST(BendRelief, NeedsNoCutWhereTheEdgeIsFlush) {
+  EXPECT_TRUE(missing_reliefs({}, tab_without_relief(), strict_rules()).empty());
 }
 
 TEST(BendRelief, CanBeSwitchedOff) {

@@ -46,7 +46,7 @@ Laid laid(double overlap) {
 Result<Relieved> relieved_of(const Laid& part, const ReliefOptions& options = {}) {
   const auto& [layout, pattern] = part.flat;
   return with_reliefs(part.sheet, layout, pattern, double_covers(part.sheet, layout, pattern),
-                      options);
+                      options, {});
 }
 
 double whole(double overlap) {
@@ -95,6 +95,76 @@ TEST(Reliefs, LeaveASoundPatternAlone) {
   ASSERT_TRUE(relieved) << relieved.error().message;
   EXPECT_EQ(relieved->removed, 0.0);
   EXPECT_TRUE(relieved->findings.empty());
+}
+
+constexpr double kTongue = 10.0;
+const double kZone = pi / 2 * (kRadius + 0.44 * kThickness);
+
+/// A tongue 20 mm wide that is bent up out of a plate 15 mm before its edge, between slits of no
+/// width: each end of its bend tears the plate.
+Laid lance() {
+  test::SheetBuilder builder(kThickness);
+  const FaceId base = builder.flange(
+      Frame{},
+      {test::polygon(
+          {{0, 0}, {100, 0}, {100, 75}, {60, 75}, {60, 60}, {40, 60}, {40, 75}, {0, 75}})});
+  const test::Rim far = builder.bend(builder.rim(base, 4), test::Turn{Angle::degrees(90), kRadius});
+  builder.flange_behind(far, {test::rectangle(far.length, kTongue)});
+  Sheet sheet = builder.finish();
+  FlatSheet flat = flat_sheet(sheet).value();
+  return {std::move(sheet), std::move(flat)};
+}
+
+int missing(const Laid& part, const FlatPattern& pattern) {
+  for (const Finding& finding : check_rules(part.sheet, pattern, {}))
+    if (finding.code == "bend_relief") return static_cast<int>(finding.places.size());
+  return 0;
+}
+
+TEST(Reliefs, AreCutBesideBendsAsTheRulesAskFor) {
+  const Laid part = lance();
+  ASSERT_EQ(missing(part, part.flat.pattern), 2);
+  // Half as wide as the sheet is thick, over the bend zone and a tenth of the thickness beyond.
+  const double width = 0.5 * kThickness, straight = kZone + 0.2 * kThickness;
+  const double slit = kTongue - 0.1 * kThickness;
+  // They begin this far within the bend and are joined with its edge.
+  constexpr double kJoined = 1e-4;
+  for (const Relief shape : {Relief::square, Relief::round}) {
+    const bool round = shape == Relief::round;
+    const auto relieved = relieved_of(part, {.beside_bends = shape});
+    ASSERT_TRUE(relieved) << relieved.error().message;
+    const FlatPattern& pattern = relieved->pattern;
+    EXPECT_EQ(missing(part, pattern), 0);
+    const double area = width * straight + (round ? pi * width * width / 4 : 0.0);
+    const double around = 2 * straight + (round ? pi * width : 2 * width);
+    EXPECT_NEAR(relieved->removed, 2 * area, kJoined);
+    EXPECT_NEAR(pattern.area, part.flat.pattern.area - 2 * area, kJoined);
+    ASSERT_EQ(pattern.openings.size(), 2u);
+    ASSERT_EQ(pattern.slits.size(), 2u);
+    for (const Contour& opening : pattern.openings) {
+      EXPECT_NEAR(length(opening.loop), around, 10 * kJoined);
+      EXPECT_EQ(opening.loop.size(), 4u) << "no steps where it meets the bend";
+    }
+    ASSERT_EQ(pattern.bends.size(), 1u);
+    EXPECT_NEAR(pattern.bends.front().length, 20.0, kJoined);
+    ASSERT_EQ(relieved->findings.size(), 1u);
+    EXPECT_EQ(relieved->findings.front().code, "bend_relief_cut");
+    EXPECT_EQ(relieved->findings.front().severity, Severity::info);
+    EXPECT_EQ(relieved->findings.front().at.size(), 2u);
+    EXPECT_EQ(relieved->findings.front().message,
+              round ? "2 round reliefs are cut beside bend B1; the first is 0.5 mm by 2.96 mm"
+                    : "2 reliefs are cut beside bend B1; the first is 0.5 mm by 2.46 mm");
+    for (const Curve2& line : pattern.slits)
+      EXPECT_NEAR(length(line), slit, round ? 0.1 : kJoined);
+  }
+}
+
+TEST(Reliefs, BesideBendsAreLeftOutIfNotAskedFor) {
+  const Laid part = lance();
+  const auto relieved = relieved_of(part);
+  ASSERT_TRUE(relieved) << relieved.error().message;
+  EXPECT_EQ(relieved->removed, 0.0);
+  EXPECT_EQ(missing(part, relieved->pattern), 2);
 }
 
 }  // namespace

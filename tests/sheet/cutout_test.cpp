@@ -139,6 +139,52 @@ TEST(Cutout, KeepsTheSlitsThatLeadToIt) {
   EXPECT_NEAR(left.perimeter, 320 + 2 * (3.2 + 10.2) + 2 * 6.9, 1e-9);
 }
 
+/// A slit of no width, 40 long, that comes in from the upper edge at `x`.
+FlatPattern slit_at(double x) {
+  return pattern_of({{0, 0}, {100, 0}, {100, 60}, {x, 60}, {x, 20}, {x, 60}, {0, 60}});
+}
+
+TEST(Cutout, AtTheEndOfASlitHasItsArea) {
+  // At whichever side of the window its two banks are found first.
+  const double window = 2.0 * 4.0 - (4.0 - kPi) * 0.2 * 0.2;
+  for (const double x : {30.1, 41.0 / 3.0, 50.0, 61.7, 77.77})
+    for (const double beside : {-0.9, 0.0, 0.3}) {
+      const Cutout cutout = rectangle_at({x + beside, 20.5}, {1.0, 2.0}, 0.2);
+      EXPECT_NEAR(cut_out(slit_at(x), cutout).area, 6000 - window, 1e-9) << x << ' ' << beside;
+      const FlatPattern drawn = cut_out(with_slits_drawn_once(slit_at(x)), cutout);
+      EXPECT_NEAR(drawn.area, 6000 - window, 1e-9) << x << ' ' << beside;
+      ASSERT_EQ(drawn.openings.size(), 1u);
+      ASSERT_EQ(drawn.slits.size(), 1u);
+      const double corner = 0.2 - std::sqrt(0.2 * 0.2 - 0.1 * 0.1);
+      EXPECT_NEAR(length(drawn.slits.front()), 37.5 + (beside < -0.5 ? corner : 0.0), 1e-9);
+      EXPECT_NEAR(drawn.perimeter, 320 + 12 - (8 - 2 * kPi) * 0.2 + length(drawn.slits.front()),
+                  1e-9);
+    }
+}
+
+TEST(Cutout, WithinTheMaterialIsAnOpening) {
+  FlatPattern pattern = plain();
+  pattern.openings.push_back(ring_of({{20, 20}, {20, 40}, {40, 40}, {40, 20}}));
+  pattern.area -= 400;
+  const FlatPattern left = cut_out(pattern, rectangle_at({60, 30}, {5, 2}));
+  EXPECT_NEAR(left.area, 5600 - 40, 1e-9);
+  ASSERT_EQ(left.openings.size(), 2u);
+  EXPECT_LT(signed_area(left.openings.back().loop), 0.0);
+  EXPECT_NEAR(cut_out(pattern, rectangle_at({30, 30}, {5, 2})).area, 5600, 1e-9) << "in the hole";
+  EXPECT_NEAR(cut_out(pattern, rectangle_at({130, 30}, {5, 2})).area, 5600, 1e-9) << "in the air";
+  EXPECT_NEAR(cut_out(pattern, rectangle_at({30, 30}, {12, 12})).area, 6000 - 24 * 24, 1e-9)
+      << "around the hole";
+}
+
+TEST(Cutout, GoesOnFromALineThatItsSideLiesOn) {
+  // Beside the step at x = 40, and a thousandth of a micrometre into it.
+  const FlatPattern pattern = pattern_of(
+      {{0, 0}, {100, 0}, {100, 60}, {40, 60}, {40, 30}, {0, 30}});
+  const FlatPattern left = cut_out(pattern, rectangle_at({39 + 1e-6, 30}, {1.0, 5.0}));
+  EXPECT_EQ(left.outer.loop.size(), 8u) << "from the step's top to the window's bottom one line";
+  EXPECT_NEAR(left.area, pattern.area - 2.0 * 5.0, 1e-4);
+}
+
 TEST(Cutout, RefusesAPatternThatFallsIntoPieces) {
   const auto left = without_cutout(plain(), rectangle_at({40, 30}, {1, 40}));
   ASSERT_FALSE(left);

@@ -49,6 +49,7 @@ class Browser(StudioTest):
         (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
         (cls.folder / "small.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(8, 30)], 2.5))
+        (cls.folder / "lanced.step").write_text(step_files.lanced())
         (cls.folder / "tube.step").write_text(step_files.square_tube())
         (cls.folder / "curled.step").write_text(step_files.curled())
         (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
@@ -98,6 +99,9 @@ class Browser(StudioTest):
 
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
+
+    def test_reliefs_that_a_finding_names_are_cut_by_one_click(self):
+        self.flow("reliefs")
 
     def test_what_is_refused_has_the_room(self):
         self.flow("roomy")

@@ -22,7 +22,7 @@ SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitS
 OPTIONS = {
     "unfold": {"body": 1, "root": "largest", "up": "other", "rip_edges": "21", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch",
                "extruded": "through", "shop": {"name": "shop.json", "content": {"format": "planish/shop", "materials": [{"name": "steel", "gauges": [{"thickness": 2, "inside_radius": 2, "k": 0.4}]}]}},
-               "process": "punch", "relief": "round", "rip_width": 0.3,
+               "process": "punch", "relief": "round", "bend_relief": "square", "rip_width": 0.3,
                "material": {"content": {"tension": {"power_law": {"strength": 500, "exponent": 0.2}}}}},
     "transition": {"piece": 0, "k": 0.4},
     "slit": {"write_overlapping": False, "arc_tolerance": 0.1, "bend_marks": "ticks", "tick_length": 3, "tangent_lines": True, "bend_text": True, "turn_to_blank": True},

@@ -1,16 +1,59 @@
 import { isUp, lengthOfLine, type FlatScene, type Lie } from './flat-scene.ts';
 import { featureOfEdge, markedWith } from './lines.ts';
-import type { Shape } from './types.ts';
+import type { Shape, Vec2 } from './types.ts';
+
+const outlineWidth = 1.3; // px
 
 /** The sheet, its bends, what is picked, overlaps and lines. */
 export function paintSheet(c: CanvasRenderingContext2D, lie: Lie, scene: FlatScene, shape: Shape) {
   const { palette, selected } = scene;
-  fill(c, lie, shape, (part) => part < 0, palette.fill);
+  fill(c, lie, shape, isWhole, palette.fill);
   fill(c, lie, shape, (part) => shape.parts[part]?.kind === 'bend', palette.bend, 0.28);
   if (selected !== null) fill(c, lie, shape, (part) => part === selected, palette.selected);
   fillOverlaps(c, lie, scene, shape);
   strokeBendLines(c, lie, scene, shape);
   strokeOutline(c, lie, scene, shape);
+  paintReliefs(c, lie, scene, shape);
+}
+
+const isWhole = (part: number) => part === -1,
+  isRelief = (part: number) => part === -2;
+
+/** What was cut out of the pattern beyond the edges of its parts, which end there. */
+function paintReliefs(c: CanvasRenderingContext2D, lie: Lie, { palette }: FlatScene, shape: Shape) {
+  if (!shape.contour_part.some(isRelief)) return;
+  const margin = 2; // px
+  c.save();
+  c.beginPath();
+  for (let i = 0; i < shape.contour_part.length; ++i) {
+    if (!isRelief(shape.contour_part[i]!)) continue;
+    const { low, high } = boxOf(lie, shape, i);
+    c.rect(low[0] - margin, low[1] - margin, high[0] - low[0] + 2 * margin, high[1] - low[1] + 2 * margin);
+  }
+  c.clip();
+  fill(c, lie, shape, isRelief, palette.background);
+  c.beginPath();
+  for (let i = 0; i < shape.contour_part.length; ++i)
+    if (isWhole(shape.contour_part[i]!)) {
+      trace(c, lie, shape, i);
+      c.closePath();
+    }
+  c.strokeStyle = palette.outline;
+  c.lineWidth = outlineWidth;
+  c.stroke();
+  c.restore();
+}
+
+function boxOf({ scale, offset }: Lie, shape: Shape, contour: number) {
+  const low: Vec2 = [Infinity, Infinity],
+    high: Vec2 = [-Infinity, -Infinity];
+  for (let i = shape.contour_starts[contour]!; i < shape.contour_starts[contour + 1]!; ++i) {
+    const x = offset[0] + scale * shape.contour_points[2 * i]!,
+      y = offset[1] - scale * shape.contour_points[2 * i + 1]!;
+    [low[0], high[0]] = [Math.min(low[0], x), Math.max(high[0], x)];
+    [low[1], high[1]] = [Math.min(low[1], y), Math.max(high[1], y)];
+  }
+  return { low, high };
 }
 
 /** Fills the contours of some parts. */
@@ -59,7 +102,7 @@ function fillOverlaps(c: CanvasRenderingContext2D, { scale, offset }: Lie, scene
 function strokeOutline(c: CanvasRenderingContext2D, lie: Lie, { palette, edge }: FlatScene, shape: Shape) {
   const isCut = (e: number) => featureOfEdge(shape, e) === null;
   if (shape.edge_feature.some((f) => f >= 0)) strokeEdges(c, lie, shape, (e) => !isCut(e), palette.form, 1);
-  strokeEdges(c, lie, shape, isCut, palette.outline, 1.3);
+  strokeEdges(c, lie, shape, isCut, palette.outline, outlineWidth);
   const marked = markedWith(shape, edge);
   if (marked.size) strokeEdges(c, lie, shape, (e) => marked.has(e), palette.selected, 4);
 }

@@ -80,6 +80,7 @@ export interface Options {
   units?: LengthUnit;
   extruded?: 'pilot' | 'through' | 'outline';
   relief?: 'none' | 'rip' | 'square' | 'round';
+  bend_relief?: 'none' | 'square' | 'round';
   rip_width?: number;
   profile?: string;
   r12?: boolean;

@@ -188,11 +188,13 @@ void add_part_contours(Contours& contours, const job::Report& report, const Face
 }
 
 void add_contours(Shape& shape, const job::Report& report, const Facets& facets, double chord) {
-  constexpr std::int32_t kWhole = -1;
+  constexpr std::int32_t kWhole = -1, kRelief = -2;
   Contours contours(chord);
   contours.add(report.flat.outer.loop, true, kWhole);
   for (const Contour& opening : report.flat.openings)
     contours.add(opening.loop, false, kWhole);
+  for (const Loop& relief : report.reliefs)
+    contours.add(relief, true, kRelief);
   add_part_contours(contours, report, facets);
   contours.add_to(shape);
 }

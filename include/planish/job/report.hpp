@@ -35,8 +35,9 @@ struct Report {
   SheetSummary summary;
   Sheet sheet;  ///< the faces and bends that `flat` refers to; no faces if it was not known
   FlatPattern flat;
-  Layout layout;             ///< how the faces of `sheet` lie in `flat`, before slits are cut
-  Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
+  Layout layout;              ///< how the faces of `sheet` lie in `flat`, before slits are cut
+  std::vector<Loop> reliefs;  ///< outlines of what was cut out of `flat` beyond its faces
+  Vec2 size = Vec2::Zero();   ///< smallest enclosing rectangle, longer side first, mm
   Certificate certificate;
   std::vector<Finding> findings;
   std::vector<std::string> notes;

@@ -58,6 +58,7 @@ enum class Relief { none, rip, square, round };
 struct ReliefOptions {
   Relief shape = Relief::rip;
   double width = 0.0;  ///< of rips along slits, mm; 0: each slit is one line, cut once
+  Relief beside_bends = Relief::none;  ///< what is cut where bends would tear the sheet; no rip
 };
 
 /// What holds for bends between plates that say nothing else, instead of the defaults of the plates

@@ -18,6 +18,7 @@ GAP = 20.0  # mm, between the patterns of several pieces
 
 UP = ["auto", "reference", "other"]
 RELIEF = ["rip", "square", "round", "none"]
+BEND_RELIEF = ["none", "square", "round"]
 EXTRUDED = ["pilot", "through", "outline"]
 FACES_ARE = ["middle", "skin"]
 SIZES_ARE = ["mid", "inside", "outside"]
@@ -166,6 +167,7 @@ class Unfold(Pattern):
         *BENDING,
         ("App::PropertyEnumeration", "Up", "The skin that faces up; auto: the one from which more bends go up", UP),
         ("App::PropertyEnumeration", "Relief", "How corners without relief are mended whose patterns overlap a little", RELIEF),
+        ("App::PropertyEnumeration", "BendRelief", "What is cut beside bends that lack the relief that the rules ask for", BEND_RELIEF),
         ("App::PropertyEnumeration", "Extruded", "What is cut of holes through forms", EXTRUDED),
         ("App::PropertyString", "RipEdges", "Edges along which a closed solid is cut open, as its refusal names them: 21,56", ""),
     ]
@@ -173,7 +175,7 @@ class Unfold(Pattern):
     def made(self, document_object):
         return planish().unfold(solid_of(document_object), name=_name(document_object.Source),
                                 up=document_object.Up, relief=document_object.Relief, extruded=document_object.Extruded,
-                                rip_edges=document_object.RipEdges or None, **bending(document_object))
+                                bend_relief=document_object.BendRelief, rip_edges=document_object.RipEdges or None, **bending(document_object))
 
     def show(self, document_object, part):
         super().show(document_object, part)

@@ -14,8 +14,8 @@ SAME = 1e-6  # relative, for solids that may be alike
 BESIDE = 20.0  # mm
 
 
-def unfold(source, k_factor=None, *, k_table=None, shop=None, body=1, up="auto", relief="rip", extruded="pilot", rip_edges=(),
-           beside=False):
+def unfold(source, k_factor=None, *, k_table=None, shop=None, body=1, up="auto", relief="rip", bend_relief="none", extruded="pilot",
+           rip_edges=(), beside=False):
     """Lays a solid flat: a document object with `Shape` (the plane face), `KFactor`, `Report` and the other results.
 
     source: an object with a solid, a body, a part or a link. body: which of its solids, from 1. rip_edges: numbers of its
@@ -25,6 +25,7 @@ def unfold(source, k_factor=None, *, k_table=None, shop=None, body=1, up="auto",
     """
     def set_up(made):
         made.Source, made.Body, made.Up, made.Relief, made.Extruded = source, body, up, relief, extruded
+        made.BendRelief = bend_relief
         made.RipEdges = ",".join(map(str, rip_edges))
         _bending(made, k_factor, k_table, shop)
 

@@ -122,3 +122,53 @@ export async function roomy({ page }) {
   await open(page, [`${folder(page)}/../wide.step`]);
   assert.ok(await stacked());
 }
+
+/** A finding that names a relief has a button that cuts it. */
+export async function reliefs({ page }) {
+  await open(page, [`${folder(page)}/../lanced.step`]);
+  await page.click('[data-testid=tab-findings]');
+  const list = () => page.textContent('[data-testid=findings]');
+  const area = () => state(page, 's.shape.report.flat.area');
+  assert.match(await list(), /2 ends of bends[^]*without relief; it needs one 1 mm/);
+  const drawn = await area();
+  await page.click('[data-testid=remedy-bend-round]');
+  await rested(page);
+  assert.match(await list(), /2 round reliefs are cut beside bend B1/);
+  assert.doesNotMatch(await list(), /without relief/);
+  const round = await area();
+  // Its outline is drawn, and within it nothing is, also where the slit was.
+  const line = await state(page, '[...s.shape.bend_lines]'),
+    corner = [line[0], Math.max(line[1], line[3])],
+    at = await state(page, `views.flat.project(${JSON.stringify(corner)})`);
+  await page.mouse.move(at.x, at.y);
+  for (let turns = 0; turns < 5; ++turns) await page.mouse.wheel(0, -400);
+  await page.waitForTimeout(200);
+  const darkest = (away) =>
+    page.evaluate(
+      ([x, y]) => {
+        const { flat } = window.planish.views,
+          canvas = document.querySelector('[data-testid=flat-canvas]'),
+          box = canvas.getBoundingClientRect(),
+          at = flat.project([x, y]),
+          near = canvas.getContext('2d').getImageData(at.x - box.left - 2, at.y - box.top - 2, 5, 5).data;
+        return Math.min(...near.filter((_, i) => i % 4 === 1));
+      },
+      [corner[0] + 0.5, corner[1] + away],
+    );
+  for (const line of [0, 1]) assert.ok((await darkest(line)) < 120, `a side of the relief, ${line} mm from the bend`);
+  for (const off of [0.2, 0.5, 0.8, 1.2]) assert.ok((await darkest(off)) > 200, `no line ${off} mm from the bend`);
+  await page.screenshot({ path: `${folder(page)}/round.png` });
+  await page.click('[data-testid=undo]');
+  await page.click('[data-testid=remedy-bend-square]');
+  await rested(page);
+  assert.match(await list(), /2 reliefs are cut/);
+  // Each 1 mm wide over the bend zone and 0.2 mm beyond at both ends; the slits of 0.01 mm are cut anyway.
+  const zone = (Math.PI / 2) * (2 + 0.44 * 2),
+    square = 2 * (0.99 * (zone + 0.2) + 0.2);
+  assert.ok(Math.abs(drawn - (await area()) - square) < 1e-3, `${drawn - (await area())} mm² is cut`);
+  // With half circles at both ends.
+  assert.ok(drawn - round > square, `${drawn - round} mm² is cut`);
+  await page.click('[data-testid=remedy-bend-none]');
+  await rested(page);
+  assert.equal(await area(), drawn);
+}

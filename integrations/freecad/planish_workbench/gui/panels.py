@@ -14,7 +14,7 @@ DELAY = 300  # ms, between the last change and the recompute
 SEVERITY = {"error": (200, 30, 30), "warning": (190, 120, 0), "info": (90, 90, 90)}
 FIELDS = {
     "unfold": [("K-factor", "KFactor"), ("Bend table", "KTable"), ("Shop profile", "Shop"), ("Side up", "Up"),
-               ("Corners", "Relief"), ("Holes in forms", "Extruded"), ("Rip edges", "RipEdges")],
+               ("Corners", "Relief"), ("Beside bends", "BendRelief"), ("Holes in forms", "Extruded"), ("Rip edges", "RipEdges")],
     "connect": [("Thickness", "SheetThickness"), ("Inside radius", "InsideRadius"), ("Faces are", "FacesAre"),
                 ("Lateral boundaries", "Lateral"), ("K-factor", "KFactor"), ("Bend table", "KTable"), ("Shop profile", "Shop")],
     "transition": [("Thickness", "SheetThickness"), ("Sizes are", "SizesAre"), ("Pieces", "Pieces"),
