@@ -91,15 +91,39 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
   return covers;
 }
 
-double area_within(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern,
-                   const Loop& loop) {
-  const double chord = 0.25 * contact_clearance(pattern);
-  Regions regions = regions_of(sheet, layout, chord);
-  const int last = static_cast<int>(regions.polygons.size());
-  regions.polygons.push_back({sampled(loop, chord), {}});
+SheetArea::SheetArea(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern)
+    : chord_(0.25 * contact_clearance(pattern)),
+      polygons_(regions_of(sheet, layout, chord_).polygons) {
+  for (const Polygon& polygon : polygons_) {
+    Box2& box = boxes_.emplace_back();
+    for (const Vec2& p : polygon.outer)
+      box.add(p);
+  }
+}
+
+double SheetArea::within(Polygon loop, const Box2& box) const {
+  std::vector<Polygon> pair(2);
+  pair[1] = std::move(loop);
   double sum = 0.0;
-  for (const Overlap& overlap : overlaps(regions.polygons, 0.0, 0.0))
-    if (overlap.second == last || overlap.first == last) sum += overlap.area;
+  for (size_t i = 0; i < polygons_.size(); ++i) {
+    if (!boxes_[i].overlaps(box)) continue;
+    pair[0] = polygons_[i];
+    for (const Overlap& overlap : overlaps(pair, 0.0, 0.0))
+      sum += overlap.area;
+  }
+  return sum;
+}
+
+double SheetArea::within(const Loop& loop, const std::vector<Loop>& without) const {
+  const Polygon polygon = polygon_of({loop, {}}, chord_);
+  const Box2 box = bounds(loop);
+  std::vector<Polygon> others;
+  for (const Loop& other : without)
+    if (bounds(other).overlaps(box)) others.push_back(polygon_of({other, {}}, chord_));
+  if (others.empty()) return within(polygon, box);
+  double sum = 0.0;
+  for (const auto& corners : inset_triangles(polygon, 0.0, others))
+    sum += within(Polygon{{corners.begin(), corners.end()}, {}}, box);
   return sum;
 }
 

@@ -2,7 +2,6 @@
 
 #include "units.hpp"
 
-#include <planish/geometry/region.hpp>
 #include <planish/inspect/missing_relief.hpp>
 #include <planish/sheet/cutout.hpp>
 
@@ -67,35 +66,15 @@ Cutout cutout_along(const Segment& slit, const ReliefOptions& options) {
   return cutout;
 }
 
-Loop ring_through(const std::array<Vec2, 3>& corners) {
-  return {Segment{corners[0], corners[1]}, Segment{corners[1], corners[2]},
-          Segment{corners[2], corners[0]}};
-}
-
-/// Area of the sheet within a cutout and outside of all before it.
-double new_area_within(const Relieved& relieved, const Sheet& sheet, const Layout& layout,
-                       const Loop& outline, double chord) {
-  std::vector<Polygon> before;
-  for (const Loop& other : relieved.cutouts)
-    if (bounds(other).overlaps(bounds(outline))) before.push_back(polygon_of({other, {}}, chord));
-  if (before.empty()) return area_within(sheet, layout, relieved.pattern, outline);
-  double sum = 0.0;
-  for (const auto& corners : inset_triangles(polygon_of({outline, {}}, chord), 0.0, before))
-    sum += area_within(sheet, layout, relieved.pattern, ring_through(corners));
-  return sum;
-}
-
 /// Cuts one out, and checks the area against that of the faces within it.
-Result<void> cut(Relieved& relieved, const Sheet& sheet, const Layout& layout,
-                 const Cutout& cutout) {
+Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout) {
   auto left = without_cutout(relieved.pattern, cutout);
   if (!left) return tl::unexpected(left.error());
   const double removed = relieved.pattern.area - left->area;
   const Loop outline = cutout.outline();
   // Polygons leave out or add a chord's height along each curve.
-  const double chord = kContactShare * relieved.pattern.thickness;
-  const double within = new_area_within(relieved, sheet, layout, outline, chord / 4);
-  const double slack = chord * length(outline);
+  const double slack = kContactShare * relieved.pattern.thickness * length(outline);
+  const double within = area.within(outline, relieved.cutouts);
   if (!(std::abs(removed - within) <= slack))
     return fail(
         ErrorCode::pattern_wrong,
@@ -162,8 +141,8 @@ bool is_among(const std::vector<MissingRelief>& places, const MissingRelief& pla
 
 /// Cuts them except at `left` where they can be. Bends that meet in a corner share one, so others
 /// may be found missing after a first round. Returns the places.
-std::vector<MissingRelief> cut_missing(Relieved& relieved, const Sheet& sheet, const Layout& layout,
-                                       Relief shape, const Rules& rules,
+std::vector<MissingRelief> cut_missing(Relieved& relieved, const Sheet& sheet,
+                                       const SheetArea& area, Relief shape, const Rules& rules,
                                        const std::vector<MissingRelief>& left) {
   const double thickness = relieved.pattern.thickness;
   std::vector<MissingRelief> tried = left, done;
@@ -173,42 +152,38 @@ std::vector<MissingRelief> cut_missing(Relieved& relieved, const Sheet& sheet, c
       if (is_among(tried, place)) continue;
       tried.push_back(place);
       going_on = true;
-      if (cut(relieved, sheet, layout, cutout_beside(place, thickness, shape)))
-        done.push_back(place);
+      if (cut(relieved, area, cutout_beside(place, thickness, shape))) done.push_back(place);
     }
   }
   return done;
 }
 
 Finding cut_beside(const std::vector<MissingRelief>& places, double thickness, Relief shape) {
-  std::vector<std::string> bends;
   std::vector<Vec2> at;
-  for (const MissingRelief& place : places) {
-    if (std::find(bends.begin(), bends.end(), place.bend) == bends.end())
-      bends.push_back(place.bend);
+  for (const MissingRelief& place : places)
     at.push_back(place.corner);
-  }
   const Vec2 size = 2 * cutout_beside(places.front(), thickness, shape).half;
+  const std::string first = fmt::format("beside bend {}", places.front().bend);
+  const std::string measures = fmt::format("{:.3g} mm by {:.3g} mm", size.x(), size.y());
   const int count = static_cast<int>(places.size());
   return {"bend_relief_cut", Severity::info,
-          fmt::format("{} cut beside {} {}{} {:.3g} mm by {:.3g} mm",
-                      counted(count, name_of(shape)) + (count == 1 ? " is" : " are"),
-                      bends.size() == 1 ? "bend" : "bends", fmt::join(bends, ", "),
-                      count == 1 ? "," : "; the first is", size.x(), size.y()),
+          count == 1 ? fmt::format("a {} of {} is cut {}", name_of(shape), measures, first)
+                     : fmt::format("{} are cut beside bends; the first, {}, is {}",
+                                   counted(count, name_of(shape)), first, measures),
           at};
 }
 
 /// A place at which none can be cut, or where it would be of no use, keeps its finding.
-void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const Layout& layout, Relief shape,
+void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const SheetArea& area, Relief shape,
                       const Rules& rules) {
   const double thickness = relieved.pattern.thickness;
   Relieved with = relieved;
-  std::vector<MissingRelief> places = cut_missing(with, sheet, layout, shape, rules, {});
+  std::vector<MissingRelief> places = cut_missing(with, sheet, area, shape, rules, {});
   std::vector<MissingRelief> useless = missing_reliefs(sheet, with.pattern, rules);
   std::erase_if(useless, [&](const MissingRelief& place) { return !is_among(places, place); });
   if (!useless.empty()) {
     with = relieved;
-    places = cut_missing(with, sheet, layout, shape, rules, useless);
+    places = cut_missing(with, sheet, area, shape, rules, useless);
   }
   if (places.empty()) return;
   relieved = std::move(with);
@@ -216,11 +191,10 @@ void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const Layout& layo
 }
 
 /// A slit that cannot be given a width stays a line.
-void rip_slits(Relieved& relieved, const Sheet& sheet, const Layout& layout,
-               const ReliefOptions& options) {
+void rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& options) {
   std::vector<Vec2> places;
   for (const Segment& slit : straight_slits(relieved.pattern)) {
-    if (!cut(relieved, sheet, layout, cutout_along(slit, options))) continue;
+    if (!cut(relieved, area, cutout_along(slit, options))) continue;
     places.push_back((slit.a + slit.b) / 2);
   }
   if (places.empty()) return;
@@ -238,17 +212,17 @@ Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const Fl
                               const std::vector<DoubleCover>& covers, const ReliefOptions& options,
                               const Rules& rules) {
   Relieved relieved{pattern, 0.0, static_cast<int>(covers.size()), {}, {}};
+  const SheetArea area(sheet, layout, pattern);
   for (const DoubleCover& cover : covers) {
     if (auto small = check_size(cover, pattern); !small) return tl::unexpected(small.error());
     const Cutout cutout = cutout_at(cover, pattern, options);
-    if (auto done = cut(relieved, sheet, layout, cutout); !done)
-      return tl::unexpected(done.error());
+    if (auto done = cut(relieved, area, cutout); !done) return tl::unexpected(done.error());
     relieved.findings.push_back(mended(cover, cutout, pattern, options.shape));
   }
   relieved.pattern = with_slits_drawn_once(std::move(relieved.pattern));
   if (options.beside_bends != Relief::none)
-    cut_beside_bends(relieved, sheet, layout, options.beside_bends, rules);
-  if (options.width > 0.0) rip_slits(relieved, sheet, layout, options);
+    cut_beside_bends(relieved, sheet, area, options.beside_bends, rules);
+  if (options.width > 0.0) rip_slits(relieved, area, options);
   return relieved;
 }
 

@@ -151,9 +151,11 @@ TEST(Reliefs, AreCutBesideBendsAsTheRulesAskFor) {
     EXPECT_EQ(relieved->findings.front().code, "bend_relief_cut");
     EXPECT_EQ(relieved->findings.front().severity, Severity::info);
     EXPECT_EQ(relieved->findings.front().at.size(), 2u);
-    EXPECT_EQ(relieved->findings.front().message,
-              round ? "2 round reliefs are cut beside bend B1; the first is 0.5 mm by 2.96 mm"
-                    : "2 reliefs are cut beside bend B1; the first is 0.5 mm by 2.46 mm");
+    EXPECT_EQ(
+        relieved->findings.front().message,
+        round ? "2 round reliefs are cut beside bends; the first, beside bend B1, is 0.5 mm by "
+                "2.96 mm"
+              : "2 reliefs are cut beside bends; the first, beside bend B1, is 0.5 mm by 2.46 mm");
     for (const Curve2& line : pattern.slits)
       EXPECT_NEAR(length(line), slit, round ? 0.1 : kJoined);
   }

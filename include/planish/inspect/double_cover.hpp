@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/geometry/region.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
@@ -25,9 +26,21 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
 /// Where contours of the pattern as written cross themselves, with the depth of `find_overlaps`.
 std::vector<Finding> contour_crossings(const FlatPattern& pattern);
 
-/// The area that the sheet's faces and sharp bends have within a closed loop; what is covered twice
-/// counts twice. By polygons, and without the pattern's contours: to check what was cut from them.
-double area_within(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern,
-                   const Loop& loop);
+/// The area of the sheet's faces and sharp bends in the pattern, by polygons and without the
+/// pattern's contours: to check what was cut from them.
+class SheetArea {
+ public:
+  SheetArea(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern);
+  /// mm² within a closed loop and outside of others; what is covered twice counts twice. O(faces)
+  /// and the corners of those that meet the loop.
+  double within(const Loop& loop, const std::vector<Loop>& without = {}) const;
+
+ private:
+  double within(Polygon loop, const Box2& box) const;
+
+  double chord_ = 0.0;
+  std::vector<Polygon> polygons_;
+  std::vector<Box2> boxes_;
+};
 
 }  // namespace planish

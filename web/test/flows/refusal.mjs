@@ -133,7 +133,7 @@ export async function reliefs({ page }) {
   const drawn = await area();
   await page.click('[data-testid=remedy-bend-round]');
   await rested(page);
-  assert.match(await list(), /2 round reliefs are cut beside bend B1/);
+  assert.match(await list(), /2 round reliefs are cut beside bends/);
   assert.doesNotMatch(await list(), /without relief/);
   const round = await area();
   // Its outline is drawn, and within it nothing is, also where the slit was.
