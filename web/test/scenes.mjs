@@ -58,6 +58,13 @@ async function remedy({ page, made }) {
   await away(page);
 }
 
+async function relief({ page, made }) {
+  await open(page, [`${made}/lanced.step`]);
+  await tab(page, 'findings');
+  await page.click('[data-testid=finding-1] button');
+  await away(page);
+}
+
 /** Clicks places of a view to measure between them. */
 async function click(page, view, ...places) {
   for (const at of places) {
@@ -191,6 +198,7 @@ export const scenes = {
   overlap,
   findings,
   remedy,
+  relief,
   measure,
   section,
   glass,

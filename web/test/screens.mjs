@@ -48,6 +48,13 @@ if (!existsSync(`${made}/all_parts.step`))
   execFileSync('python3', ['../tools/make_known_parts.py', made, '--together'], {
     cwd: new URL('..', import.meta.url).pathname,
   });
+if (!existsSync(`${made}/lanced.step`))
+  writeFileSync(
+    `${made}/lanced.step`,
+    execFileSync('python3', ['-c', 'import step_files; print(step_files.lanced())'], {
+      cwd: new URL('../../tests/cli', import.meta.url).pathname,
+    }),
+  );
 mkdirSync(shown, { recursive: true });
 let total = 0;
 for (const [name, scene] of Object.entries(scenes)) {
