@@ -61,7 +61,7 @@ class Geos {
     if (GEOSisValid_r(handle_, made.get()) == 1) return made;
     Geometry valid = own(GEOSMakeValid_r(handle_, made.get()));
     PLANISH_ASSERT(valid);
-    return valid;
+    return areas_in(std::move(valid));
   }
 
   Geometry shrunk(Geometry g, double by) const {
@@ -131,6 +131,23 @@ class Geos {
   }
 
  private:
+  /// Its polygons: where a ring runs there and back, what is valid has lines as well, which
+  /// overlays refuse beside areas.
+  Geometry areas_in(Geometry g) const {
+    if (GEOSGeomTypeId_r(handle_, g.get()) != GEOS_GEOMETRYCOLLECTION) return g;
+    std::vector<GEOSGeometry*> polygons;
+    const auto take = [&](const auto& self, const GEOSGeometry* from) -> void {
+      if (GEOSGeomTypeId_r(handle_, from) == GEOS_POLYGON)
+        return polygons.push_back(GEOSGeom_clone_r(handle_, from));
+      if (GEOSGeomTypeId_r(handle_, from) < GEOS_MULTIPOINT) return;
+      for (int i = 0; i < GEOSGetNumGeometries_r(handle_, from); ++i)
+        self(self, GEOSGetGeometryN_r(handle_, from, i));
+    };
+    take(take, g.get());
+    return own(GEOSGeom_createCollection_r(handle_, GEOS_MULTIPOLYGON, polygons.data(),
+                                           static_cast<unsigned>(polygons.size())));
+  }
+
   Geometry own(GEOSGeometry* g) const { return Geometry(g, Release{handle_}); }
 
   /// Closed ring; null for fewer than three corners.

@@ -29,7 +29,8 @@ struct ZoneCorner {
 struct Relief {
   Vec2 at = Vec2::Zero();
   bool missing = false;
-  bool flush = false;  // missing, and the sheet beside the bend ends where the bend begins
+  bool flush = false;  // missing, and the sheet beside the bend ends near to where the bend begins
+  bool clear = false;  // exactly there: nothing of it is beside the bend
   double width = std::numeric_limits<double>::infinity();
   double depth = std::numeric_limits<double>::infinity();  // beyond the tangent line
 };
@@ -55,7 +56,9 @@ std::vector<ZoneCorner> corners_towards(const Workpiece& workpiece, size_t bend,
 }
 
 double free_way(const Workpiece& workpiece, const Vec2& from, const Vec2& direction, double reach) {
-  return workpiece.contours.first_hit(from, direction, reach, [](size_t) { return true; });
+  const auto any = [](std::size_t) { return true; };
+  return std::min(workpiece.contours.first_hit(from, direction, reach, any),
+                  workpiece.slits.first_hit(from, direction, reach, any));
 }
 
 bool uncut(const Workpiece& workpiece, const Vec2& from, const Vec2& to) {
@@ -83,8 +86,11 @@ Relief relief_at(const Workpiece& workpiece, const ZoneCorner& corner, const Lim
   Relief relief{corner.at};
   relief.missing = flange_goes_on(workpiece, corner, kBeside, 0.5 * kAcross);
   if (relief.missing) {
-    relief.flush = !workpiece.material(corner.at + kBeside * corner.beyond -
-                                       kQuarter * outside * corner.outward);
+    const auto beside = [&](double behind) {
+      return workpiece.material(corner.at + kBeside * corner.beyond - behind * corner.outward);
+    };
+    relief.flush = !beside(kQuarter * outside);
+    relief.clear = relief.flush && !beside(kAcross);
     return relief;
   }
   const Vec2 level = corner.at + kBeside * corner.beyond + kAcross * corner.outward;
@@ -97,15 +103,17 @@ Relief relief_at(const Workpiece& workpiece, const ZoneCorner& corner, const Lim
     bottom = flange_goes_on(workpiece, corner, middle, depth);
   if (!bottom) return relief;
   relief.width = width;
+  // From just beyond the tangent line, where a relief may begin or have a step.
   if (limits.depth > kAcross && width > 0.0)
-    relief.depth = free_way(workpiece, corner.at + middle * corner.beyond, corner.outward,
-                            limits.depth);
+    relief.depth = kAcross + free_way(workpiece,
+                                      corner.at + middle * corner.beyond + kAcross * corner.outward,
+                                      corner.outward, limits.depth);
   return relief;
 }
 
 /// Where the sheet beside the bend ends at the tangent line, a relief no deeper than that is air.
 bool asks_for_cut(const Relief& relief, const Limits& limits) {
-  return !relief.flush || limits.depth > kDrawn;
+  return !relief.clear || limits.depth > kDrawn;
 }
 
 /// How far a relief falls short of the limits, negative if it does; least where nothing is to be
@@ -134,7 +142,7 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
   const std::string depth = fmt::format("{} ({})", mm_text(limits.depth + setback),
                                         factors_text(rules.relief_depth_t, rules.relief_depth_r));
   if (relief.missing && !asks_for_cut(relief, limits)) {
-    return fmt::format("bend {} ends flush with an edge at {} without relief; the corner bulges",
+    return fmt::format("bend {} ends flush with an edge at {}, where the corner bulges a little",
                        bend.id, point_text(relief.at));
   }
   if (relief.missing) {
@@ -162,9 +170,16 @@ Limits limits_for(const FlatBend& bend, const Rules& rules, double thickness) {
                                                 (bend.inside_radius + thickness)};
 }
 
+/// Sheet that goes on counts before a slit beside it, and before an edge that is flush.
+bool is_worse(const Relief& relief, const Relief& than, const Limits& limits) {
+  if (relief.missing && than.missing) return than.flush && !relief.flush;
+  const double shorter = excess(than, limits) - excess(relief, limits);
+  return std::abs(shorter) <= kDrawn ? relief.missing && !than.missing : shorter > 0.0;
+}
+
 /// An end of a bend that has no relief, or less than the rules ask for.
 struct ShortRelief {
-  const FlatBend& bend;
+  const FlatBend* bend = nullptr;
   ZoneCorner corner;  // the worse one
   Relief relief;      // beside it
   Limits limits;
@@ -177,16 +192,14 @@ std::optional<ShortRelief> short_relief(const Workpiece& workpiece, size_t bend,
                                         const Vec2& direction, const Rules& rules) {
   const FlatBend& given = workpiece.pattern.bends[bend];
   const Limits limits = limits_for(given, rules, workpiece.thickness);
-  ShortRelief worst{given, {}, {}, limits};
+  ShortRelief worst{&given, {}, {}, limits};
   const auto corners = corners_towards(workpiece, bend, direction);
   int cuts = 0;
   for (const ZoneCorner& corner : corners) {
     const Relief relief = relief_at(workpiece, corner, limits,
                                     given.inside_radius + workpiece.thickness);
     if (excess(relief, limits) < -kDrawn && asks_for_cut(relief, limits)) ++cuts;
-    const bool same = worst.relief.missing && relief.missing;
-    if (same ? worst.relief.flush && !relief.flush
-             : excess(relief, limits) < excess(worst.relief, limits)) {
+    if (is_worse(relief, worst.relief, limits)) {
       worst.relief = relief;
       worst.corner = corner;
     }
@@ -198,22 +211,28 @@ std::optional<ShortRelief> short_relief(const Workpiece& workpiece, size_t bend,
   return worst;
 }
 
+double excess(const ShortRelief& relief) { return excess(relief.relief, relief.limits); }
+
 /// All of them, in the order of bends. Bends that meet in a corner lack only one relief between
-/// them.
+/// them, which is the worse.
 std::vector<ShortRelief> short_reliefs(const Workpiece& workpiece, const Rules& rules) {
   std::vector<ShortRelief> found;
   if (rules.relief_width_t <= 0.0) return found;
+  const auto take = [&](const ShortRelief& relief) {
+    for (ShortRelief& other : found) {
+      if (other.bend == relief.bend ||
+          (other.relief.at - relief.relief.at).norm() > workpiece.thickness)
+        continue;
+      if (excess(relief) < excess(other) - kDrawn) other = relief;
+      return;
+    }
+    found.push_back(relief);
+  };
   for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
     if (!workpiece.spans[b]) continue;
     const Vec2 along = workpiece.spans[b]->end - workpiece.spans[b]->start;
-    for (const Vec2& direction : {Vec2(-along), along}) {
-      const auto relief = short_relief(workpiece, b, direction, rules);
-      if (!relief) continue;
-      const bool seen = std::any_of(found.begin(), found.end(), [&](const ShortRelief& other) {
-        return (other.relief.at - relief->relief.at).norm() <= workpiece.thickness;
-      });
-      if (!seen) found.push_back(*relief);
-    }
+    for (const Vec2& direction : {Vec2(-along), along})
+      if (const auto relief = short_relief(workpiece, b, direction, rules)) take(*relief);
   }
   return found;
 }
@@ -234,11 +253,11 @@ std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules
   std::vector<Observation> result;
   for (const ShortRelief& found : short_reliefs(workpiece, rules))
     result.push_back(
-        {"bend_relief",
-         {severity(found.bend, found.relief, found.limits, rules, workpiece.thickness),
-          relief_text(found.bend, found.relief, found.limits, rules, workpiece.thickness),
+        {asks_for_cut(found.relief, found.limits) ? "bend_relief" : "flush_bend",
+         {severity(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
+          relief_text(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
           {found.relief.at}},
-         excess(found.relief, found.limits)});
+         excess(found)});
   return result;
 }
 
@@ -254,9 +273,10 @@ std::vector<MissingRelief> missing_reliefs(const Sheet& sheet, const FlatPattern
   for (const ShortRelief& found : short_reliefs(workpiece, rules)) {
     if (!asks_for_cut(found.relief, found.limits)) continue;
     const ZoneCorner& corner = found.corner;
-    const double web = web_behind(workpiece, found, rules.opening_to_edge_t * workpiece.thickness);
-    missing.push_back({found.bend.id, corner.at, corner.beyond, corner.outward, found.limits.width,
-                       std::max(found.limits.depth, 0.0), found.zone + web, found.on_both_sides});
+    const double narrow = rules.opening_to_edge_t * workpiece.thickness;
+    const double web = found.on_both_sides ? 0.0 : web_behind(workpiece, found, narrow);
+    missing.push_back({found.bend->id, corner.at, corner.beyond, corner.outward, found.limits.width,
+                       std::max(found.limits.depth, 0.0), found.zone, web, found.on_both_sides});
   }
   return missing;
 }

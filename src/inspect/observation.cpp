@@ -21,6 +21,7 @@ const char* many_of(std::string_view code) {
   static const std::map<std::string_view, const char*> kMany{
       {"flange_height", "flanges are too low to be bent"},
       {"bend_relief", "ends of bends lack a relief, or have too small a one"},
+      {"flush_bend", "ends of bends are flush with an edge"},
       {"inside_radius", "bends have too small an inside radius"},
       {"hem", "hems are too narrow inside or have too short a return"},
       {"k_factor", "K-factors lie outside the range of measured ones"},

@@ -172,10 +172,22 @@ void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
   });
 }
 
+std::vector<std::vector<Vec2>> slit_rings(const FlatPattern& pattern) {
+  std::vector<std::vector<Vec2>> rings;
+  for (const Curve2& slit : pattern.slits)
+    rings.push_back(sampled(slit, 0.1 * kDrawn));
+  return rings;
+}
+
 }  // namespace
 
 Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
-    : pattern(flat), thickness(flat.thickness), contours({}), tangent_index({}), zone_index({}) {
+    : pattern(flat),
+      thickness(flat.thickness),
+      contours({}),
+      slits(slit_rings(flat)),
+      tangent_index({}),
+      zone_index({}) {
   for (size_t b = 0; b < flat.bends.size(); ++b) {
     const FlatBend& bend = flat.bends[b];
     Box2& zone = zones.emplace_back();

@@ -53,6 +53,7 @@ struct Workpiece {
   const FlatPattern& pattern;
   double thickness;
   RingIndex contours;  ///< ring 0 is the outer contour, ring i + 1 opening i
+  RingIndex slits;     ///< the pattern's slits, there and back: cuts without area
   std::vector<BendSide> sides;
   std::vector<std::optional<BendSpan>> spans;  ///< by bend; empty without bend lines
   std::vector<Box2> zones;                     ///< by bend: box of its lines

@@ -4,6 +4,7 @@
 
 #include <planish/inspect/missing_relief.hpp>
 #include <planish/sheet/cutout.hpp>
+#include <planish/sheet/one_piece.hpp>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,20 @@ Cutout cutout_along(const Segment& slit, const ReliefOptions& options) {
   return cutout;
 }
 
+/// How near slits end to what they lead to: cutouts join what they meet across `kDrawnOnce`.
+constexpr double kMeets = 10.0 * kDrawnOnce;
+
+/// Whether the cutout has parted what was one piece, across slits that have no width.
+bool parts(const FlatPattern& before, const FlatPattern& after, const Cutout& cutout) {
+  const auto ends_here = [&](const Vec2& p) { return std::abs(cutout.distance(p)) <= kMeets; };
+  int ends = 0;
+  for (const Curve2& slit : after.slits)
+    ends += ends_here(start_of(slit)) + ends_here(end_of(slit));
+  const bool apart = after.openings.size() == before.openings.size() + 1;  // from all contours
+  if (ends == 0 || (ends == 1 && apart)) return false;
+  return !is_one_piece(after, kMeets) && is_one_piece(before, kMeets);
+}
+
 /// Cuts one out, and checks the area against that of the faces within it.
 Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout) {
   auto left = without_cutout(relieved.pattern, cutout);
@@ -79,6 +94,8 @@ Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout
     return fail(
         ErrorCode::pattern_wrong,
         fmt::format("a relief took {:.4g} mm² where the sheet has {:.4g} mm²", removed, within));
+  if (parts(relieved.pattern, *left, cutout))
+    return fail(ErrorCode::unsupported_shape, "a relief parts the sheet");
   relieved.pattern = std::move(*left);
   relieved.removed += removed;
   relieved.cutouts.push_back(outline);
@@ -109,28 +126,47 @@ std::vector<Segment> straight_slits(FlatPattern& pattern) {
   return slits;
 }
 
-/// How far the relief begins within the bend, mm: its end may lie on the sheet beside it. Less than
-/// what contours are joined across.
-constexpr double kIntoBend = 5e-6;
+/// How far a relief reaches into the bend, and beyond its width: its sides may lie on edges. Less
+/// than what contours are joined across, mm.
+constexpr double kOverEdge = kDrawnOnce / 2;
 /// How far it goes beyond what is needed, as a share of the thickness, so that the bend is clear.
 constexpr double kPastNeed = 0.1;
 
-/// At least as long as it is wide: beside narrow bends that is what can be cut.
-
-Cutout cutout_beside(const MissingRelief& place, double thickness, Relief shape) {
-  const double half = (place.width + kIntoBend) / 2;
+/// At least as long as it is wide: beside narrow bends that is what can be cut. Round ones end in
+/// half circles, but for the corner at which the side of a tab, or the slit along it, enters.
+Cutout cutout_beside(const MissingRelief& place, double web, double thickness, Relief shape) {
+  const double half = place.width / 2 + kOverEdge;
   const double radius = shape == Relief::round ? half : 0.0;
-  const double behind = place.back + (place.on_both_sides ? place.depth : 0.0);
-  const double past = std::max(kPastNeed * thickness, (place.width - place.depth - behind) / 2);
+  const double behind = place.zone + web + (place.on_both_sides ? place.depth : 0.0);
+  const double past = std::max(kPastNeed * thickness, (place.width - place.depth - behind) / 2) +
+                      kOverEdge;
   const double top = place.depth + past + radius, bottom = -behind - past - radius;
   Cutout cutout;
-  cutout.middle = place.corner + (place.width - kIntoBend) / 2 * place.beyond +
+  cutout.middle = place.corner + place.width / 2 * place.beyond +
                   (top + bottom) / 2 * place.into_flange;
   cutout.along = place.beyond;
   cutout.half = {half, (top - bottom) / 2};
   cutout.corner_radius = radius;
+  const Vec2 across(-place.beyond.y(), place.beyond.x());
+  if (!place.on_both_sides) cutout.sharp_corner = across.dot(place.into_flange) > 0.0 ? 2 : 1;
   return cutout;
 }
+
+/// Out at the edge behind it, if that is near, else with a web left before it.
+std::optional<Cutout> cut_at(Relieved& relieved, const SheetArea& area, const MissingRelief& place,
+                             Relief shape) {
+  for (const double web : {place.web, 0.0}) {
+    const Cutout cutout = cutout_beside(place, web, relieved.pattern.thickness, shape);
+    if (cut(relieved, area, cutout)) return cutout;
+    if (place.web == 0.0) break;
+  }
+  return std::nullopt;
+}
+
+struct PlacedRelief {
+  MissingRelief place;
+  Cutout cutout;
+};
 
 /// Whether one of them is at the same end of the same bend.
 bool is_among(const std::vector<MissingRelief>& places, const MissingRelief& place) {
@@ -139,33 +175,42 @@ bool is_among(const std::vector<MissingRelief>& places, const MissingRelief& pla
   });
 }
 
-/// Cuts them except at `left` where they can be. Bends that meet in a corner share one, so others
-/// may be found missing after a first round. Returns the places.
-std::vector<MissingRelief> cut_missing(Relieved& relieved, const Sheet& sheet,
-                                       const SheetArea& area, Relief shape, const Rules& rules,
-                                       const std::vector<MissingRelief>& left) {
-  const double thickness = relieved.pattern.thickness;
-  std::vector<MissingRelief> tried = left, done;
+/// Cuts them except at `left` where they can be. One cut may change what is missing beside it, as
+/// where bends meet in a corner: what is near to a cut waits for the next round.
+std::vector<PlacedRelief> cut_missing(Relieved& relieved, const Sheet& sheet, const SheetArea& area,
+                                      Relief shape, const Rules& rules,
+                                      const std::vector<MissingRelief>& left) {
+  std::vector<MissingRelief> tried = left;
+  std::vector<PlacedRelief> done;
   for (bool going_on = true; going_on;) {
     going_on = false;
+    std::vector<Box2> cut_now;
     for (const MissingRelief& place : missing_reliefs(sheet, relieved.pattern, rules)) {
       if (is_among(tried, place)) continue;
-      tried.push_back(place);
       going_on = true;
-      if (cut(relieved, area, cutout_beside(place, thickness, shape))) done.push_back(place);
+      const Cutout wanted = cutout_beside(place, place.web, relieved.pattern.thickness, shape);
+      const Box2 box = bounds(wanted.outline());
+      if (std::any_of(cut_now.begin(), cut_now.end(),
+                      [&](const Box2& other) { return other.overlaps(box); }))
+        continue;
+      tried.push_back(place);
+      if (const auto cutout = cut_at(relieved, area, place, shape)) {
+        done.push_back({place, *cutout});
+        cut_now.push_back(box);
+      }
     }
   }
   return done;
 }
 
-Finding cut_beside(const std::vector<MissingRelief>& places, double thickness, Relief shape) {
+Finding cut_beside(const std::vector<PlacedRelief>& reliefs, Relief shape) {
   std::vector<Vec2> at;
-  for (const MissingRelief& place : places)
-    at.push_back(place.corner);
-  const Vec2 size = 2 * cutout_beside(places.front(), thickness, shape).half;
-  const std::string first = fmt::format("beside bend {}", places.front().bend);
+  for (const PlacedRelief& relief : reliefs)
+    at.push_back(relief.place.corner);
+  const Vec2 size = 2 * reliefs.front().cutout.half;
+  const std::string first = fmt::format("beside bend {}", reliefs.front().place.bend);
   const std::string measures = fmt::format("{:.3g} mm by {:.3g} mm", size.x(), size.y());
-  const int count = static_cast<int>(places.size());
+  const int count = static_cast<int>(reliefs.size());
   return {"bend_relief_cut", Severity::info,
           count == 1 ? fmt::format("a {} of {} is cut {}", name_of(shape), measures, first)
                      : fmt::format("{} are cut beside bends; the first, {}, is {}",
@@ -176,34 +221,48 @@ Finding cut_beside(const std::vector<MissingRelief>& places, double thickness, R
 /// A place at which none can be cut, or where it would be of no use, keeps its finding.
 void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const SheetArea& area, Relief shape,
                       const Rules& rules) {
-  const double thickness = relieved.pattern.thickness;
   Relieved with = relieved;
-  std::vector<MissingRelief> places = cut_missing(with, sheet, area, shape, rules, {});
+  std::vector<PlacedRelief> reliefs = cut_missing(with, sheet, area, shape, rules, {});
   std::vector<MissingRelief> useless = missing_reliefs(sheet, with.pattern, rules);
-  std::erase_if(useless, [&](const MissingRelief& place) { return !is_among(places, place); });
+  std::erase_if(useless, [&](const MissingRelief& place) {
+    return std::none_of(reliefs.begin(), reliefs.end(), [&](const PlacedRelief& relief) {
+      return is_among({relief.place}, place);
+    });
+  });
   if (!useless.empty()) {
     with = relieved;
-    places = cut_missing(with, sheet, area, shape, rules, useless);
+    reliefs = cut_missing(with, sheet, area, shape, rules, useless);
   }
-  if (places.empty()) return;
+  if (reliefs.empty()) return;
   relieved = std::move(with);
-  relieved.findings.push_back(cut_beside(places, thickness, shape));
+  relieved.findings.push_back(cut_beside(reliefs, shape));
+}
+
+std::string ripped_text(int ripped, int left, double width) {
+  const std::string rips = ripped == 1 ? "1 slit is cut as a rip"
+                                       : fmt::format("{} slits are cut as rips", ripped);
+  if (ripped == 0)
+    return fmt::format("rips {:.3g} mm wide would meet others or part the sheet: {} stay lines",
+                       width, counted(left, "slit"));
+  std::string text = fmt::format("{} {:.3g} mm wide", rips, width);
+  if (left > 0)
+    text += fmt::format("; {} a line, as a rip there would meet another or part the sheet",
+                        left == 1 ? "1 stays" : fmt::format("{} stay", left));
+  return text;
 }
 
 /// A slit that cannot be given a width stays a line.
 void rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& options) {
   std::vector<Vec2> places;
-  for (const Segment& slit : straight_slits(relieved.pattern)) {
-    if (!cut(relieved, area, cutout_along(slit, options))) continue;
-    places.push_back((slit.a + slit.b) / 2);
-  }
-  if (places.empty()) return;
-  const int count = static_cast<int>(places.size());
+  const std::vector<Segment> slits = straight_slits(relieved.pattern);
+  for (const Segment& slit : slits)
+    if (cut(relieved, area, cutout_along(slit, options))) places.push_back((slit.a + slit.b) / 2);
+  if (slits.empty()) return;
+  const int ripped = static_cast<int>(places.size()),
+            left = static_cast<int>(slits.size()) - ripped;
+  if (places.empty()) places.push_back((slits.front().a + slits.front().b) / 2);
   relieved.findings.push_back(
-      {"ripped_slit", Severity::info,
-       fmt::format("{} cut as a rip {:.3g} mm wide",
-                   counted(count, "slit") + (count == 1 ? " is" : " are"), options.width),
-       places});
+      {"ripped_slit", Severity::info, ripped_text(ripped, left, options.width), std::move(places)});
 }
 
 }  // namespace

@@ -252,27 +252,29 @@ std::vector<Curve2> left_of_slits(const std::vector<Curve2>& slits, const Cutout
 
 double Cutout::distance(const Vec2& p) const {
   const Vec2 d = p - middle;
-  const Vec2 local(std::abs(d.dot(along)), std::abs(along.x() * d.y() - along.y() * d.x()));
-  const Vec2 q = local - half + Vec2::Constant(corner_radius);
-  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0) - corner_radius;
+  const Vec2 local(d.dot(along), along.x() * d.y() - along.y() * d.x());
+  const int corner = local.y() >= 0.0 ? (local.x() >= 0.0 ? 0 : 1) : (local.x() < 0.0 ? 2 : 3);
+  const double radius = corner == sharp_corner ? 0.0 : corner_radius;
+  const Vec2 q = local.cwiseAbs() - half + Vec2::Constant(radius);
+  return q.cwiseMax(0.0).norm() + std::min(q.maxCoeff(), 0.0) - radius;
 }
 
 Loop Cutout::outline() const {
   const Vec2 across(-along.y(), along.x());
-  const Vec2 inner = half - Vec2::Constant(corner_radius);
   const double turned = std::atan2(along.y(), along.x());
   Loop loop;
   for (int corner = 0; corner < 4; ++corner) {
-    // Corners counter-clockwise, from that along and across.
+    const double radius = corner == sharp_corner ? 0.0 : corner_radius;
+    const Vec2 inner = half - Vec2::Constant(radius);
     const double x = corner == 0 || corner == 3 ? 1.0 : -1.0, y = corner < 2 ? 1.0 : -1.0;
     const Vec2 centre = middle + x * inner.x() * along + y * inner.y() * across;
     const double start = turned + corner * std::numbers::pi / 2;
     const auto on = [&](double angle) {
-      return Vec2(centre + corner_radius * Vec2(std::cos(angle), std::sin(angle)));
+      return Vec2(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
     };
     if (!loop.empty()) loop.push_back(Segment{end_of(loop.back()), on(start)});
-    if (corner_radius > 0.0)
-      loop.push_back(Arc{centre, corner_radius, start, std::numbers::pi / 2});
+    if (radius > 0.0)
+      loop.push_back(Arc{centre, radius, start, std::numbers::pi / 2});
     else if (loop.empty())
       loop.push_back(Segment{centre, centre});
   }

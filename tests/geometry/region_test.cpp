@@ -15,6 +15,19 @@ namespace {
 /// A plate 100 by 60 with a round hole of radius 10 in its middle.
 Region plate() { return {outline(box(0, 0, 100, 60)), {{Arc{{50, 30}, 10, 0, -2 * pi}}}}; }
 
+TEST(Overlaps, OfARingThatRunsThereAndBackIsThatOfItsArea) {
+  // A square with a bow tie and a spur: made valid, it has lines beside its areas.
+  const Polygon spurred{{{0, 0}, {10, 0}, {10, 5}, {15, 5}, {10, 5}, {10, 10}, {0, 10}}, {}};
+  const Polygon crossed{{{0, 0}, {10, 0}, {10, 10}, {12, 10}, {10, 10}, {0, 10}, {5, 5}, {0, 0}},
+                        {}};
+  const Polygon square{{{8, 2}, {20, 2}, {20, 8}, {8, 8}}, {}};
+  for (const Polygon& polygon : {spurred, crossed}) {
+    const auto found = overlaps({polygon, square}, 0.0, 0.0);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].area, 2 * 6, 1e-9);
+  }
+}
+
 TEST(RingArea, IsSignedAndSurvivesDistance) {
   EXPECT_DOUBLE_EQ(ring_area(box(0, 0, 3, 2)), 6.0);
   EXPECT_DOUBLE_EQ(ring_area({{0, 0}, {0, 2}, {3, 2}, {3, 0}}), -6.0);

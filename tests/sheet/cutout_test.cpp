@@ -1,4 +1,5 @@
 #include <planish/sheet/cutout.hpp>
+#include <planish/sheet/one_piece.hpp>
 
 #include <gtest/gtest.h>
 
@@ -160,6 +161,44 @@ TEST(Cutout, AtTheEndOfASlitHasItsArea) {
       EXPECT_NEAR(drawn.perimeter, 320 + 12 - (8 - 2 * kPi) * 0.2 + length(drawn.slits.front()),
                   1e-9);
     }
+}
+
+TEST(Cutout, KeepsACornerSharp) {
+  for (int corner = 0; corner < 4; ++corner) {
+    Cutout cutout = rectangle_at({60, 30}, {5, 2}, 1.5);
+    cutout.sharp_corner = corner;
+    const double area = 40 - 3 * (1 - kPi / 4) * 1.5 * 1.5;
+    EXPECT_NEAR(signed_area(cutout.outline()), area, 1e-9);
+    EXPECT_NEAR(cut_out(plain(), cutout).area, 6000 - area, 1e-9);
+    const Vec2 tip(corner == 0 || corner == 3 ? 65 : 55, corner < 2 ? 32 : 28);
+    EXPECT_NEAR(cutout.distance(tip), 0.0, 1e-12);
+  }
+}
+
+/// Straight slits in a plate with a window.
+FlatPattern slit_plate(const std::vector<Segment>& slits) {
+  FlatPattern pattern = plain();
+  pattern.openings.push_back(ring_of({{20, 20}, {20, 40}, {40, 40}, {40, 20}}));
+  for (const Segment& slit : slits)
+    pattern.slits.emplace_back(slit);
+  return pattern;
+}
+
+TEST(OnePiece, IsPartedBySlitsThatJoinWhatIsJoined) {
+  const auto whole = [](const std::vector<Segment>& slits) {
+    return is_one_piece(slit_plate(slits), 1e-6);
+  };
+  const Segment to_edge{{40, 30}, {100, 30}}, other{{0, 30}, {20, 30}};
+  EXPECT_TRUE(whole({}));
+  EXPECT_TRUE(whole({{{50, 10}, {60, 10}}})) << "free at both ends";
+  EXPECT_TRUE(whole({to_edge}));
+  EXPECT_FALSE(whole({to_edge, other})) << "above and below the window";
+  EXPECT_FALSE(whole({{{60, 0}, {60, 60}}})) << "from edge to edge";
+  EXPECT_TRUE(whole({to_edge, {{70, 30}, {70, 50}}})) << "a branch";
+  EXPECT_FALSE(whole({to_edge, {{70, 30}, {70, 60}}}));
+  EXPECT_TRUE(whole({{{50, 10}, {60, 10}}, {{60, 10}, {60, 20}}, {{60, 20}, {50, 20}}}));
+  EXPECT_FALSE(whole({{{50, 10}, {60, 10}}, {{60, 10}, {60, 20}}, {{60, 20}, {50, 10}}}))
+      << "around a triangle";
 }
 
 TEST(Cutout, WithinTheMaterialIsAnOpening) {

@@ -26,9 +26,7 @@ test('a rip is offered where rips lead to a pattern', () => {
   assert.equal(closed(', and no rips along its edges open it.', 'between face 7 and face 9'), nothing);
 });
 
-test('reliefs are offered where the finding names one', () => {
-  const found = (message: string) => remedies(page, { code: 'bend_relief', message });
-  assert.notEqual(found('bend B1 ends inside an edge at (1, 2) without relief; it needs one 1 mm wide'), nothing);
-  assert.notEqual(found('the relief of bend B1 at (1, 2) is 0.2 mm wide; at least 1 mm (0.5 T) is needed'), nothing);
-  assert.equal(found('bend B1 ends flush with an edge at (1, 2) without relief; the corner bulges'), nothing);
+test('reliefs are offered where the rules ask for one', () => {
+  assert.notEqual(remedies(page, { code: 'bend_relief' }), nothing);
+  assert.equal(remedies(page, { code: 'flush_bend' }), nothing);
 });

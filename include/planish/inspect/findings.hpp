@@ -20,10 +20,10 @@ struct FindingPlace {
 };
 
 /// One observation about a flat pattern. Codes: "overlap", and one for each rule: "flange_height",
-/// "bend_relief", "inside_radius", "hem", "k_factor", "opening_to_bend", "opening_in_bend",
-/// "opening_to_edge", "opening_to_opening", "smallest_opening"; `job` adds those of certificates
-/// (formats.md#checks). A rule gives one finding, with its worst place in the message and all of
-/// them in `places`.
+/// "bend_relief", "flush_bend", "inside_radius", "hem", "k_factor", "opening_to_bend",
+/// "opening_in_bend", "opening_to_edge", "opening_to_opening", "smallest_opening"; `job` adds those
+/// of certificates (formats.md#checks). A rule gives one finding, with its worst place in the
+/// message and all of them in `places`.
 struct Finding {
   std::string code;
   Severity severity = Severity::warning;  ///< that of the worst place
@@ -103,7 +103,8 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
 ///   any angle. Chamfered ends, hems, bends that run into one another, and rolled bends (R > 10 T)
 ///   that end at the edge are accepted.
 /// - bend_relief: at bend ends with sheet beside them; depth is measured from the outside of the
-///   bend, where R + T is the tangent line.
+///   bend, where R + T is the tangent line. flush_bend: that sheet ends at the tangent line, and
+///   the rules ask for no deeper relief.
 /// - hem: bends of 170° and more, the return measured from the outside of the bend;
 ///   inside_radius: all other bends.
 /// - opening_to_bend, opening_to_edge, opening_to_opening: the distance of nearest points, through

@@ -16,15 +16,15 @@ struct MissingRelief {
   Vec2 into_flange = Vec2::UnitY();  ///< unit vector across it, away from the bend zone
   double width = 0.0;                ///< along `beyond`, mm
   double depth = 0.0;                ///< from the corner into the flange, mm
-  /// From the corner over the bend zone, mm; through to an edge so near behind it that the web
-  /// between would be narrower than the rules ask for.
-  double back = 0.0;
+  double zone = 0.0;                 ///< width of the bend zone, behind the corner, mm
+  /// From behind the zone to an edge, mm, if that is less than the rules ask for between opening
+  /// and edge; else 0.
+  double web = 0.0;
   /// Whether the flange at the zone's other side asks for as much depth.
   bool on_both_sides = false;
 };
 
-/// Each place for which the finding `bend_relief` of `check_rules` names a relief. None where the
-/// sheet beside a bend ends at its tangent line and nothing would be cut.
+/// The places of the finding `bend_relief` of `check_rules`.
 std::vector<MissingRelief> missing_reliefs(const Sheet& sheet, const FlatPattern& pattern,
                                            const Rules& rules);
 

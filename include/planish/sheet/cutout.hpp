@@ -13,6 +13,8 @@ struct Cutout {
   Vec2 along = Vec2::UnitX();  ///< unit vector along its first side
   Vec2 half = Vec2::Zero();    ///< half of its sides, along and across
   double corner_radius = 0.0;  ///< at most the shorter of `half`
+  /// A corner that stays sharp, counted counter-clockwise from that along and across; −1: none.
+  int sharp_corner = -1;
 
   /// Distance of a point from its outline, below 0 inside.
   double distance(const Vec2& p) const;

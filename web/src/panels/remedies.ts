@@ -34,6 +34,7 @@ const known: Record<string, Remedy[]> = {
     ...corners,
     { id: 'none', text: 'Leave it as drawn', title: 'Parts that overlap are refused', options: { relief: 'none' } },
   ],
+  bend_relief: besideBends,
   bend_relief_cut: [
     {
       id: 'bend-none',
@@ -66,19 +67,14 @@ function ripsAt(code: string, where: string | null | undefined, { rip_edges }: O
   ];
 }
 
-/** Where the edge beside a bend is flush with it, the finding names no relief: there is nothing to cut. */
-const reliefsBy = (code: string, message: string) =>
-  code === 'bend_relief' && /\bneed(s|ed)\b/.test(message) ? besideBends : [];
-
 /** Buttons for what would change something: the remedies that the maker takes and that are not in force. */
-export function remedies(ui: Ui, { code, message, where }: { code: string; message: string; where?: string | null }) {
+export function remedies(ui: Ui, { code, where }: { code: string; where?: string | null }) {
   const { document: d, description, input } = ui.state,
     taken = description.makers.find((m) => m.name === d?.kind)?.options.map((o) => o.name) ?? [];
   const inForce: Partial<Options> = { relief: 'rip', bend_relief: 'none', ...input.options };
   // Corners of which cuts were taken away overlap by little; others are not mended by any cut.
   const all = [
     ...ripsAt(code, where, input.options),
-    ...reliefsBy(code, message),
     ...(code === 'overlap' && input.options.relief === 'none' ? corners : []),
     ...(known[code] ?? []),
   ];
