@@ -97,6 +97,9 @@ class Browser(StudioTest):
     def test_a_stroke_is_moved_and_what_collides_is_red(self):
         self.flow("reorder")
 
+    def test_an_order_is_there_after_a_reload_and_can_be_undone(self):
+        self.flow("orderkept")
+
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
 

@@ -3,11 +3,12 @@ import { Api } from './api.ts';
 import { Archive } from './archive.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
+import { isOtherOrder } from './order-state.ts';
 import { OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
 import { drawsPage } from './drawing.ts';
 import { giveUp, isGivenUp } from './holding.ts';
-import { keepHistory } from './kept.ts';
+import { keepHistory, keepOrder } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
 import { MeasureKeys } from './measure/keys.ts';
@@ -363,6 +364,7 @@ window.addEventListener('pagehide', () => documents.leave(store.state.document?.
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);
+  if ((changed && !state.pending) || isOtherOrder(state.order, before.order)) keepOrder(state);
 });
 
 void documents.begin(bringKept(api, store));

@@ -131,7 +131,7 @@ export type Action =
   | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
   | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
-  | { type: 'history'; history: History }
+  | { type: 'history'; history: History; order?: OrderState }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
   | { type: 'give-up' } // of a drag
@@ -227,7 +227,7 @@ export function reduce(state: State, action: Action): State {
     case 'reopened':
       return { ...state, document: action.document, problem: null };
     case 'history':
-      return { ...state, ...action.history };
+      return { ...state, ...action.history, order: action.order ?? state.order };
     case 'edit':
       return action.live
         ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null }

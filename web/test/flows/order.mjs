@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { channel } from '../channel.mjs';
-import { example, folder, open, rested, state } from '../driving.mjs';
+import { address, example, folder, open, rested, state } from '../driving.mjs';
+import { serveDist } from '../serve-dist.mjs';
 
 const drawn = (page) => page.evaluate(() => new Promise((f) => requestAnimationFrame(() => requestAnimationFrame(f))));
 
@@ -126,4 +127,57 @@ export async function unplanned({ page }) {
   await page.click('[data-testid=tools-clear]');
   await plan(page);
   assert.equal(await page.locator('[data-testid=order-problem]').count(), 0);
+}
+
+/** After a reload the order that was asked for is there, and undo takes it back, also from before an edit. */
+export async function orderkept({ page }) {
+  await open(page, [channel(page)]);
+  await rested(page);
+  await plan(page);
+  const [first, second] = await names(page);
+  await page.click('[data-testid=later-1]');
+  await page.waitForFunction(() => window.planish.store.state.order.given);
+  await checked(page);
+  const again = async () => {
+    await serveDist(page, address);
+    await page.reload();
+    await page.waitForFunction(() => window.planish?.store.state.shape);
+    await page.unrouteAll();
+    await rested(page);
+    await page.click('[data-testid=tab-order]');
+    await drawn(page);
+  };
+  await again();
+  assert.deepEqual(await names(page), [second, first]);
+  assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
+  assert.equal(await state(page, 'views.folded.machine.group.visible'), true, 'the sheet is in the machine');
+  assert.equal(await page.isDisabled('[data-testid=undo]'), false);
+  await page.click('[data-testid=undo]');
+  assert.deepEqual(await names(page), [first, second]);
+  assert.equal(await state(page, 's.order.given'), false, 'the cheapest one');
+  assert.equal(await page.isDisabled('[data-testid=undo]'), true);
+  await again();
+  await page.click('[data-testid=redo]');
+  assert.deepEqual(await names(page), [second, first]);
+  // An edit after it is taken back first.
+  await page.click('[data-testid=tab-input]');
+  await page.click('[data-testid=density-steel]');
+  await rested(page);
+  await again();
+  await page.waitForSelector('[data-testid=order-old]');
+  await page.click('[data-testid=undo]');
+  await rested(page);
+  assert.deepEqual(await names(page), [second, first]);
+  assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
+  await page.click('[data-testid=undo]');
+  assert.deepEqual(await names(page), [first, second]);
+  // It is worked on as before.
+  await page.click('[data-testid=later-1]');
+  await page.waitForFunction(() => window.planish.store.state.order.given);
+  await checked(page);
+  assert.deepEqual(await names(page), [second, first]);
+  // Another file has nothing of it.
+  await example(page, 'bracket.step');
+  await again();
+  assert.equal(await state(page, 's.order.answer'), null);
 }
