@@ -297,7 +297,7 @@ export function reduce(state: State, action: Action): State {
     case 'view':
       return { ...state, view: reduceView(state.view, action) };
     case 'setting-k':
-      return { ...state, settingK: action.settingK };
+      return { ...state, settingK: action.settingK, problem: problemOfInput(state) };
     case 'sheets-only':
       return { ...state, sheetsOnly: action.sheetsOnly };
     case 'archive':
@@ -318,6 +318,10 @@ export function reduce(state: State, action: Action): State {
  * read.
  */
 const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
+
+/** What remains once another problem, such as that of a file of options, is settled. */
+const problemOfInput = ({ stale, shape, problem }: State) =>
+  shape?.report.status === 'refused' ? shape.report.reason : stale ? problem : null;
 
 function opened(state: State, { document, spec, body, bodies }: Extract<Action, { type: 'opened' }>): State {
   return {
