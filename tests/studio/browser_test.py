@@ -207,6 +207,9 @@ class Browser(StudioTest):
     def test_the_views_share_the_room_as_they_are_dragged(self):
         self.flow("split")
 
+    def test_nothing_lies_over_a_button_of_a_narrow_view(self):
+        self.flow("narrow")
+
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         self.flow("forms")
 
