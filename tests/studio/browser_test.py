@@ -270,6 +270,9 @@ class Browser(StudioTest):
     def test_the_list_shows_the_body_that_is_chosen(self):
         self.flow("listed")
 
+    def test_long_names_of_bodies_are_cut_in_the_middle(self):
+        self.flow("longnames")
+
     def test_what_has_no_pattern_has_a_picture_of_its_solid(self):
         self.flow("solids")
 
