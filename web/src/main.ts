@@ -13,7 +13,7 @@ import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
 import { MeasureKeys } from './measure/keys.ts';
 import { escapeMeasuring, measureList } from './panels/measures.ts';
-import { flatText, foldedText } from './described.ts';
+import { flatDetail, flatText, foldedDetail, foldedText } from './described.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, showHelp, viewButtons } from './panels/overlays.ts';
@@ -41,11 +41,13 @@ document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><section class="messages" aria-label="Messages"></section><main>
-  <div class="view folded"><div class="canvas" role="img"></div>
+  <div class="view folded"><div class="canvas" role="img" aria-describedby="folded-detail"></div>
+  <p id="folded-detail" hidden></p>
   <div class="buttons"></div><div class="tools"></div><div class="measured"></div>
   <div class="machine"></div><div class="fold"></div></div>
   <div class="divider"></div>
-  <div class="view flat"><div class="canvas" role="img"></div><div class="title"></div></div>
+  <div class="view flat"><div class="canvas" role="img" aria-describedby="flat-detail"></div>
+  <p id="flat-detail" hidden></p><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
@@ -175,6 +177,8 @@ function draw() {
 function describeViews() {
   part('.folded .canvas').ariaLabel = foldedText(store.state);
   part('.flat .canvas').ariaLabel = flatText(store.state);
+  part('#folded-detail').textContent = foldedDetail(store.state);
+  part('#flat-detail').textContent = flatDetail(store.state);
 }
 
 const withoutHoles = (o: Options) =>

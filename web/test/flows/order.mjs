@@ -23,6 +23,10 @@ async function plan(page) {
 const names = (page) =>
   page.$$eval('[data-testid=strokes] li', (rows) => rows.map((row) => row.getAttribute('data-stroke')));
 
+/** What readers of the screen are told of a view, besides its name. */
+const described = (page, view) =>
+  page.$eval(`.${view} .canvas`, (c) => document.getElementById(c.getAttribute('aria-describedby')).textContent);
+
 /** Colour of a tool: red where it collides. */
 const toolIsRed = (page, tool) =>
   state(
@@ -57,6 +61,8 @@ export async function order({ page }) {
   await page.click('[data-testid=tab-bends]');
   assert.equal(await state(page, 'views.folded.machine.group.visible'), false);
   await page.waitForSelector('[data-testid=fold-slider]');
+  assert.match(await described(page, 'folded'), /^Picked: B\d up \d+°/);
+  assert.match(await described(page, 'flat'), /^Bends: B1 up 90°, B2 up 60°\. Picked: B\d/);
   await page.click('[data-testid=tab-order]');
   await page.fill('[data-testid=springback]', '2');
   await page.keyboard.press('Enter');
@@ -90,6 +96,11 @@ export async function reorder({ page }) {
       return [[tint.getX(c), tint.getY(c), tint.getZ(c)], hit.toArray()]; })()`,
   );
   tint.forEach((v, i) => assert.ok(Math.abs(v - red[i]) < 1e-6, 'the flange that collides is red'));
+  const told = () => described(page, 'folded');
+  const [bend] = await state(page, 's.order.answer.strokes[1].bends'),
+    said = await told();
+  assert.ok(said.startsWith(`Stroke 2 of 2: bend ${bend} to 90°, bent by `), said);
+  assert.match(said, /It collides: .*punch/);
   await page.screenshot({ path: `${folder(page)}/collision.png` });
   // back again by the keyboard
   await page.focus('[data-testid=stroke-2]');
@@ -100,6 +111,7 @@ export async function reorder({ page }) {
   assert.equal(await page.locator('.strokes li.blocked').count(), 0);
   await page.waitForFunction((name) => document.activeElement?.dataset.stroke === name, first);
   assert.equal(await toolIsRed(page, blocked.tool), false);
+  assert.doesNotMatch(await told(), /collides|cannot/);
   // Orders are undone like all else, and before the edits that came before them.
   await page.keyboard.press('Control+z');
   assert.deepEqual(await names(page), [second, first]);
