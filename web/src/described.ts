@@ -76,14 +76,14 @@ function strokeText(state: State): string {
     share = order.time - at,
     now = order.playing ? '' : `, bent by ${clean(turnAt(row, share), 0)}° now`,
     changes = changesBefore(strokes[at - 1], row),
+    bends = `${row.bends.length > 1 ? 'bends' : 'bend'} ${row.bends.join(', ')}`,
+    stopped = isStopped(row, share) ? 'It collides' : 'It cannot be made',
     { blocked } = row;
   const whole = row.flattening ? 'closed flat' : `to ${clean(row.angle, 1)}°`;
   return sentences([
-    `Stroke ${at + 1} of ${strokes.length}: ${row.bends.length > 1 ? 'bends' : 'bend'} ${row.bends.join(', ')} ${whole}${now}`,
+    `Stroke ${at + 1} of ${strokes.length}: ${bends} ${whole}${now}`,
     changes.length ? `Before it: ${changes.join(', ')}` : '',
-    blocked
-      ? `${isStopped(row, share) ? 'It collides' : 'It cannot be made'}: ${sentence(byPlates({ state }, blocked.sentence))}`
-      : '',
+    blocked ? `${stopped}: ${sentence(byPlates({ state }, blocked.sentence))}` : '',
   ]);
 }
 
