@@ -97,6 +97,9 @@ class Browser(StudioTest):
     def test_a_stroke_is_moved_and_what_collides_is_red(self):
         self.flow("reorder")
 
+    def test_an_order_is_there_after_a_reload_and_can_be_undone(self):
+        self.flow("orderkept")
+
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
 
@@ -204,6 +207,9 @@ class Browser(StudioTest):
     def test_the_views_share_the_room_as_they_are_dragged(self):
         self.flow("split")
 
+    def test_nothing_lies_over_a_button_of_a_narrow_view(self):
+        self.flow("narrow")
+
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         self.flow("forms")
 
@@ -263,6 +269,9 @@ class Browser(StudioTest):
 
     def test_the_list_shows_the_body_that_is_chosen(self):
         self.flow("listed")
+
+    def test_long_names_of_bodies_are_cut_in_the_middle(self):
+        self.flow("longnames")
 
     def test_what_has_no_pattern_has_a_picture_of_its_solid(self):
         self.flow("solids")

@@ -1,5 +1,9 @@
+import { byPlates, changesBefore } from './panels/bend-order.ts';
+import { sentence } from './panels/message-bar.ts';
+import { bendText, pickedEdgeText, pickedRow } from './picked.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import { refusedPlaces } from './refused-solid.ts';
+import { isStopped, turnAt } from './stage.ts';
 import { isInMachine, type State } from './state.ts';
 import { clean, lengthText, unitName } from './units.ts';
 
@@ -35,5 +39,68 @@ function patternText(state: State): string {
     'bend',
   )}, ${count(flat.openings ?? 0, 'opening')}`;
 }
+
+/** What the picture of the folded part shows besides: the stroke in the machine, or what is marked and cut. */
+export function foldedDetail(state: State): string {
+  if (!state.document) return '';
+  if (isInMachine(state)) return strokeText(state);
+  const { section, seeThrough } = state.view,
+    { problem } = state;
+  if (refusedPlaces(state).faces.length + refusedPlaces(state).edges.length) return sentence(problem!.message);
+  return sentences([
+    pickedText(state),
+    section.on ? `Cut by a plane across ${section.axis === 'view' ? 'the view' : section.axis}` : '',
+    seeThrough ? 'Seen through as glass' : '',
+  ]);
+}
+
+/** What the picture of the pattern shows besides: its bends and their directions, and what is picked. */
+export function flatDetail(state: State): string {
+  const bends = (pieceOf(state)?.flat ?? knownPiece(state)?.flat)?.bends ?? [],
+    named = bends.slice(0, mostNamed).map((b) => `${b.id} ${b.direction} ${clean(b.angle, 1)}°`),
+    more = bends.length - named.length;
+  return sentences([
+    named.length ? `Bends: ${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}` : '',
+    pickedText(state),
+  ]);
+}
+
+const mostNamed = 20; // bends; the table has them all
+
+/** "Stroke 2 of 5: bend B3 to 90°, bent by 35° now. …" */
+function strokeText(state: State): string {
+  const { order } = state,
+    strokes = order.answer!.strokes,
+    at = Math.min(Math.floor(order.time), strokes.length - 1),
+    row = strokes[at]!,
+    share = order.time - at,
+    now = order.playing ? '' : `, bent by ${clean(turnAt(row, share), 0)}° now`,
+    changes = changesBefore(strokes[at - 1], row),
+    bends = `${row.bends.length > 1 ? 'bends' : 'bend'} ${row.bends.join(', ')}`,
+    stopped = isStopped(row, share) ? 'It collides' : 'It cannot be made',
+    { blocked } = row;
+  const whole = row.flattening ? 'closed flat' : `to ${clean(row.angle, 1)}°`;
+  return sentences([
+    `Stroke ${at + 1} of ${strokes.length}: ${bends} ${whole}${now}`,
+    changes.length ? `Before it: ${changes.join(', ')}` : '',
+    blocked ? `${stopped}: ${sentence(byPlates({ state }, blocked.sentence))}` : '',
+  ]);
+}
+
+function pickedText(state: State): string {
+  const row = pickedRow(state),
+    bend = row === null ? null : bendText(state, row),
+    text =
+      pickedEdgeText(state) ??
+      bend ??
+      (row === null ? null : (state.shape!.parts[row]!.plate ?? state.shape!.parts[row]!.name));
+  return text ? `Picked: ${text}` : '';
+}
+
+const sentences = (all: string[]) =>
+  all
+    .filter(Boolean)
+    .map((s) => (/[.!?]$/.test(s) ? s : `${s}.`))
+    .join(' ');
 
 const count = (n: number, what: string) => `${n} ${what}${n === 1 ? '' : 's'}`;

@@ -92,7 +92,7 @@ export class Documents {
           await this.openKept(source.recent, signal);
           keepSource(source);
         }
-        return this.store.dispatch({ type: 'history', history: kept.history });
+        return this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
       }
       const named = known.find((d) => d.given);
       if (!named) return;
@@ -103,7 +103,7 @@ export class Documents {
       await this.take(named, async () => null, signal);
       // The token is another one at each start, at which the file may have changed.
       if (kept && source && 'given' in source && source.given === location.hash)
-        this.store.dispatch({ type: 'history', history: kept.history });
+        this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
       keepSource({ given: location.hash });
     };
     await this.attempt(source && 'bytes' in source ? source.name : '', work, true);

@@ -1,7 +1,7 @@
 import { Box3, OrthographicCamera, Raycaster, Sphere, Vector2, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from './types.ts';
-import type { Attitude } from './view-cube.ts';
+import { sides, type Attitude } from './view-cube.ts';
 
 export type StandardView = 'front' | 'top' | 'right' | 'iso';
 
@@ -103,6 +103,13 @@ export class FoldedCamera {
         return [c! * x - s! * y, s! * x + c! * y, z];
       });
     return [...about, ...about.map(([a, b, c]): Vec3 => [a, b, -c])].map((d) => this.inSpace(d).toArray());
+  }
+
+  /** The directions of the sides and edges of the view cube. */
+  get sides(): Vec3[] {
+    return sides
+      .filter((side) => side.includes(0))
+      .map(([x, y, z]) => this.inSpace([x, y || (x ? 0 : -1e-4), z]).toArray());
   }
 
   /** From a direction of space. */

@@ -123,7 +123,7 @@ export class FoldedView {
     this.solid.setShape(solid, named);
     this.solid.paint(this.palette, this.glass);
     if (turn && named.faces.length + named.edges.length > 0)
-      this.eye.lookTowards(directionThatShows(solid, named, this.eye.corners));
+      this.eye.lookTowards(directionThatShows(solid, named, this.eye.corners, this.eye.sides));
     this.draw();
   }
 
@@ -348,7 +348,7 @@ export class FoldedView {
       const p = this.eye.toScreen(at);
       return [p.x, p.y];
     });
-    const named = this.solid.paintNames(c, this.palette, (at) => this.eye.toScreen(at));
+    const named = this.solid.paintNames(c, this.palette, this.direction, (at) => this.eye.toScreen(at));
     return lit || measured || named;
   }
 

@@ -1,10 +1,13 @@
 import type { Recent } from './recents.ts';
+import { orderOfText, textOfOrder } from './kept-order.ts';
+import type { OrderState } from './order-state.ts';
 import type { History, State } from './state.ts';
 
 /** What a tab needs to restore its state after a reload, in the tab's own storage: the edits, and the file. */
 interface Kept {
   source: Source;
   history: History;
+  order?: OrderState;
 }
 
 /** A file, or where it is to be had: on this machine, if it is large, or from the server that was started with it. */
@@ -12,7 +15,8 @@ type Source = { name: string; bytes: ArrayBuffer; beside: Record<string, ArrayBu
 type Elsewhere = { recent: Recent } | { given: string };
 
 const file = 'planish-file',
-  edited = 'planish-input';
+  edited = 'planish-input',
+  ordered = 'planish-order';
 const most = 3 << 20; // storages hold some five million characters
 const mostOfHistory = 1 << 20;
 
@@ -41,6 +45,16 @@ export function keepHistory({ input, past, future }: Pick<State, 'input' | 'past
   }
 }
 
+/** Keeps the order of strokes, with as many of those that undo and redo go through as there is room for. */
+export function keepOrder(state: State) {
+  const { past, future } = state.order;
+  for (let steps = Math.max(past.length, future.length); ; steps >>= 1) {
+    const text = textOfOrder(state, steps);
+    if (text === null) return sessionStorage.removeItem(ordered);
+    if ((steps === 0 || text.length <= mostOfHistory) && (writeText(ordered, text) || steps === 0)) return;
+  }
+}
+
 export function keptDocument(): Kept | null {
   try {
     const kept = JSON.parse(sessionStorage.getItem(file) ?? 'null') as
@@ -49,11 +63,21 @@ export function keptDocument(): Kept | null {
       | null;
     const history = JSON.parse(sessionStorage.getItem(edited) ?? 'null') as History | null;
     if (!kept || !history) return null;
-    if (!('bytes' in kept)) return { source: kept, history };
+    const order = keptOrder(history);
+    if (!('bytes' in kept)) return { source: kept, history, order };
     const beside = Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)]));
-    return { source: { name: kept.name, bytes: toBytes(kept.bytes), beside }, history };
+    return { source: { name: kept.name, bytes: toBytes(kept.bytes), beside }, history, order };
   } catch {
     return null;
+  }
+}
+
+function keptOrder(history: History): OrderState | undefined {
+  const text = sessionStorage.getItem(ordered);
+  try {
+    return text === null ? undefined : orderOfText(text, history);
+  } catch {
+    return undefined;
   }
 }
 

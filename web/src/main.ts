@@ -3,16 +3,17 @@ import { Api } from './api.ts';
 import { Archive } from './archive.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
+import { isOtherOrder } from './order-state.ts';
 import { OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
 import { drawsPage } from './drawing.ts';
 import { giveUp, isGivenUp } from './holding.ts';
-import { keepHistory } from './kept.ts';
+import { keepHistory, keepOrder } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
 import { MeasureKeys } from './measure/keys.ts';
 import { escapeMeasuring, measureList } from './panels/measures.ts';
-import { flatText, foldedText } from './described.ts';
+import { flatDetail, flatText, foldedDetail, foldedText } from './described.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, showHelp, viewButtons } from './panels/overlays.ts';
@@ -40,11 +41,13 @@ document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><section class="messages" aria-label="Messages"></section><main>
-  <div class="view folded"><div class="canvas" role="img"></div>
+  <div class="view folded"><div class="canvas" role="img" aria-describedby="folded-detail"></div>
+  <p id="folded-detail" hidden></p>
   <div class="buttons"></div><div class="tools"></div><div class="measured"></div>
   <div class="machine"></div><div class="fold"></div></div>
   <div class="divider"></div>
-  <div class="view flat"><div class="canvas" role="img"></div><div class="title"></div></div>
+  <div class="view flat"><div class="canvas" role="img" aria-describedby="flat-detail"></div>
+  <p id="flat-detail" hidden></p><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
@@ -174,6 +177,8 @@ function draw() {
 function describeViews() {
   part('.folded .canvas').ariaLabel = foldedText(store.state);
   part('.flat .canvas').ariaLabel = flatText(store.state);
+  part('#folded-detail').textContent = foldedDetail(store.state);
+  part('#flat-detail').textContent = flatDetail(store.state);
 }
 
 const withoutHoles = (o: Options) =>
@@ -363,6 +368,7 @@ window.addEventListener('pagehide', () => documents.leave(store.state.document?.
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);
+  if ((changed && !state.pending) || isOtherOrder(state.order, before.order)) keepOrder(state);
 });
 
 void documents.begin(bringKept(api, store));

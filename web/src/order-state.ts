@@ -17,7 +17,7 @@ export interface OrderState {
   future: Answered[];
 }
 
-type Answered = Pick<OrderState, 'answer' | 'ofBrake' | 'given'>;
+export type Answered = Pick<OrderState, 'answer' | 'ofBrake' | 'given'>;
 
 export type OrderAction =
   | { type: 'brake'; brake: BrakeOptions }
@@ -105,6 +105,10 @@ const shownAgain = (state: OrderState): OrderState => ({
   playing: false,
   time: Math.min(state.time, state.answer?.strokes.length ?? 0),
 });
+
+/** Whether more than the place that one looks at has changed. */
+export const isOtherOrder = (a: OrderState, b: OrderState) =>
+  a.answer !== b.answer || a.brake !== b.brake || a.past !== b.past || a.future !== b.future;
 
 /** The strokes in the order that is asked for: those shown, moved where that is being checked. */
 export const orderOf = (answer: OrderAnswer): OrderedStroke[] =>

@@ -58,6 +58,7 @@ export const isBetween = ({ faces }: SolidLine, [a, b]: [number, number]) => fac
 export interface NamedPiece {
   name: string;
   middle: Vec3;
+  corners: Vec3[];
   normal: Vec3 | null;
   size: number;
 }
@@ -73,7 +74,7 @@ export function namedPieces(shape: Solid, named: NamedPlaces): NamedPiece[][] {
       if (of !== number) return;
       const [a, b, c] = corners(t.subarray(3 * i, 3 * i + 3)) as [Vec3, Vec3, Vec3],
         normal = cross(minus(b, a), minus(c, a));
-      own.push({ name, middle: mean([a, b, c]), normal, size: Math.hypot(...normal) });
+      own.push({ name, middle: mean([a, b, c]), corners: [a, b, c], normal, size: Math.hypot(...normal) });
     });
     return own;
   });
@@ -81,7 +82,13 @@ export function namedPieces(shape: Solid, named: NamedPlaces): NamedPiece[][] {
     lines
       .filter((line) => isBetween(line, between))
       .map(({ ends }) => corners(ends) as [Vec3, Vec3])
-      .map(([a, b]) => ({ name, middle: mean([a, b]), normal: null, size: Math.hypot(...minus(b, a)) })),
+      .map(([a, b]) => ({
+        name,
+        middle: mean([a, b]),
+        corners: [a, b],
+        normal: null,
+        size: Math.hypot(...minus(b, a)),
+      })),
   );
   return [...faces, ...edges].filter((p) => p.length > 0).map((p) => p.sort((a, b) => b.size - a.size));
 }

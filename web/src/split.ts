@@ -12,6 +12,7 @@ import {
 import type { State, Store } from './state.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
+import './narrow.css';
 
 export const viewFile = 'views.json';
 const step = 0.02;

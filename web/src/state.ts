@@ -131,7 +131,7 @@ export type Action =
   | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
   | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
-  | { type: 'history'; history: History }
+  | { type: 'history'; history: History; order?: OrderState }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
   | { type: 'give-up' } // of a drag
@@ -227,7 +227,7 @@ export function reduce(state: State, action: Action): State {
     case 'reopened':
       return { ...state, document: action.document, problem: null };
     case 'history':
-      return { ...state, ...action.history };
+      return { ...state, ...action.history, order: action.order ?? state.order };
     case 'edit':
       return action.live
         ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null }
@@ -297,7 +297,7 @@ export function reduce(state: State, action: Action): State {
     case 'view':
       return { ...state, view: reduceView(state.view, action) };
     case 'setting-k':
-      return { ...state, settingK: action.settingK };
+      return { ...state, settingK: action.settingK, problem: problemOfInput(state) };
     case 'sheets-only':
       return { ...state, sheetsOnly: action.sheetsOnly };
     case 'archive':
@@ -318,6 +318,10 @@ export function reduce(state: State, action: Action): State {
  * read.
  */
 const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
+
+/** What remains once another problem, such as that of a file of options, is settled. */
+const problemOfInput = ({ stale, shape, problem }: State) =>
+  shape?.report.status === 'refused' ? shape.report.reason : stale ? problem : null;
 
 function opened(state: State, { document, spec, body, bodies }: Extract<Action, { type: 'opened' }>): State {
   return {

@@ -3,7 +3,9 @@ import test from 'node:test';
 import { decodeShape, encodeShape } from '../src/shape.ts';
 import { namedPieces, namedPlaces, pointOf, solidLines, type NamedPlaces } from '../src/solid-mesh.ts';
 import { namedPlates } from '../src/refused-solid.ts';
+import { SolidNames } from '../src/solid-names.ts';
 import { directionThatShows } from '../src/solid-sight.ts';
+import { normalised } from '../src/vectors.ts';
 import { pixelsOf, rasterOf } from '../src/solid-picture.ts';
 import type { PlatesSpec, Shape, Vec3 } from '../src/types.ts';
 
@@ -106,6 +108,44 @@ test('the solid is turned so that what is named is seen, and not without need', 
   const hidden = together(shape, box([1, 40, 40], [7, 8, 9, 10, 11, 12], [6, -20, -20]));
   assert.deepEqual(towards([6], hidden), [-1, 1, 1]);
   assert.deepEqual(directionThatShows(shape, { faces: numbered([99]), edges: [] }, corners), [1, -1, 1]);
+});
+
+test('the solid is turned so that all that is named is seen, if there is such a direction', () => {
+  const shape = box([40, 3, 2]),
+    both = { faces: numbered([2, 3]), edges: [] };
+  // The face of 80 mm² is before that of 6 mm², and both are seen from one corner only.
+  const corners: Vec3[] = [
+    [-1, -1, 1],
+    [1, 1, 1],
+    [1, -1, 1],
+  ];
+  assert.deepEqual(directionThatShows(shape, both, corners), [1, -1, 1]);
+  assert.deepEqual(directionThatShows(shape, both, corners.slice(0, 2)), [-1, -1, 1], 'the larger one');
+  assert.deepEqual(directionThatShows(shape, both, corners.slice(0, 2), [[1, -1, 0]]), [1, -1, 0], 'by a side');
+  assert.deepEqual(directionThatShows(shape, { faces: numbered([3]), edges: [] }, corners, [[0, -1, 0]]), corners[0]);
+});
+
+test('a name stands beside a place that is seen, and says where there is none', () => {
+  const names = new SolidNames();
+  // Before the right half of face 3 stands a wall.
+  const shape = together(box([40, 3, 20]), box([20, 1, 40], [7, 8, 9, 10, 11, 12], [20, -9, -10]));
+  names.set(shape, { faces: numbered([3, 4]), edges: [{ name: 'edge 1', between: [1, 3] }] });
+  const from = (...towards: Vec3) => names.seenFrom(normalised(towards)),
+    [front, back, edge] = from(0, -1, 0);
+  assert.deepEqual([front!.behind, back!.behind, edge!.behind], [false, true, false]);
+  assert.ok(front!.at[0] < 20 && front!.at[1] === 0, String(front!.at));
+  assert.equal(back!.text, 'face 4');
+  // It stays where it is as long as it is seen there.
+  assert.deepEqual(from(0.01, -1, 0)[0]!.at, front!.at);
+  assert.deepEqual(
+    from(0, 1, 0).map((name) => name.behind),
+    [true, false, true],
+  );
+  names.set(together(box([40, 3, 20]), box([60, 1, 40], [7, 8, 9, 10, 11, 12], [-10, -9, -10])), {
+    faces: numbered([3]),
+    edges: [],
+  });
+  assert.equal(from(0, -1, 0)[0]!.behind, true, 'the wall hides all of it');
 });
 
 test('plates are named by the message, or by the place in the file', () => {

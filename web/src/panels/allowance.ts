@@ -208,11 +208,19 @@ async function useFile(ui: Ui, file: TableFile) {
   // A file that names the part's material needs no choice; otherwise the shop is tried with any of its materials.
   const unsaid = await ui.refusal(with_(again)),
     wrong = unsaid && materials.length ? await ui.refusal(with_(materials[0])) : unsaid;
-  if (wrong) return problem(wrong);
+  if (wrong) return problem(inFile(wrong, file));
   ui.dispatch({ type: 'table-file', file });
   if (unsaid) return ui.dispatch({ type: 'setting-k', settingK: { kind: 'shop', file: file.name } });
   ui.dispatch({ type: 'setting-k', settingK: null });
   ui.editOptions((o) => withK(o, { ...content, material: again }));
+}
+
+/** What is wrong in a file, by its name instead of its place in the request. */
+function inFile({ code, message, where }: ApiProblem, { kind, name }: TableFile): ApiProblem {
+  const place = `/options/${kind}/content`;
+  if (!where?.startsWith(place)) return { code, message, where };
+  const said = message.includes(place) ? message.replace(`request: ${place}`, name) : `${name}: ${message}`;
+  return { code, message: said, where: where.replace(place, name) };
 }
 
 /** Of a file that may be anything. */

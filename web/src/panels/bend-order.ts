@@ -263,8 +263,8 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
 }
 
 /** Flanges of plates by the names of their plates. */
-export const byPlates = (ui: Ui, text: string) =>
-  text.replace(/\bF\d+\b/g, (name) => ui.state.shape?.parts.find((p) => p.name === name)?.plate ?? name);
+export const byPlates = ({ state }: Pick<Ui, 'state'>, text: string) =>
+  text.replace(/\bF\d+\b/g, (name) => state.shape?.parts.find((p) => p.name === name)?.plate ?? name);
 
 /** What is done before a stroke. */
 export function changesBefore(before: StrokeRow | undefined, row: StrokeRow): string[] {

@@ -80,17 +80,22 @@ function row(ui: Ui, b: BodyInfo, known: BodyStatus | undefined, shown: boolean)
     data-testid="body-${b.number}"
     aria-selected=${shown}
     tabindex=${shown ? 0 : -1}
-    title=${known?.message ?? name}
+    title=${known?.message ? `${name}\n${known.message}` : name}
     @click=${() => choose(ui, b.number)}
   >
     ${drawing(known?.picture)}
     <span class="what"
-      ><b><span class="number">${b.number} ·</span> ${name}</b><small>${sizes.join(' · ')}</small
+      ><b><span class="number">${b.number} · </span>${cutInTheMiddle(name)}</b><small>${sizes.join(' · ')}</small
       ><small class="said">${said(known)}</small></span
     >
     <span class="count" aria-label="${b.quantity} of them">× ${b.quantity}</span>
   </button>`;
 }
+
+const tail = 14; // characters at the end of a name that are always seen: there names of one maker differ
+
+const cutInTheMiddle = (name: string) =>
+  html`<span class="head">${name.slice(0, -tail)}</span><span class="tail">${name.slice(-tail)}</span>`;
 
 const said = (known: BodyStatus | undefined): string =>
   known === undefined

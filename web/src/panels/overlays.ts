@@ -75,7 +75,8 @@ export function foldBar(ui: Ui) {
       ${fold > 0.5 ? 'Unfold' : 'Fold'}
     </button>
     <label
-      >flat<input
+      ><span>flat</span
+      ><input
         type="range"
         data-testid="fold-slider"
         aria-label="Share of the fold"
@@ -85,7 +86,7 @@ export function foldBar(ui: Ui) {
         step="0.005"
         .value=${String(fold)}
         @input=${(e: Event) => ui.dispatch({ type: 'fold', fold: Number((e.target as HTMLInputElement).value) })}
-      />folded</label
+      /><span>folded</span></label
     >
     <output data-testid="fold-share">${Math.round(100 * fold)} %</output>`;
 }

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { inTheme, violations } from '../axe.mjs';
 import { serveDist } from '../serve-dist.mjs';
 import { folder, open, rested, state } from '../driving.mjs';
@@ -120,4 +121,35 @@ export async function solids({ page }) {
   await page.reload();
   await page.waitForSelector('[data-testid="recent-stepped.step"] image');
   await page.screenshot({ path: `${folder(page)}/recent.png` });
+}
+
+/** Names are cut in the middle, since those of one maker differ at their ends, and titles have them whole. */
+export async function longnames({ page }) {
+  const path = `${folder(page)}/named.step`,
+    common = 'Anderson PP15-30-45 one of each, in a housing of two parts';
+  let text = readFileSync(`${folder(page)}/../short.step`, 'utf8');
+  for (const [i, name] of ['block', 'angle', 'short'].entries())
+    text = text.replaceAll(`PRODUCT('${name}','${name}'`, `PRODUCT('${name}','${common} - Blade ${i + 1}'`);
+  writeFileSync(path, text);
+  await open(page, [path]);
+  await known(page, 3);
+  await page.waitForSelector('[data-testid=body-3] .said:has-text("sheet")');
+  const names = await page.$$eval('[data-testid=bodies] [role=option] b', (all) => all.map((b) => b.textContent));
+  assert.deepEqual(
+    names,
+    [1, 2, 3].map((n) => `${n} · ${common} - Blade ${n}`),
+    'whole for readers of the screen',
+  );
+  const shown = await page.$$eval('[data-testid=bodies] [role=option] .what', (all) =>
+    all.map((what) => {
+      const tail = what.querySelector('.tail'),
+        head = what.querySelector('.head'),
+        [room, end] = [what, tail].map((e) => e.getBoundingClientRect());
+      return [end.right <= room.right + 0.5, tail.textContent, head.scrollWidth > head.clientWidth];
+    }),
+  );
+  shown.forEach(([fits, end, cut], i) => assert.ok(fits && cut && end.endsWith(`Blade ${i + 1}`), `${shown}`));
+  assert.match(await page.getAttribute('[data-testid=body-1]', 'title'), /^Anderson .* - Blade 1\n.*not a sheet/);
+  assert.equal(await page.getAttribute('[data-testid=body-2]', 'title'), `${common} - Blade 2`);
+  await page.screenshot({ path: `${folder(page)}/names.png` });
 }

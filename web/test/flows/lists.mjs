@@ -134,7 +134,7 @@ export async function allowance({ page }) {
   const broken = `${folder(page)}/broken.json`;
   writeFileSync(broken, JSON.stringify({ ...JSON.parse(readFileSync(shop, 'utf8')), materials: [{ name: 'steel' }] }));
   await page.setInputFiles('[data-testid=shop-open]', broken);
-  await page.waitForSelector('[data-testid=message].error:has-text("gauges")');
+  await page.waitForSelector('[data-testid=message].error:has-text("broken.json/materials/0/gauges is missing")');
   assert.deepEqual(await state(page, 's.workshop.files'), []);
   writeFileSync(broken, 'no JSON');
   await page.setInputFiles('[data-testid=shop-open]', broken);
@@ -143,6 +143,8 @@ export async function allowance({ page }) {
   await page.setInputFiles('[data-testid=shop-open]', shop);
   await page.waitForSelector('[data-testid=shop-material]');
   assert.equal(await state(page, 's.input.options.shop'), undefined, 'nothing is guessed');
+  assert.equal(await page.locator('[data-testid=message].error').count(), 0, 'this one is understood');
+  assert.notEqual(await text(page, 'status'), 'error');
   await page.selectOption('[data-testid=shop-material]', 'mild steel');
   await rested(page);
   assert.match(await text(page, 'gauges'), /2 ✓\s*2\s*0\.324\s*3\.84/);

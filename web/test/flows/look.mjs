@@ -174,3 +174,47 @@ export async function split({ page }) {
   await page.waitForFunction(() => document.querySelector('main').classList.contains('stacked'));
   await page.waitForTimeout(500); // until that is kept
 }
+
+/** However the room is shared, nothing lies over a button, and sliders are wide enough to be held. */
+export async function narrow({ page }) {
+  await example(page, 'bracket.step');
+  const show = (view) => page.evaluate((v) => window.planish.store.dispatch({ type: 'view', view: v }), view);
+  const free = async (what) => {
+    await page.waitForTimeout(200);
+    const wrong = await page.evaluate(() =>
+      [...document.querySelectorAll('.view button, .view input')].flatMap((e) => {
+        if (e.closest('.cube')) return [];
+        const { x, y, width, height, left, right } = e.getBoundingClientRect(),
+          view = e.closest('.view').getBoundingClientRect(),
+          there = document.elementFromPoint(x + width / 2, y + height / 2),
+          name = e.dataset.testid;
+        return [
+          ...(e.contains(there) ? [] : [`${name} lies under ${there?.className || there?.tagName}`]),
+          ...(left < view.left || right > view.right ? [`${name} is cut off`] : []),
+          ...(e.type === 'range' && width < 80 ? [`${name} is ${width} px wide`] : []),
+        ];
+      }),
+    );
+    assert.deepEqual(wrong, [], what);
+  };
+  const everywhere = async (what) => {
+    for (const arrangement of ['beside', 'stacked'])
+      for (const split of [0, 1]) {
+        await show({ arrangement, split });
+        await free(`${what}, ${arrangement}, ${split}`);
+      }
+    await show({ arrangement: 'beside', split: 0 });
+    await page.screenshot({ path: `${folder(page)}/${what}.png` });
+  };
+  await everywhere('folded');
+  await page.click('[data-testid=view-iso]');
+  await page.click('[data-testid=section]');
+  await everywhere('section');
+  await page.click('[data-testid=section]');
+  await page.click('[data-testid=tab-order]');
+  await page.click('[data-testid=plan]');
+  await page.waitForSelector('[data-testid=stroke-slider]');
+  await everywhere('machine');
+  await page.dblclick('[data-testid=divider]');
+  await page.waitForTimeout(500); // until that is kept
+}

@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { channel } from '../channel.mjs';
-import { example, folder, open, rested, state } from '../driving.mjs';
+import { address, example, folder, open, rested, state } from '../driving.mjs';
+import { serveDist } from '../serve-dist.mjs';
 
 const drawn = (page) => page.evaluate(() => new Promise((f) => requestAnimationFrame(() => requestAnimationFrame(f))));
 
@@ -21,6 +22,10 @@ async function plan(page) {
 
 const names = (page) =>
   page.$$eval('[data-testid=strokes] li', (rows) => rows.map((row) => row.getAttribute('data-stroke')));
+
+/** What readers of the screen are told of a view, besides its name. */
+const described = (page, view) =>
+  page.$eval(`.${view} .canvas`, (c) => document.getElementById(c.getAttribute('aria-describedby')).textContent);
 
 /** Colour of a tool: red where it collides. */
 const toolIsRed = (page, tool) =>
@@ -56,6 +61,8 @@ export async function order({ page }) {
   await page.click('[data-testid=tab-bends]');
   assert.equal(await state(page, 'views.folded.machine.group.visible'), false);
   await page.waitForSelector('[data-testid=fold-slider]');
+  assert.match(await described(page, 'folded'), /^Picked: B\d up \d+°/);
+  assert.match(await described(page, 'flat'), /^Bends: B1 up 90°, B2 up 60°\. Picked: B\d/);
   await page.click('[data-testid=tab-order]');
   await page.fill('[data-testid=springback]', '2');
   await page.keyboard.press('Enter');
@@ -89,6 +96,11 @@ export async function reorder({ page }) {
       return [[tint.getX(c), tint.getY(c), tint.getZ(c)], hit.toArray()]; })()`,
   );
   tint.forEach((v, i) => assert.ok(Math.abs(v - red[i]) < 1e-6, 'the flange that collides is red'));
+  const told = () => described(page, 'folded');
+  const [bend] = await state(page, 's.order.answer.strokes[1].bends'),
+    said = await told();
+  assert.ok(said.startsWith(`Stroke 2 of 2: bend ${bend} to 90°, bent by `), said);
+  assert.match(said, /It collides: .*punch/);
   await page.screenshot({ path: `${folder(page)}/collision.png` });
   // back again by the keyboard
   await page.focus('[data-testid=stroke-2]');
@@ -99,6 +111,7 @@ export async function reorder({ page }) {
   assert.equal(await page.locator('.strokes li.blocked').count(), 0);
   await page.waitForFunction((name) => document.activeElement?.dataset.stroke === name, first);
   assert.equal(await toolIsRed(page, blocked.tool), false);
+  assert.doesNotMatch(await told(), /collides|cannot/);
   // Orders are undone like all else, and before the edits that came before them.
   await page.keyboard.press('Control+z');
   assert.deepEqual(await names(page), [second, first]);
@@ -126,4 +139,57 @@ export async function unplanned({ page }) {
   await page.click('[data-testid=tools-clear]');
   await plan(page);
   assert.equal(await page.locator('[data-testid=order-problem]').count(), 0);
+}
+
+/** After a reload the order that was asked for is there, and undo takes it back, also from before an edit. */
+export async function orderkept({ page }) {
+  await open(page, [channel(page)]);
+  await rested(page);
+  await plan(page);
+  const [first, second] = await names(page);
+  await page.click('[data-testid=later-1]');
+  await page.waitForFunction(() => window.planish.store.state.order.given);
+  await checked(page);
+  const again = async () => {
+    await serveDist(page, address);
+    await page.reload();
+    await page.waitForFunction(() => window.planish?.store.state.shape);
+    await page.unrouteAll();
+    await rested(page);
+    await page.click('[data-testid=tab-order]');
+    await drawn(page);
+  };
+  await again();
+  assert.deepEqual(await names(page), [second, first]);
+  assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
+  assert.equal(await state(page, 'views.folded.machine.group.visible'), true, 'the sheet is in the machine');
+  assert.equal(await page.isDisabled('[data-testid=undo]'), false);
+  await page.click('[data-testid=undo]');
+  assert.deepEqual(await names(page), [first, second]);
+  assert.equal(await state(page, 's.order.given'), false, 'the cheapest one');
+  assert.equal(await page.isDisabled('[data-testid=undo]'), true);
+  await again();
+  await page.click('[data-testid=redo]');
+  assert.deepEqual(await names(page), [second, first]);
+  // An edit after it is taken back first.
+  await page.click('[data-testid=tab-input]');
+  await page.click('[data-testid=density-steel]');
+  await rested(page);
+  await again();
+  await page.waitForSelector('[data-testid=order-old]');
+  await page.click('[data-testid=undo]');
+  await rested(page);
+  assert.deepEqual(await names(page), [second, first]);
+  assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
+  await page.click('[data-testid=undo]');
+  assert.deepEqual(await names(page), [first, second]);
+  // It is worked on as before.
+  await page.click('[data-testid=later-1]');
+  await page.waitForFunction(() => window.planish.store.state.order.given);
+  await checked(page);
+  assert.deepEqual(await names(page), [second, first]);
+  // Another file has nothing of it.
+  await example(page, 'bracket.step');
+  await again();
+  assert.equal(await state(page, 's.order.answer'), null);
 }

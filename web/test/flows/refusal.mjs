@@ -76,6 +76,30 @@ export async function refusal({ page }) {
     assert.ok(Math.min(...range) < found[k] && found[k] < Math.max(...range), JSON.stringify({ found, corners }));
   }
   await page.screenshot({ path: `${folder(page)}/face.png` });
+  // From behind its name says that it is hidden, in glass it is seen.
+  const said = () =>
+    page.evaluate(async () => {
+      const written = [],
+        own = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+        if (text.startsWith('face')) written.push(text);
+        own.call(this, text, ...rest);
+      };
+      window.planish.views.folded.draw();
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      CanvasRenderingContext2D.prototype.fillText = own;
+      return written.at(-1);
+    });
+  assert.equal(await said(), 'face 6');
+  const eye = await state(page, 'views.folded.direction'),
+    side = eye[0] > 0 ? 'left' : 'right';
+  await page.focus(`[data-testid=cube-${side}]`);
+  await page.keyboard.press('Enter');
+  assert.equal(await said(), 'face 6, behind');
+  await page.screenshot({ path: `${folder(page)}/behind.png` });
+  await page.click('[data-testid=see-through]');
+  assert.equal(await said(), 'face 6');
+  await page.click('[data-testid=see-through]');
   // Of plates that cannot be joined, those that are named.
   const plates = JSON.parse(readFileSync(new URL('../../../examples/connect/a_folded.json', import.meta.url)));
   plates.bends = [{ between: ['base', 'back'] }];
