@@ -6,7 +6,6 @@
 
 #include <planish/brep/step.hpp>
 
-#include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
@@ -38,7 +37,7 @@ void add_face(MeshOfFaces& result, const TopoDS_Face& face, int number) {
 
 MeshOfFaces triangles_of(const TopoDS_Shape& solid, double chord) {
   // The kernel stores triangles in the shape itself, so mesh a copy.
-  const TopoDS_Shape copy = BRepBuilderAPI_Copy(brep::with_parameter_curves(solid)).Shape();
+  const TopoDS_Shape copy = brep::meshable(solid);
   brep::triangulate(copy, chord);
   MeshOfFaces result;
   int number = 0;

@@ -8,10 +8,11 @@
 #include <planish/base/union_find.hpp>
 #include <planish/brep/step.hpp>
 
-#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
+#include <TColStd_HArray1OfReal.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -42,13 +44,44 @@ int node_count(const TopoDS_Shape& solid) {
   return count;
 }
 
+/// Whether the nodes of a face along an edge lie on the edge's curve where they ought to. On faces
+/// that it does not understand the kernel puts them elsewhere.
+bool lies_on(const TopoDS_Edge& edge, const Poly_Triangulation& nodes,
+             const Poly_PolygonOnTriangulation& row, const TopLoc_Location& place, double chord) {
+  constexpr double kChords = 2.0;  // what the kernel misplaces is far off
+  if (BRep_Tool::Degenerated(edge) || !row.HasParameters()) return true;
+  const BRepAdaptor_Curve curve(edge);
+  const double most = std::max(2.0 * BRep_Tool::Tolerance(edge), kChords * chord);
+  for (int i = 1; i <= row.NbNodes(); ++i) {
+    const gp_Pnt node = nodes.Node(row.Node(i)).Transformed(place);
+    if (node.Distance(curve.Value(row.Parameters()->Value(i))) > most) return false;
+  }
+  return true;
+}
+
+/// Whether the kernel has triangles of the face whose border is that of the face.
+bool is_meshed(const TopoDS_Face& face, double chord) {
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
+  if (own.IsNull()) return false;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    const Handle(Poly_PolygonOnTriangulation)
+        row = BRep_Tool::PolygonOnTriangulation(edge, own, place);
+    if (row.IsNull() ? !BRep_Tool::Degenerated(edge) : !lies_on(edge, *own, *row, place, chord))
+      return false;
+  }
+  return true;
+}
+
 /// Joins the kernel's triangles along edges and vertices: the kernel gives every face its own
-/// nodes.
+/// nodes. Leaves out faces that the kernel has not meshed rightly.
 class Welder {
  public:
-  explicit Welder(const TopoDS_Shape& solid) : same_(node_count(solid)) {
-    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
-      add(TopoDS::Face(faces.Current()), face_count_++);
+  Welder(const TopoDS_Shape& solid, double chord) : same_(node_count(solid)) {
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next(), ++face_count_)
+      if (is_meshed(TopoDS::Face(faces.Current()), chord))
+        add(TopoDS::Face(faces.Current()), face_count_);
   }
 
   /// The triangles over the remaining points, without those that have two corners at one point.
@@ -77,7 +110,6 @@ class Welder {
   void add(const TopoDS_Face& face, int number) {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
-    if (own.IsNull()) return;  // the gap is detected at the end
     const int first = static_cast<int>(points_.size());
     for (int i = 1; i <= own->NbNodes(); ++i)
       points_.push_back(brep::vector_of(own->Node(i).Transformed(place)));
@@ -143,19 +175,72 @@ Result<void> check_chord(double chord) {
               fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
 }
 
+double volume_in(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &o = mesh.points.front(), &a = mesh.points[t[0]];
+    sum += (a - o).dot((mesh.points[t[1]] - o).cross(mesh.points[t[2]] - o)) / 6.0;
+  }
+  return sum;
+}
+
+double area_of(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.points[t[0]];
+    sum += 0.5 * (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).norm();
+  }
+  return sum;
+}
+
 MeshOfFaces triangulated(const TopoDS_Shape& solid, double chord) {
   brep::triangulate(solid, chord);
-  return Welder(solid).mesh();
+  return Welder(solid, chord).mesh();
+}
+
+/// Of the body's solid as a whole. The kernel makes nothing of some full cones unless they may turn
+/// by more.
+MeshOfFaces surface_of(const Body& body, double chord) {
+  MeshOfFaces first;
+  for (const Angle turn : {Angle::degrees(10), Angle::degrees(17), Angle::degrees(25)}) {
+    const TopoDS_Shape solid = brep::meshable(body.shape().solid);
+    brep::triangulate(solid, chord, turn);
+    MeshOfFaces surface = Welder(solid, chord).mesh();
+    if (open_sides(surface.mesh) == 0 && !surface.face.empty()) return surface;
+    if (first.face.empty()) first = std::move(surface);
+  }
+  return first;
+}
+
+/// Closed, and of the body's volume but for a layer as thick as the chord.
+Result<void> check_whole(const MeshOfFaces& surface, const Body& body, double chord) {
+  if (const std::size_t open = open_sides(surface.mesh); open > 0)
+    return fail(ErrorCode::internal,
+                fmt::format("The CAD kernel's mesh of the body has {} open sides.", open));
+  const double found = volume_in(surface.mesh), volume = body.volume();
+  if (std::abs(found - volume) <= chord * area_of(surface.mesh)) return {};
+  return fail(ErrorCode::internal,
+              fmt::format("The CAD kernel's mesh of the body has a volume of {:.6g} mm³, the body "
+                          "{:.6g} mm³.",
+                          found, volume));
 }
 
 }  // namespace
 
 Result<MeshOfFaces> body_mesh(const Body& body, double chord) {
+  auto surface = body_mesh_in_part(body, chord);
+  if (!surface) return surface;
+  return brep::guarded([&]() -> Result<MeshOfFaces> {
+    if (auto whole = check_whole(*surface, body, chord); !whole)
+      return tl::unexpected(whole.error());
+    return std::move(*surface);
+  });
+}
+
+Result<MeshOfFaces> body_mesh_in_part(const Body& body, double chord) {
   if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
   return brep::guarded([&]() -> Result<MeshOfFaces> {
-    // The kernel stores triangles in the shape itself, so mesh a copy.
-    const TopoDS_Shape measurable = brep::with_parameter_curves(body.shape().solid);
-    MeshOfFaces surface = triangulated(BRepBuilderAPI_Copy(measurable).Shape(), chord);
+    MeshOfFaces surface = surface_of(body, chord);
     if (surface.face.empty())
       return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
     return surface;

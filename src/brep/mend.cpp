@@ -84,4 +84,11 @@ TopoDS_Shape with_parameter_curves(const TopoDS_Shape& shape) {
                            {.precision = Precision::Confusion()});
 }
 
+TopoDS_Shape meshable(const TopoDS_Shape& shape) {
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
+  const std::vector<TopoDS_Face> faces = faces_without(follows_in_parameters, copy);
+  if (faces.empty()) return copy;
+  return with_faces_mended(copy, faces, {.precision = Precision::Confusion()});
+}
+
 }  // namespace planish::brep

@@ -27,4 +27,8 @@ Mended mended(const TopoDS_Shape& shape, const Fit& fit);
 /// them; the shape itself where it has them.
 TopoDS_Shape with_parameter_curves(const TopoDS_Shape& shape);
 
+/// A copy whose faces the kernel can mesh: with parameter curves that follow each other round each
+/// loop. Files have them a period apart, or those of a seam exchanged. The faces keep their order.
+TopoDS_Shape meshable(const TopoDS_Shape& shape);
+
 }  // namespace planish::brep

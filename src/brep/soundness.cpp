@@ -136,6 +136,19 @@ bool has_parameter_curves(const TopoDS_Face& face) {
   return true;
 }
 
+bool follows_in_parameters(const TopoDS_Face& face) {
+  const GeomAdaptor_Surface surface(BRep_Tool::Surface(face));
+  if (surface.GetType() == GeomAbs_Plane) return true;
+  if (!has_parameter_curves(face)) return false;
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  for (TopoDS_Iterator wires(forward); wires.More(); wires.Next()) {
+    if (wires.Value().ShapeType() != TopAbs_WIRE) continue;
+    const Edges loop = in_order(edges_of(wires.Value()));
+    if (loop.empty() || !closes_in_parameters(surface, forward, loop)) return false;
+  }
+  return true;
+}
+
 bool is_readable(const TopoDS_Face& face) {
   const Handle(Geom_Surface) geometry = BRep_Tool::Surface(face);
   if (geometry.IsNull()) return false;

@@ -19,6 +19,10 @@ bool is_readable(const TopoDS_Face& face);
 /// On planes the kernel makes them by itself.
 bool has_parameter_curves(const TopoDS_Face& face);
 
+/// Whether the curves in the surface's parameters follow each other round each loop as its edges
+/// do, no period apart: only then the kernel meshes the face rightly. On planes they do.
+bool follows_in_parameters(const TopoDS_Face& face);
+
 /// Whether the shape is a solid of one shell that closes: every edge is run once each way, and all
 /// its faces hang together.
 bool is_closed_solid(const TopoDS_Shape& shape);

@@ -45,11 +45,11 @@ class MadeUnfolded : public MadeReport<UnfoldReport> {
     if (!body_) return Made::folded_mesh();
     return body_mesh(*body_).map([](MeshOfFaces&& surface) { return std::move(surface.mesh); });
   }
-  // Shows what was refused; empty if the kernel cannot mesh it.
+  // Shows what was refused, but for faces that the kernel cannot mesh.
   std::optional<MeshOfFaces> refused_solid() const override {
     if (!body_) return std::nullopt;
     constexpr double kShare = 1e-3;  // of the extent
-    auto surface = body_mesh(*body_, kShare * body_->size().norm());
+    auto surface = body_mesh_in_part(*body_, kShare * body_->size().norm());
     return surface ? std::optional(std::move(*surface)) : std::nullopt;
   }
 

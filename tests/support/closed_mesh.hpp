@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -16,6 +17,14 @@ inline std::map<std::pair<int, int>, int> sides_of(const Mesh& mesh) {
     for (std::size_t i = 0; i < 3; ++i)
       ++runs[{t[i], t[(i + 1) % 3]}];
   return runs;
+}
+
+/// Whether every side is run once in each direction.
+inline bool is_closed(const Mesh& mesh) {
+  const auto runs = sides_of(mesh);
+  return !runs.empty() && std::all_of(runs.begin(), runs.end(), [&](const auto& run) {
+    return run.second == 1 && runs.count({run.first.second, run.first.first}) == 1;
+  });
 }
 
 /// Every side is run once in each direction: no hole, no flap, no triangle turned inside out.
