@@ -271,6 +271,10 @@ Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const Fl
                               const std::vector<DoubleCover>& covers, const ReliefOptions& options,
                               const Rules& rules) {
   Relieved relieved{pattern, 0.0, static_cast<int>(covers.size()), {}, {}};
+  if (covers.empty() && options.beside_bends == Relief::none && options.width <= 0.0) {
+    relieved.pattern = with_slits_drawn_once(std::move(relieved.pattern));
+    return relieved;  // most parts: nothing is cut, so no areas are compared
+  }
   const SheetArea area(sheet, layout, pattern);
   for (const DoubleCover& cover : covers) {
     if (auto small = check_size(cover, pattern); !small) return tl::unexpected(small.error());
