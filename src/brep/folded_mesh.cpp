@@ -7,6 +7,7 @@
 
 #include <planish/base/union_find.hpp>
 #include <planish/brep/step.hpp>
+#include <planish/geometry/mesh_volume.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
@@ -175,15 +176,6 @@ Result<void> check_chord(double chord) {
               fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
 }
 
-double volume_in(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &o = mesh.points.front(), &a = mesh.points[t[0]];
-    sum += (a - o).dot((mesh.points[t[1]] - o).cross(mesh.points[t[2]] - o)) / 6.0;
-  }
-  return sum;
-}
-
 double area_of(const Mesh& mesh) {
   double sum = 0.0;
   for (const Triangle& t : mesh.triangles) {
@@ -217,7 +209,7 @@ Result<void> check_whole(const MeshOfFaces& surface, const Body& body, double ch
   if (const std::size_t open = open_sides(surface.mesh); open > 0)
     return fail(ErrorCode::internal,
                 fmt::format("The CAD kernel's mesh of the body has {} open sides.", open));
-  const double found = volume_in(surface.mesh), volume = body.volume();
+  const double found = volume_of(surface.mesh), volume = body.volume();
   if (std::abs(found - volume) <= chord * area_of(surface.mesh)) return {};
   return fail(ErrorCode::internal,
               fmt::format("The CAD kernel's mesh of the body has a volume of {:.6g} mm³, the body "

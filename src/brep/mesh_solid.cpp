@@ -4,6 +4,7 @@
 #include "step_out.hpp"
 
 #include <planish/brep/step.hpp>
+#include <planish/geometry/mesh_volume.hpp>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
@@ -26,16 +27,6 @@ using VertexPair = std::pair<int, int>;
 Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
   const auto at = [&](int corner) -> const Vec3& { return mesh.points[t[corner]]; };
   return (at(1) - at(0)).cross(at(2) - at(0));
-}
-
-double volume_of(const Mesh& mesh) {
-  const Vec3& origin = mesh.points.front();  // relative to a nearby point, so that no digits are
-                                             // lost far from the origin
-  const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles)
-    sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
-  return sum;
 }
 
 /// The mesh's connected parts, in the order of their first triangles.

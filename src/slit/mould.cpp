@@ -1,6 +1,7 @@
 #include "mould_body.hpp"
 #include "mould_clear.hpp"
 
+#include <planish/geometry/mesh_volume.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/slit/mould.hpp>
 
@@ -251,16 +252,6 @@ std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
 Frame base_frame(double height, const Vec3& up) {
   const Vec3 hint = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
   return frame_from_axes(height * up, up, hint);
-}
-
-double volume_of(const Mesh& mesh) {
-  double sum = 0.0;
-  const Vec3& origin = mesh.points.front();  // relative to a nearby point, so that no digits are
-                                             // lost far from the origin
-  const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
-  for (const auto& t : mesh.triangles)
-    sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
-  return sum;
 }
 
 /// The facet of a panel at which a strip ends, as a quad before or behind its own.
