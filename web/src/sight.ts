@@ -2,6 +2,7 @@ import { Matrix4, type OrthographicCamera } from 'three';
 import { distanceToSegment, type PickedLine } from './lines.ts';
 import type { CornerLine } from './sheet-object.ts';
 import type { SheetMesh } from './sheet-mesh.ts';
+import { weightsUnder } from './triangle-under.ts';
 import type { Vec3 } from './types.ts';
 
 /** The sheet as it is drawn. */
@@ -130,22 +131,12 @@ export class Sight {
         const a = 3 * (t[i]! + skin * n),
           b = 3 * (t[i + 1]! + skin * n),
           c = 3 * (t[i + 2]! + skin * n);
-        const ax = s[a]! - x,
-          bx = s[b]! - x,
-          cx = s[c]! - x;
-        if ((ax < 0 && bx < 0 && cx < 0) || (ax > 0 && bx > 0 && cx > 0)) continue;
-        const ay = s[a + 1]! - y,
-          by = s[b + 1]! - y,
-          cy = s[c + 1]! - y;
-        if ((ay < 0 && by < 0 && cy < 0) || (ay > 0 && by > 0 && cy > 0)) continue;
-        const u = bx * cy - by * cx,
-          v = cx * ay - cy * ax,
-          w = ax * by - ay * bx,
-          sum = u + v + w;
-        if (sum === 0 || (sum > 0 ? u < 0 || v < 0 || w < 0 : u > 0 || v > 0 || w > 0)) continue;
-        const depth = (u * s[a + 2]! + v * s[b + 2]! + w * s[c + 2]!) / sum;
+        const under = weightsUnder(s, a, b, c, x, y);
+        if (!under) continue;
+        const [u, v, w] = under;
+        const depth = u * s[a + 2]! + v * s[b + 2]! + w * s[c + 2]!;
         if (best && depth >= best.depth) continue;
-        const at = [0, 1, 2].map((k) => (u * p[a + k]! + v * p[b + k]! + w * p[c + k]!) / sum) as Vec3;
+        const at = [0, 1, 2].map((k) => u * p[a + k]! + v * p[b + k]! + w * p[c + k]!) as Vec3;
         if (shown(...at)) best = { facet: triangleFacet[i / 3]!, upper: skin === 0, at, depth };
       }
     return best;

@@ -1,4 +1,5 @@
 import { namedPieces, type NamedPiece, type NamedPlaces, type Solid } from './solid-mesh.ts';
+import { weightsUnder } from './triangle-under.ts';
 import type { Vec3 } from './types.ts';
 import { cross, dot, normalised, plus, scaled } from './vectors.ts';
 
@@ -68,21 +69,10 @@ export function hiding({ space_points: p, space_triangles: t }: Solid, towards: 
         b = 3 * t[i + 1]!,
         c = 3 * t[i + 2]!;
       if (s[a + 2]! <= before && s[b + 2]! <= before && s[c + 2]! <= before) continue;
-      const ax = s[a]! - x,
-        bx = s[b]! - x,
-        cx = s[c]! - x;
-      if ((ax < 0 && bx < 0 && cx < 0) || (ax > 0 && bx > 0 && cx > 0)) continue;
-      const ay = s[a + 1]! - y,
-        by = s[b + 1]! - y,
-        cy = s[c + 1]! - y;
-      if ((ay < 0 && by < 0 && cy < 0) || (ay > 0 && by > 0 && cy > 0)) continue;
-      const u = bx * cy - by * cx,
-        v = cx * ay - cy * ax,
-        w = ax * by - ay * bx,
-        sum = u + v + w;
-      if (Math.abs(sum) <= 1e-9 * (Math.abs(u) + Math.abs(v) + Math.abs(w))) continue; // seen along its plane
-      if (sum > 0 ? u < 0 || v < 0 || w < 0 : u > 0 || v > 0 || w > 0) continue;
-      if ((u * s[a + 2]! + v * s[b + 2]! + w * s[c + 2]!) / sum > before) return true;
+      const under = weightsUnder(s, a, b, c, x, y);
+      if (!under) continue;
+      const [u, v, w] = under;
+      if (u * s[a + 2]! + v * s[b + 2]! + w * s[c + 2]! > before) return true;
     }
     return false;
   };
