@@ -1,8 +1,7 @@
 #include "gap.hpp"
 
-#include "box_tree.hpp"
-
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/box_tree.hpp>
 
 #include <cmath>
 #include <numbers>

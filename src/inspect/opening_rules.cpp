@@ -94,7 +94,7 @@ std::vector<Observation> observe_openings_by_bends(const Workpiece& workpiece, c
 std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, const Rules& rules) {
   const double limit = rules.opening_to_edge_t * workpiece.thickness;
   const Loop& outer = workpiece.pattern.outer.loop;
-  const BoxTree edges(BoxedLoop(outer).boxes);
+  const BoxTree2 edges(BoxedLoop(outer).boxes);
   std::vector<Observation> result;
   for (const Opening& opening : workpiece.openings) {
     Gap nearest;
@@ -128,7 +128,7 @@ std::vector<Neighbour> nearest_neighbours(const Workpiece& workpiece, double lim
   std::vector<Box2> boxes;
   for (const Opening& opening : openings)
     boxes.push_back(opening.boxed.box);
-  const BoxTree index(std::move(boxes));
+  const BoxTree2 index(std::move(boxes));
   std::vector<Neighbour> nearest(openings.size());
   for (size_t i = 0; i < openings.size(); ++i) {
     index.visit(widened(openings[i].boxed.box, limit), [&](size_t k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "box_tree.hpp"
+#include <planish/geometry/box_tree.hpp>
 
 #include <limits>
 #include <optional>
@@ -43,7 +43,7 @@ class RingIndex {
   static std::optional<double> hit(const Edge& edge, const Vec2& origin, const Vec2& direction);
 
   std::vector<Edge> edges_;
-  BoxTree index_;
+  BoxTree2 index_;
 };
 
 }  // namespace planish::inspect_detail

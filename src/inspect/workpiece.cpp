@@ -205,8 +205,8 @@ Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
       boxes.push_back(bounds(line));
     }
   }
-  tangent_index = BoxTree(std::move(boxes));
-  zone_index = BoxTree(zones);
+  tangent_index = BoxTree2(std::move(boxes));
+  zone_index = BoxTree2(zones);
   SizeTeller size_text;
   for (const Contour& contour : flat.openings) {
     openings.push_back(opening_of(contour, size_text));

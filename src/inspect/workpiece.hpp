@@ -58,8 +58,8 @@ struct Workpiece {
   std::vector<std::optional<BendSpan>> spans;  ///< by bend; empty without bend lines
   std::vector<Box2> zones;                     ///< by bend: box of its lines
   std::vector<TangentSegment> tangent_lines;   ///< the segments of all sides
-  BoxTree tangent_index;                       ///< index of their boxes
-  BoxTree zone_index;                          ///< index of `zones`
+  BoxTree2 tangent_index;                      ///< index of their boxes
+  BoxTree2 zone_index;                         ///< index of `zones`
   std::vector<Opening> openings;
 
   /// The sides of one bend.

@@ -1,6 +1,7 @@
 #include "svg_labels.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/box_tree.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -52,14 +53,66 @@ bool meets(const PlacedLabel& label, const PlacedLabel& other) {
          meets(label, Segment{c[0], c[2]});
 }
 
-double cost(const PlacedLabel& label, const std::vector<PlacedLabel>& placed,
-            const std::vector<Segment>& obstacles) {
-  const auto labels = std::ranges::count_if(
-      placed, [&](const PlacedLabel& other) { return meets(label, other); });
-  const auto lines = std::ranges::count_if(obstacles,
-                                           [&](const Segment& line) { return meets(label, line); });
-  return 50.0 * static_cast<double>(labels) +
-         10.0 * std::min<double>(static_cast<double>(lines), 4.0);
+Box2 box_of(const PlacedLabel& label) {
+  Box2 box;
+  for (const Vec2& corner : corners(label))
+    box.add(corner);
+  return box;
+}
+
+/// The lines that labels keep off.
+class Lines {
+ public:
+  explicit Lines(const std::vector<Segment>& lines) : lines_(lines), tree_(boxes(lines)) {}
+
+  /// How many of them enter the label's box.
+  std::size_t met_by(const PlacedLabel& label) const {
+    std::size_t met = 0;
+    tree_.visit(box_of(label), [&](std::size_t i) { met += meets(label, lines_[i]) ? 1 : 0; });
+    return met;
+  }
+
+ private:
+  static std::vector<Box2> boxes(const std::vector<Segment>& lines) {
+    std::vector<Box2> boxes(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      boxes[i].add(lines[i].a);
+      boxes[i].add(lines[i].b);
+    }
+    return boxes;
+  }
+
+  const std::vector<Segment>& lines_;
+  BoxTree2 tree_;
+};
+
+/// The labels that have a place.
+class Placed {
+ public:
+  void add(PlacedLabel label) {
+    boxes_.push_back(box_of(label));
+    labels_.push_back(std::move(label));
+  }
+
+  /// How many of them the label would cover.
+  std::size_t met_by(const PlacedLabel& label) const {
+    const Box2 box = box_of(label);
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      met += boxes_[i].overlaps(box) && meets(label, labels_[i]) ? 1 : 0;
+    return met;
+  }
+
+  const std::vector<PlacedLabel>& labels() const { return labels_; }
+
+ private:
+  std::vector<PlacedLabel> labels_;
+  std::vector<Box2> boxes_;
+};
+
+double cost(const PlacedLabel& label, const Placed& placed, const Lines& lines) {
+  return 50.0 * static_cast<double>(placed.met_by(label)) +
+         10.0 * std::min(static_cast<double>(lines.met_by(label)), 4.0);
 }
 
 /// Direction of the line, such that text along it reads from below or from the right.
@@ -123,42 +176,25 @@ std::vector<PlacedLabel> round_point(const PointRequest& request, double font) {
   return places;
 }
 
-/// The segments that come as near to a point as its label may.
-std::vector<Segment> near_point(const std::vector<Segment>& segments, const PointRequest& request,
-                                double font) {
-  const double reach = text_width(request.text, font) + 2.0 * font;
-  std::vector<Segment> near;
-  std::ranges::copy_if(segments, std::back_inserter(near), [&](const Segment& segment) {
-    const Vec2 low = segment.a.cwiseMin(segment.b).array() - reach,
-               high = segment.a.cwiseMax(segment.b).array() + reach;
-    return (request.at.array() >= low.array()).all() && (request.at.array() <= high.array()).all();
-  });
-  return near;
-}
-
 /// All labels, in one size, for which there is a place.
 std::vector<PlacedLabel> beside_points(const std::vector<PointRequest>& requests,
                                        const std::vector<std::vector<Vec2>>& rings,
-                                       const std::vector<Segment>& obstacles, double font) {
-  std::vector<PlacedLabel> placed;
+                                       const Lines& lines, double font) {
+  Placed placed;
   for (const PointRequest& request : requests) {
-    const std::vector<Segment> near = near_point(obstacles, request, font);
-    const auto free = [&](const PlacedLabel& label) {
-      return std::ranges::none_of(near, [&](const Segment& line) { return meets(label, line); }) &&
-             std::ranges::none_of(placed,
-                                  [&](const PlacedLabel& other) { return meets(label, other); });
-    };
     auto places = round_point(request, font);
     const auto within = [&](const PlacedLabel& label) { return inside(rings, label.center); };
     std::ranges::stable_partition(places, std::not_fn(within));
-    const auto place = std::ranges::find_if(places, free);
-    if (place != places.end()) placed.push_back(*place);
+    const auto place = std::ranges::find_if(places, [&](const PlacedLabel& label) {
+      return lines.met_by(label) == 0 && placed.met_by(label) == 0;
+    });
+    if (place != places.end()) placed.add(*place);
   }
-  return placed;
+  return placed.labels();
 }
 
-PlacedLabel place(const LabelRequest& request, const std::vector<PlacedLabel>& placed,
-                  const std::vector<Segment>& obstacles, double font) {
+PlacedLabel place(const LabelRequest& request, const Placed& placed, const Lines& lines,
+                  double font) {
   std::vector<PlacedLabel> places;
   for (double size = font; size > kSmallest * font; size *= 0.85) {
     std::ranges::copy(along(request, size), std::back_inserter(places));
@@ -170,7 +206,7 @@ PlacedLabel place(const LabelRequest& request, const std::vector<PlacedLabel>& p
   PlacedLabel best;
   for (std::size_t rank = 0; rank < places.size() && best_cost > static_cast<double>(rank) * 0.1;
        ++rank) {
-    const double c = cost(places[rank], placed, obstacles) + 0.1 * static_cast<double>(rank);
+    const double c = cost(places[rank], placed, lines) + 0.1 * static_cast<double>(rank);
     if (c >= best_cost) continue;
     best_cost = c;
     best = places[rank];
@@ -199,19 +235,22 @@ std::vector<Vec2> corners(const PlacedLabel& label) {
 std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
                                       const std::vector<Segment>& obstacles, double font,
                                       const std::vector<PlacedLabel>& there) {
-  std::vector<PlacedLabel> placed = there;
+  const Lines lines(obstacles);
+  Placed placed;
+  std::ranges::for_each(there, [&](const PlacedLabel& label) { placed.add(label); });
   for (const LabelRequest& request : requests)
-    placed.push_back(place(request, placed, obstacles, font));
-  placed.erase(placed.begin(), placed.begin() + static_cast<std::ptrdiff_t>(there.size()));
-  return placed;
+    placed.add(place(request, placed, lines, font));
+  const auto made = placed.labels().begin() + static_cast<std::ptrdiff_t>(there.size());
+  return {made, placed.labels().end()};
 }
 
 std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests,
                                             const std::vector<std::vector<Vec2>>& rings,
                                             const std::vector<Segment>& obstacles, double font) {
+  const Lines lines(obstacles);
   std::vector<PlacedLabel> best;
   for (double size = font; size > kSmallest * font && best.size() < requests.size(); size *= 0.85) {
-    auto placed = beside_points(requests, rings, obstacles, size);
+    auto placed = beside_points(requests, rings, lines, size);
     if (placed.size() > best.size()) best = std::move(placed);
   }
   return best;

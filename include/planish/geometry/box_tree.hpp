@@ -5,13 +5,14 @@
 #include <cstddef>
 #include <vector>
 
-namespace planish::inspect_detail {
+namespace planish {
 
-/// A tree of boxes that finds those near a place without visiting the rest. Ids are indices in the
-/// given list; empty boxes are never found.
-class BoxTree {
+/// A tree of boxes that finds those near a place without visiting the rest: O(n log n) to make,
+/// O(log n) and what is found to ask. Ids are indices in the given list; empty boxes are never
+/// found.
+class BoxTree2 {
  public:
-  explicit BoxTree(std::vector<Box2> boxes);
+  explicit BoxTree2(std::vector<Box2> boxes);
 
   /// Calls `found(id)` for every box that meets or touches `query`, in no particular order.
   template <typename Found>
@@ -59,4 +60,4 @@ inline double box_distance(const Box2& a, const Box2& b) {
   return apart.norm();
 }
 
-}  // namespace planish::inspect_detail
+}  // namespace planish

@@ -1,10 +1,10 @@
-#include "box_tree.hpp"
+#include <planish/geometry/box_tree.hpp>
 
 #include <algorithm>
 
-namespace planish::inspect_detail {
+namespace planish {
 
-BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
+BoxTree2::BoxTree2(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
   for (size_t i = 0; i < boxes_.size(); ++i)
     if (!boxes_[i].empty()) ids_.push_back(i);
   if (ids_.empty()) return;
@@ -16,7 +16,7 @@ BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
   build(0, 0, ids_.size());
 }
 
-void BoxTree::build(size_t node, size_t from, size_t to) {
+void BoxTree2::build(size_t node, size_t from, size_t to) {
   for (size_t i = from; i < to; ++i)
     nodes_[node].add(boxes_[ids_[i]]);
   if (to - from <= kLeaf) return;
@@ -31,4 +31,4 @@ void BoxTree::build(size_t node, size_t from, size_t to) {
   build(2 * node + 2, middle, to);
 }
 
-}  // namespace planish::inspect_detail
+}  // namespace planish
