@@ -36,6 +36,12 @@ Interval along(const Vec3& direction, const Block& hull) {
   return span;
 }
 
+/// How far a face reaches in a direction that may part it from others.
+struct Reach {
+  Vec3 direction;
+  Interval span;
+};
+
 Vec3 normal_at(const Face& face, double u) { return outward_normal(face, {u, 0.0}); }
 
 /// How far a face turns from its first ruling to its last.
@@ -88,7 +94,9 @@ class FaceSearch {
         joined[ref.face].push_back(ref);
     for (const FaceId id : sheet.faces.ids()) {
       hulls_.push_back(hull_of(sheet, id, kChordShare * depth));
-      directions_.push_back(directions_of(sheet, id, joined[id]));
+      auto& reaches = reaches_.emplace_back();
+      for (const Vec3& direction : directions_of(sheet, id, joined[id]))
+        reaches.push_back({direction, along(direction, hulls_.back())});
     }
   }
 
@@ -137,11 +145,14 @@ class FaceSearch {
 
   /// Whether what they share in some direction is too narrow for a ball.
   bool parted(FaceId a, FaceId b) const {
-    const auto apart = [&](const Vec3& direction) {
-      const Interval one = along(direction, hulls_[a]), other = along(direction, hulls_[b]);
-      return std::min(one.high, other.high) - std::max(one.low, other.low) < depth_;
+    const auto clear_of = [&](const Block& hull) {
+      return [&](const Reach& reach) {
+        const Interval other = along(reach.direction, hull);
+        return std::min(reach.span.high, other.high) - std::max(reach.span.low, other.low) < depth_;
+      };
     };
-    return std::ranges::any_of(directions_[a], apart) || std::ranges::any_of(directions_[b], apart);
+    return std::ranges::any_of(reaches_[a], clear_of(hulls_[b])) ||
+           std::ranges::any_of(reaches_[b], clear_of(hulls_[a]));
   }
 
   std::shared_ptr<const BlockTree> blocks_within(FaceId id, const std::optional<Box3>& box) const {
@@ -158,7 +169,7 @@ class FaceSearch {
   const Sheet& sheet_;
   double depth_;
   IdVector<FaceId, Block> hulls_;
-  IdVector<FaceId, std::vector<Vec3>> directions_;
+  IdVector<FaceId, std::vector<Reach>> reaches_;
   std::vector<std::shared_ptr<const BlockTree>> trees_;  ///< by face; made when first asked for
 };
 
