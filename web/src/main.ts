@@ -90,6 +90,7 @@ const ui: Ui = {
   finish: () => computation.finish(),
   cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
+  light: (part) => views.light(part === null ? null : { part }),
   fit: () => views.fit(),
   animate,
   askOrder: (order) => orderWork.ask(order),
@@ -109,7 +110,7 @@ const views = new Views(
   (at) => computation.dragged(at),
   () => store.state.document && computation.zoomed(),
 );
-const light = (part: number | null) => views.light(part === null ? null : { part });
+const { light } = ui;
 const measureKeys = new MeasureKeys(ui, views.measuring, {
   flat: { box: part('.flat .canvas'), toClient: ([x, y]) => views.flat.project([x, y]), isSeen: () => true, light },
   folded: {
