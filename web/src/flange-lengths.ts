@@ -19,9 +19,9 @@ interface Side {
 
 /**
  * The lengths of the flanges on both sides of each bend as a rule on the outside measures them: from the mould line of
- * the bend to the far edge of the flange, or to the mould line of a bend on that side that leads farther. Their sum less
- * the deductions is the length of the blank. From 180° on there is no mould line, and the plane that touches the bend
- * takes its place. Of bends that have no such lengths, the reason.
+ * the bend to the far edge of the flange, or to the mould line of a bend on that side that leads farther. Their sum
+ * less the deductions is the length of the blank. From 180° on there is no mould line, and the plane that touches the
+ * bend takes its place. Of bends that have no such lengths, the reason.
  */
 export function flangeLengths(shape: Shape): Map<string, FlangeLength[] | string> {
   const { report, parts, facet_part } = shape,

@@ -11,8 +11,8 @@ const draftChord = 0.15, // mm; how far a curve may lie from its polygon, at mos
   neighbours = 3; // on either side of a segment, of those that tell how a curve goes on between its corners
 
 /**
- * How far an outline reaches in the direction of a distance. Arcs count to their apex, other curves to that of the curve
- * through their corners, which lies beyond the corners themselves.
+ * How far an outline reaches in the direction of a distance. Arcs count to their apex, other curves to that of the
+ * curve through their corners, which lies beyond the corners themselves.
  */
 export function reachOf(shape: Shape, corners: Vec2[], runs: Run[], distance: Distance): number {
   let most = -Infinity;
