@@ -3,6 +3,7 @@ import { markedWith, partOfEdge, type PickedLine } from './lines.ts';
 import type { MeasuringEvents } from './measure/events.ts';
 import { refOfEdge, snapAt } from './measure/snap.ts';
 import { inPlace, type Measured, type Ref } from './measure/things.ts';
+import { extentAlong } from './section.ts';
 import type { SheetObject } from './sheet-object.ts';
 import { Sight, type SeenLine, type SeenSkin, type Shown } from './sight.ts';
 import type { Shape, Vec2, Vec3 } from './types.ts';
@@ -94,6 +95,12 @@ export class FoldedLook {
     if (part === null) return null;
     const at = inPlace(of.shape, part, skin!.at);
     return at ? { kind: 'flange', part, upper: skin!.upper, at } : { kind: 'bend', part, line: 0 };
+  }
+
+  /** How long the sheet is along a direction, as it is folded now, mm. */
+  lengthAlong(along: Vec3): number {
+    const [low, high] = extentAlong(this.sheet.drawn?.positions ?? new Float32Array(3), along);
+    return high - low;
   }
 
   /** Whether a place of the sheet is there to be seen. */

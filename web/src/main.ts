@@ -3,8 +3,8 @@ import { Api } from './api.ts';
 import { Archive } from './archive.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
-import { isOtherOrder } from './order-state.ts';
-import { OrderWork } from './order-work.ts';
+import { isOtherOrder, shownBend } from './order-state.ts';
+import { followStroke, OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
 import { drawsPage } from './drawing.ts';
 import { giveUp, isGivenUp } from './holding.ts';
@@ -29,6 +29,7 @@ import './styles.css';
 import './panels/lists.css';
 import { bringKept } from './kept-here.ts';
 import { Recents } from './recents.ts';
+import { sayRefusals } from './refusals.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { beginsAnew, isUnentered, putBack } from './typing.ts';
@@ -90,6 +91,7 @@ const ui: Ui = {
   finish: () => computation.finish(),
   cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
+  light: (part) => views.light(part === null ? null : { part }),
   fit: () => views.fit(),
   animate,
   askOrder: (order) => orderWork.ask(order),
@@ -109,7 +111,7 @@ const views = new Views(
   (at) => computation.dragged(at),
   () => store.state.document && computation.zoomed(),
 );
-const light = (part: number | null) => views.light(part === null ? null : { part });
+const { light } = ui;
 const measureKeys = new MeasureKeys(ui, views.measuring, {
   flat: { box: part('.flat .canvas'), toClient: ([x, y]) => views.flat.project([x, y]), isSeen: () => true, light },
   folded: {
@@ -158,7 +160,10 @@ function draw() {
   render(isInMachine(store.state) ? machineLegend(ui) : nothing, part('.machine'));
   render(viewButtons(ui), part('.buttons'));
   render(
-    viewTools(ui, () => views.folded.direction),
+    viewTools(ui, {
+      direction: () => views.folded.direction,
+      lengthAlong: (along) => views.folded.under.lengthAlong(along),
+    }),
     part('.tools'),
   );
   render(divider(ui, part('main')), part('.divider'));
@@ -249,8 +254,7 @@ function animate() {
 function showTime(time: number, playing = false) {
   store.dispatch({ type: 'stroke-time', time, playing });
   const { order, selection } = store.state,
-    strokes = order.answer?.strokes ?? [],
-    bend = strokes[Math.min(Math.floor(order.time), strokes.length - 1)]?.bends[0];
+    bend = shownBend(order);
   if (bend !== undefined && bend !== selection.part) store.dispatch({ type: 'select', selection: { part: bend } });
 }
 
@@ -363,7 +367,8 @@ window.addEventListener('drop', (e) => {
   root.classList.remove('dropping');
   if (e.dataTransfer?.files.length) ui.openFiles([...e.dataTransfer.files]);
 });
-window.addEventListener('refused', (e) => store.dispatch({ type: 'note', note: (e as CustomEvent<string>).detail }));
+sayRefusals(store);
+followStroke(store);
 window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends

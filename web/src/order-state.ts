@@ -106,6 +106,10 @@ const shownAgain = (state: OrderState): OrderState => ({
   time: Math.min(state.time, state.answer?.strokes.length ?? 0),
 });
 
+/** The bend that is pressed at the time that one looks at. */
+export const shownBend = ({ answer, time }: OrderState): string | undefined =>
+  answer?.strokes[Math.min(Math.floor(time), answer.strokes.length - 1)]?.bends[0];
+
 /** Whether more than the place that one looks at has changed. */
 export const isOtherOrder = (a: OrderState, b: OrderState) =>
   a.answer !== b.answer || a.brake !== b.brake || a.past !== b.past || a.future !== b.future;

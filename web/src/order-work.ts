@@ -1,6 +1,7 @@
 import { Api, ApiError } from './api.ts';
 import { problemOf } from './compute.ts';
-import type { Store } from './state.ts';
+import { shownBend } from './order-state.ts';
+import { isInMachine, type Store } from './state.ts';
 import type { OrderedStroke } from './types.ts';
 
 const patience = 600; // ms after which a check that is no longer wanted is ended; sooner, ending it would take longer
@@ -84,4 +85,14 @@ export class OrderWork {
 
   /** Whether an answer is of the document that is open, and no newer one is wanted. */
   private isShown = (id: string) => this.store.state.document?.id === id && !this.waiting;
+}
+
+/** Where another order puts another bend at the stroke that is shown, that bend is picked instead. */
+export function followStroke(store: Store) {
+  store.subscribe((state, before) => {
+    if (state.order.answer === before.order.answer || !isInMachine(state) || !isInMachine(before)) return;
+    const [was, part] = [shownBend(before.order), shownBend(state.order)];
+    if (part !== undefined && part !== was && state.selection.part === was)
+      store.dispatch({ type: 'select', selection: { part } });
+  });
 }

@@ -9,15 +9,21 @@ export interface Cut {
 
 /** The plane across a direction at a share of what lies along it; the other side of it if `flipped`. */
 export function cutAt(positions: Float32Array, along: Vec3, share: number, flipped: boolean): Cut {
+  const [low, high] = extentAlong(positions, along),
+    at = low + share * (high - low);
+  // what lies beyond the plane goes
+  return flipped ? { normal: along, constant: -at } : { normal: along.map((v) => -v) as Vec3, constant: at };
+}
+
+/** From where to where places lie along a direction. */
+export function extentAlong(positions: Float32Array, along: Vec3): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (let i = 0; i < positions.length; i += 3) {
     const d = along[0] * positions[i]! + along[1] * positions[i + 1]! + along[2] * positions[i + 2]!;
     low = Math.min(low, d);
     high = Math.max(high, d);
   }
-  const at = low + share * (high - low);
-  // what lies beyond the plane goes
-  return flipped ? { normal: along, constant: -at } : { normal: along.map((v) => -v) as Vec3, constant: at };
+  return [low, high];
 }
 
 export const isKept = ({ normal: [a, b, c], constant }: Cut, x: number, y: number, z: number): boolean =>

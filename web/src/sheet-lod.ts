@@ -14,7 +14,7 @@ export function simplified(shape: Shape, tolerance: number): Shape {
     facets: number[] = [],
     numbers: number[] = [],
     gone = new Set<string>();
-  for (const run of roundRuns(shape)) {
+  for (const run of runsOf(shape)) {
     const kept = keptOf(shape, run, tolerance);
     for (let i = 0; i + 1 < kept.length; ++i) {
       const [a, b] = [kept[i]!, kept[i + 1]!];
@@ -35,13 +35,13 @@ export function simplified(shape: Shape, tolerance: number): Shape {
 }
 
 /** Segments `first` to `end` − 1 of one edge on one facet, each beginning where the one before ends. */
-interface Run {
+export interface Run {
   first: number;
   end: number;
   facet: number;
 }
 
-function* roundRuns({ edges, edge_facet, edge_number }: Shape): Generator<Run> {
+export function* runsOf({ edges, edge_facet, edge_number }: Shape): Generator<Run> {
   const count = edge_number.length;
   for (let first = 0; first < count; ) {
     let end = first + 1;

@@ -25,9 +25,10 @@ import {
   type OrderAction,
   type OrderState,
 } from './order-state.ts';
-import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
+import { ended, forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
 import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
 import { asBefore } from './orientation.ts';
+import { pickedBend } from './picked.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } from './workshop-state.ts';
 
@@ -275,7 +276,7 @@ export function reduce(state: State, action: Action): State {
     case 'fold':
       return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
     case 'pick':
-      return { ...state, pick: action.pick };
+      return { ...state, pick: action.pick, measure: action.pick === 'none' ? state.measure : ended(state.measure) };
     case 'gizmo':
       return { ...state, gizmo: action.gizmo };
     case 'plate-size':
@@ -289,6 +290,7 @@ export function reduce(state: State, action: Action): State {
     case 'help':
       return { ...state, help: action.help };
     case 'measure-mode':
+      return { ...state, pick: 'none', measure: reduceMeasure(state.measure, action) };
     case 'measure-pick':
     case 'measure-drop':
     case 'measure-remove':
@@ -421,15 +423,6 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
     note: shape.report.status === 'refused' ? null : state.note,
     stale,
   };
-}
-
-/** The bend that is picked, by its new number: the one between the same plates. */
-function pickedBend({ selection: { part }, known, document }: State, report: Report): string | null {
-  const before = known?.flat?.bends.find((b) => b.id === part)?.between;
-  if (document?.kind !== 'connect' || !before || !report.flat) return part;
-  const plates = (between: string[] | undefined) => JSON.stringify([...(between ?? [])].sort()),
-    same = report.flat.bends.filter((b) => plates(b.between) === plates(before));
-  return same.some((b) => b.id === part) ? part : (same[0]?.id ?? null);
 }
 
 /**

@@ -28,12 +28,22 @@ for (const type of ['focusin', 'change'] as const)
 window.addEventListener('input', ({ target }) => {
   if (isText(target)) unentered.add(target);
 });
+/** The field whose entry was refused because of the click that is going on: what was clicked may need it. */
+export const refusedByClick = (): HTMLInputElement | null => refused;
+let refused: HTMLInputElement | null = null;
+const refuses = ({ target }: Event) => (refused = target as HTMLInputElement);
+
 // What was typed is entered before something else is chosen, for which its field may be needed.
 window.addEventListener(
   'pointerdown',
   ({ target }) => {
     const field = document.activeElement;
-    if (isText(field) && field !== target && isUnentered(field)) field.blur();
+    refused = null;
+    if (!isText(field) || field === target || !isUnentered(field)) return;
+    window.addEventListener('refused', refuses);
+    field.blur();
+    window.removeEventListener('refused', refuses);
   },
   true,
 );
+for (const type of ['click', 'keydown'] as const) window.addEventListener(type, () => (refused = null));

@@ -28,6 +28,8 @@ export interface Ui {
   /** Computes the result that was abandoned. */
   finish(): void;
   look(view: StandardView): void;
+  /** A part of the shape, by its row, lights up in both views. */
+  light(part: number | null): void;
   fit(): void;
   animate(): void;
   /** Has an order of strokes checked; null: the cheapest one is looked for. */

@@ -30,9 +30,13 @@ export const residualText = (value: number, from: LengthUnit | undefined, to: Di
 
 export const unitName = (unit: DisplayUnit) => (unit === 'mm' ? 'mm' : 'in');
 
-/** `value` with at most `digits` decimals, without trailing zeros, never −0. */
+const tie = 1e-3; // of the last digit: values come by way of other units and of arrays of seven digits
+
+/** `value` with at most `digits` decimals, without trailing zeros, never −0; of two that are as near the larger one. */
 export function clean(value: number, digits: number): string {
-  const text = value.toFixed(digits);
+  const scale = 10 ** digits,
+    size = Math.round(Math.abs(value) * scale + tie) / scale,
+    text = (value < 0 ? -size : size).toFixed(digits);
   const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
   return short === '-0' ? '0' : short;
 }

@@ -14,12 +14,9 @@ import {
 } from '../src/allowance.ts';
 import { areaText, massText } from '../src/amounts.ts';
 import { unconfirmedK } from '../src/default-k.ts';
-import { flangeLengths } from '../src/flange-lengths.ts';
-import { decodeShape, encodeShape } from '../src/shape.ts';
 import { initialState, reduce } from '../src/state.ts';
-import type { BendRow, OpenDocument, PieceReport, Shape, Vec2 } from '../src/types.ts';
+import type { OpenDocument, PieceReport } from '../src/types.ts';
 import { soundWorkshop } from '../src/workshop-state.ts';
-import { twoFlanges } from './two-flanges.ts';
 
 const near = (a: number, b: number, tolerance = 1e-9) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
 const example = JSON.parse(readFileSync(new URL('../../examples/shop/example.json', import.meta.url), 'utf8')) as Shop;
@@ -93,70 +90,6 @@ test('files of the workshop are kept once by kind and name, the last one first',
     files: [],
     everyPart: null,
   });
-});
-
-const decoded = (change: (bend: BendRow) => void = () => undefined): Shape => {
-  const { header, arrays } = twoFlanges();
-  change(header.report.flat!.bends[0]!);
-  return decodeShape(encodeShape(header, arrays));
-};
-
-test('outside lengths, less the deduction, are the length of the blank', () => {
-  const shape = decoded((bend) => (bend.deduction = 4.4)),
-    [first, second] = flangeLengths(shape).get('B1') as Vec2;
-  // 40 and 30 beside a bend of 8: the setback is half of 8 + 4.4
-  near(first, 40 + 6.2, 1e-5);
-  near(second, 30 + 6.2, 1e-5);
-  near(first + second - 4.4, shape.report.flat!.size[0], 1e-5);
-  const why = (change: (bend: BendRow) => unknown) => flangeLengths(decoded(change)).get('B1');
-  assert.match(why((bend) => (bend.deduction = null)) as string, /has no deduction/);
-  assert.match(why((bend) => (bend.kind = 'cone')) as string, /radius of this bend changes/);
-});
-
-test('a flange that ends in another bend goes on to its mould line', () => {
-  // A channel: 20, bend of 4, web of 50, bend of 4, 30; all 100 wide.
-  const xs = [0, 20, 24, 74, 78, 108],
-    points = xs.slice(1).flatMap((x, i) => [xs[i]!, 0, x, 0, x, 100, xs[i]!, 100]),
-    rows = [0, 3, 1, 4, 2],
-    { header, arrays } = twoFlanges();
-  const bend = (id: string, deduction: number) => ({ ...header.report.flat!.bends[0]!, id, allowance: 4, deduction });
-  const shape = decodeShape(
-    encodeShape(
-      {
-        ...header,
-        parts: ['F1', 'F2', 'F3', 'B1', 'B2'].map((name) => ({
-          name,
-          kind: name.startsWith('F') ? 'flange' : 'bend',
-          faces: [],
-        })),
-        report: {
-          ...header.report,
-          flat: { ...header.report.flat!, size: [108, 100], bends: [bend('B1', 3), bend('B2', 5)] },
-        },
-      },
-      {
-        ...arrays,
-        points: Float32Array.from(points),
-        ring_starts: Uint32Array.from([0, 4, 8, 12, 16, 20]),
-        polygon_starts: Uint32Array.from([0, 1, 2, 3, 4, 5]),
-        facet_starts: Uint32Array.from([0, 1, 2, 3, 4, 5]),
-        // The web is the root: its bends hang on it on either side.
-        facet_parent: Int32Array.from([1, 2, -1, 2, 3]),
-        facet_hinge: Float32Array.from([20, 24, 0, 74, 78].flatMap((x) => [x, 0, x, 100])),
-        facet_part: Uint32Array.from(rows),
-      },
-    ),
-  );
-  const lengths = flangeLengths(shape) as Map<string, Vec2>;
-  near(lengths.get('B1')![0] + lengths.get('B1')![1], 23.5 + 50 + 3.5 + 4.5, 1e-4);
-  near(lengths.get('B2')![0] + lengths.get('B2')![1], 34.5 + 50 + 3.5 + 4.5, 1e-4);
-  // 20 + 50 + 30 outside, less both deductions: the blank
-  near(23.5 + 58 + 34.5 - 3 - 5, 108);
-  shape.report.flat!.bends[1]!.deduction = null;
-  assert.equal(flangeLengths(shape).get('B1'), 'B2, in which a flange ends, has no mould line.');
-  shape.facet_parent[4] = -1; // the last flange is not joined to its bend
-  shape.report.flat!.bends[1]!.deduction = 5;
-  assert.match(flangeLengths(shape).get('B2') as string, /no flange on one of its sides/);
 });
 
 test('a K that nobody chose is to be confirmed', () => {

@@ -12,6 +12,7 @@ import * as hover from './flows/hover.mjs';
 import * as look from './flows/look.mjs';
 import * as measure from './flows/measure.mjs';
 import * as lists from './flows/lists.mjs';
+import * as numbers from './flows/numbers.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
@@ -29,6 +30,7 @@ const address = process.argv[2],
 const flows = {
   ...unfold,
   ...order,
+  ...numbers,
   ...connect,
   ...transition,
   ...slit,

@@ -6,7 +6,10 @@ import type { Ref, Thing } from './things.ts';
 
 export type Project = (at: Vec3) => Vec2;
 
-/** A dimension in a view: its line, what it goes by, and its text. `faint`: it is not kept yet. */
+/**
+ * A dimension in a view: its line and what it goes by. What is returned writes its text, above the lines of all.
+ * `faint`: it is not kept yet.
+ */
 export function drawAnswer(
   c: CanvasRenderingContext2D,
   project: Project,
@@ -15,7 +18,7 @@ export function drawAnswer(
   palette: Palette,
   faint: boolean,
   taken: Taken,
-) {
+): () => void {
   c.strokeStyle = c.fillStyle = palette.measure;
   c.globalAlpha = faint ? 0.75 : 1;
   c.lineCap = 'butt';
@@ -26,7 +29,7 @@ export function drawAnswer(
   c.lineWidth = 1.4;
   const { places, of } = answer.corner ? drawAngle(c, project, answer.corner) : drawDistance(c, project, answer);
   c.globalAlpha = 1;
-  write(c, text, places, of, palette, taken);
+  return write(c, text, places, of, palette, taken);
 }
 
 /** Places for a text, the best first, and what it belongs to. */
@@ -92,9 +95,8 @@ function drawAngle(c: CanvasRenderingContext2D, project: Project, { at, arms }: 
 
 /** Where it covers no other text; from away a line leads to what it belongs to. */
 function write(c: CanvasRenderingContext2D, text: string, places: Vec2[], of: Vec2, palette: Palette, taken: Taken) {
-  c.font = 'bold 12px system-ui, sans-serif';
-  c.textAlign = 'center';
-  c.textBaseline = 'middle';
+  const font = 'bold 12px system-ui, sans-serif';
+  c.font = font;
   const width = c.measureText(text).width,
     ratio = c.getTransform().a,
     view: Vec2 = [c.canvas.width / ratio, c.canvas.height / ratio],
@@ -104,15 +106,20 @@ function write(c: CanvasRenderingContext2D, text: string, places: Vec2[], of: Ve
   c.strokeStyle = palette.measure;
   c.lineWidth = 1;
   if (!offered) line(c, of, at);
-  c.fillStyle = palette.halo;
-  c.beginPath();
-  c.roundRect(x - width / 2 - 5, y - 10, width + 10, 20, 4);
-  c.globalAlpha = 0.92;
-  c.fill();
-  c.globalAlpha = 1;
-  c.stroke();
-  c.fillStyle = palette.measure;
-  c.fillText(text, x, y + 0.5);
+  return () => {
+    c.font = font;
+    c.textAlign = 'center';
+    c.textBaseline = 'middle';
+    c.strokeStyle = palette.measure;
+    c.lineWidth = 1;
+    c.fillStyle = palette.halo;
+    c.beginPath();
+    c.roundRect(x - width / 2 - 5, y - 10, width + 10, 20, 4);
+    c.fill();
+    c.stroke();
+    c.fillStyle = palette.measure;
+    c.fillText(text, x, y + 0.5);
+  };
 }
 
 /** What was picked, or would be: corners are squares, middles triangles, circles have crosses in their middle. */

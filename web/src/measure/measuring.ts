@@ -90,10 +90,11 @@ export class Measuring {
     const hovered = on && this.hovered?.view === view ? this.hovered.ref : null,
       start = first?.view === view ? first.ref : null,
       own = kept.filter((m) => m.view === view);
-    const taken: Taken = [];
-    for (const measure of own) this.draw(c, project, of, measure, palette, taken);
+    const taken: Taken = [],
+      texts = own.map((measure) => this.draw(c, project, of, measure, palette, taken));
     if (start && hovered && !isSame(start, hovered))
-      this.draw(c, project, of, { view, a: start, b: hovered }, palette, taken, true);
+      texts.push(this.draw(c, project, of, { view, a: start, b: hovered }, palette, taken, true));
+    for (const write of texts) write?.();
     for (const ref of [start, hovered]) {
       const thing = ref && thingOf(of, view, ref);
       if (thing) drawThing(c, project, ref.kind, thing, palette);
@@ -111,6 +112,6 @@ export class Measuring {
     faint = false,
   ) {
     const answer = answerOf(of, measure);
-    if (answer) drawAnswer(c, project, answer, labelText(answer, this.ui.state.units), palette, faint, taken);
+    return answer && drawAnswer(c, project, answer, labelText(answer, this.ui.state.units), palette, faint, taken);
   }
 }

@@ -48,6 +48,9 @@ export function reduceMeasure(state: MeasureState, action: MeasureAction): Measu
   }
 }
 
+/** Without measuring on: what was measured stays. */
+export const ended = (state: MeasureState): MeasureState => (state.on ? { ...state, on: false, first: null } : state);
+
 /** Edges of another shape have other numbers: what refers to them is gone. */
 export const forgotten = (state: MeasureState): MeasureState =>
   state.first || state.kept.length ? { ...state, first: null, kept: [] } : state;

@@ -17,7 +17,7 @@ import {
 import { pieceOf } from '../report.ts';
 import type { ApiProblem, LengthUnit, Options } from '../types.ts';
 import type { Ui } from '../ui.ts';
-import { clean, convert, lengthText, unitName } from '../units.ts';
+import { clean, convert, gaugeText, lengthText, unitName } from '../units.ts';
 import { filesOf, type TableFile } from '../workshop-state.ts';
 import { choice, numberField, section, toggle } from './fields.ts';
 
@@ -279,7 +279,7 @@ function gaugeTable(ui: Ui, shop: Shop, material: ShopMaterial) {
         ${material.gauges.map(
           (g) =>
             html`<tr class=${g === own ? 'selected' : ''} aria-current=${g === own}>
-              <td>${text(g.thickness)}${g === own ? ' ✓' : ''}</td>
+              <td>${gaugeText(g.thickness, from, ui.state.units)}${g === own ? ' ✓' : ''}</td>
               <td>${text(g.inside_radius)}</td>
               <td>${clean(gaugeK(g), 3)}</td>
               <td>${text(gaugeDeduction(g))}</td>
@@ -289,7 +289,7 @@ function gaugeTable(ui: Ui, shop: Shop, material: ShopMaterial) {
     </table>
     ${sheet && !own
       ? html`<p class="hint bad" data-testid="no-gauge">
-          The part is ${lengthText(sheet.thickness, pieceOf(ui.state)?.units, ui.state.units)} ${units} thick, which the
+          The part is ${gaugeText(sheet.thickness, pieceOf(ui.state)?.units, ui.state.units)} ${units} thick, which the
           shop does not stock: its K and radius do not hold.
         </p>`
       : nothing}`;

@@ -291,11 +291,12 @@ const stop = (then: () => void) => (e: Event) => {
 function pressed(e: KeyboardEvent, i: number, move: (to: number) => void, ui: Ui) {
   const item = e.currentTarget as HTMLElement,
     step = e.key === 'ArrowUp' ? -1 : e.key === 'ArrowDown' ? 1 : 0;
-  if (e.target !== item) return;
+  if (e.target !== item && !(step && e.altKey)) return;
   if (step && e.altKey) {
-    const name = item.dataset.stroke!;
+    const name = item.dataset.stroke!,
+      own = [...item.querySelectorAll('button')].indexOf(e.target as HTMLButtonElement);
     move(i + step);
-    requestAnimationFrame(() => requestAnimationFrame(() => focus(item, name)));
+    requestAnimationFrame(() => requestAnimationFrame(() => focus(item, name, own)));
   } else if (step) ((step < 0 ? item.previousElementSibling : item.nextElementSibling) as HTMLElement | null)?.focus();
   else if (e.key === 'Enter') ui.showStroke(i);
   else return;
@@ -303,10 +304,12 @@ function pressed(e: KeyboardEvent, i: number, move: (to: number) => void, ui: Ui
   e.stopPropagation();
 }
 
-/** A row that was moved keeps the focus. */
-function focus(item: HTMLElement, name: string) {
-  const list = item.closest('ol') ?? document.querySelector('ol.strokes');
-  list?.querySelector<HTMLElement>(`[data-stroke="${CSS.escape(name)}"]`)?.focus();
+/** A row that was moved keeps the focus, or its button does, unless that goes no further. */
+function focus(item: HTMLElement, name: string, button: number) {
+  const list = item.closest('ol') ?? document.querySelector('ol.strokes'),
+    row = list?.querySelector<HTMLElement>(`[data-stroke="${CSS.escape(name)}"]`),
+    own = row?.querySelectorAll('button')[button];
+  (own && !own.disabled ? own : row)?.focus();
 }
 
 const isBelow = (e: DragEvent) => {

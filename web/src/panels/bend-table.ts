@@ -1,17 +1,18 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { flangeLengths } from '../flange-lengths.ts';
+import { flangeLengths, type FlangeLength } from '../flange-lengths.ts';
 import { isDefaultK } from '../default-k.ts';
 import { bendsToMark } from '../picked.ts';
 import { knownPiece, pieceOf } from '../report.ts';
-import type { BendRow, Shape, Vec2 } from '../types.ts';
+import type { BendRow, Shape } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
 import { refuse, whyNot } from './fields.ts';
 
 const most = 120;
 const outside =
-  'The flanges on both sides, measured outside: from the mould line to the far edge, or to the next mould line; ' +
-  'from 180° on from the plane that touches the bend';
+  'The flanges on both sides, measured outside: from the mould line to the far edge, or to the next mould line if ' +
+  'that is farther; from 180° on from the plane that touches the bend. Under the pointer the flange of a number ' +
+  'lights up';
 const deduction =
   'Bend deduction: what the pattern is shorter than both outside lengths together. They are measured to the mould ' +
   'line, where the outside faces would meet, above 90° too; from 180° on, where these do not meet, to the plane that ' +
@@ -68,7 +69,13 @@ function outsideLengths(shape: Shape | null): ReturnType<typeof flangeLengths> {
   return measured.lengths;
 }
 
-function bendRows(ui: Ui, r: BendRow, lengths: Vec2 | string | undefined, selected: boolean, beside: boolean) {
+function bendRows(
+  ui: Ui,
+  r: BendRow,
+  lengths: FlangeLength[] | string | undefined,
+  selected: boolean,
+  beside: boolean,
+) {
   const from = knownPiece(ui.state)?.units,
     text = (v: number | null) => lengthText(v, from, ui.state.units),
     pick = () => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } }),
@@ -96,11 +103,32 @@ function bendRows(ui: Ui, r: BendRow, lengths: Vec2 | string | undefined, select
       <td class=${r.direction}>${r.direction}</td>
       <td>${text(r.allowance)}</td>
       <td data-testid="deduction-${r.id}" title=${deductionTo(r)}>${text(r.deduction)}</td>
-      <td colspan="2" data-testid="outside-${r.id}" title=${typeof lengths === 'string' ? lengths : nothing}>
-        ${Array.isArray(lengths) ? lengths.map((v) => lengthText(v, 'mm', ui.state.units)).join(' + ') : '–'}
-      </td>
+      ${outsideCell(ui, r.id, lengths)}
     </tr>
   </tbody>`;
+}
+
+/** Both numbers say whose they are: by their titles, to screen readers, and by the flange that lights up. */
+function outsideCell(ui: Ui, bend: string, lengths: FlangeLength[] | string | undefined) {
+  if (!Array.isArray(lengths))
+    return html`<td colspan="2" data-testid="outside-${bend}" title=${lengths ?? nothing}>–</td>`;
+  const rows = lengths.map(({ flange, length }) => {
+    const part = ui.state.shape?.parts[flange];
+    return { flange, name: part?.plate ?? part?.name ?? '', text: lengthText(length, 'mm', ui.state.units) };
+  });
+  const said = rows.map(({ name, text }) => `${name} ${text}`).join(', ');
+  return html`<td colspan="2" data-testid="outside-${bend}" aria-label=${said}>
+    ${rows.map(
+      ({ flange, name, text }, i) =>
+        html`${i ? ' + ' : nothing}<span
+            class="outside"
+            title="Flange ${name}"
+            @mouseenter=${() => ui.light(flange)}
+            @mouseleave=${() => ui.light(null)}
+            >${text}</span
+          >`,
+    )}
+  </td>`;
 }
 
 function kCell(ui: Ui, r: BendRow) {

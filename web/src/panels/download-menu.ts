@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { dxfOptions, dxfUnit, type DxfChoices } from '../dxf-choices.ts';
+import { refusedByClick } from '../typing.ts';
 import type { LengthUnit, MakerRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { choice, lengthField, toggle } from './fields.ts';
@@ -8,6 +9,8 @@ export function downloadMenu(ui: Ui): TemplateResult {
   const { makers, artifacts } = ui.state.description,
     maker = makers.find((m) => m.name === ui.state.document?.kind);
   const save = (artifact: string, suffix: string) => (e: Event) => {
+    const field = refusedByClick();
+    if (field) return field.select(); // what is wrong in it has been said
     closeMenu(e);
     const { dxf } = ui.state.workshop;
     ui.download(artifact, suffix, artifact === 'dxf' && maker ? dxfOptions(dxf, maker, ui.state.units) : {});

@@ -3,6 +3,7 @@ import { html, nothing } from 'lit-html';
 import { isInMachine } from '../state.ts';
 import { arrangementOf, type SectionAxis } from '../view-state.ts';
 import type { Ui } from '../ui.ts';
+import { clean, convert, unitName, type DisplayUnit } from '../units.ts';
 import type { Vec3 } from '../types.ts';
 import { measureButton } from './measures.ts';
 import './section.css';
@@ -15,8 +16,14 @@ const axes: [SectionAxis, string, string][] = [
 ];
 const alongAxis: Record<'x' | 'y' | 'z', Vec3> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
-/** Measuring, section, transparency, and how the views are arranged; `direction`: towards the eye. */
-export function viewTools(ui: Ui, direction: () => Vec3) {
+/** What the section takes from the folded view: the direction towards the eye, and the part's length along one, mm. */
+export interface FoldedPart {
+  direction: () => Vec3;
+  lengthAlong: (along: Vec3) => number;
+}
+
+/** Measuring, section, transparency, and how the views are arranged. */
+export function viewTools(ui: Ui, folded: FoldedPart) {
   const { view, shape } = ui.state,
     { section, seeThrough } = view,
     none = !shape?.facet_parent.length,
@@ -28,7 +35,7 @@ export function viewTools(ui: Ui, direction: () => Vec3) {
       aria-pressed=${String(section.on)}
       title="Cut the part by a plane (X)"
       ?disabled=${none || isInMachine(ui.state)}
-      @click=${() => switchSection(ui, direction())}
+      @click=${() => switchSection(ui, folded.direction())}
     >
       Section
     </button>
@@ -49,7 +56,7 @@ export function viewTools(ui: Ui, direction: () => Vec3) {
     >
       ${stacked ? 'Side by side' : 'Stack'}
     </button>
-    ${section.on && !none && !isInMachine(ui.state) ? sectionBar(ui, direction) : nothing}`;
+    ${section.on && !none && !isInMachine(ui.state) ? sectionBar(ui, folded) : nothing}`;
 }
 
 /** What is nearer to the eye is cut away. */
@@ -64,8 +71,14 @@ export function switchSection(ui: Ui, eye: Vec3) {
   ui.dispatch({ type: 'section', section: on ? { on: false } : { on: true, ...across(axis, eye) } });
 }
 
-function sectionBar(ui: Ui, direction: () => Vec3) {
+/** As fine as the folded view is, which folds the neutral surface. */
+const placeText = (length: number, units: DisplayUnit) =>
+  `${clean(convert(length, 'mm', units), units === 'mm' ? 1 : 2)} ${unitName(units)}`;
+
+function sectionBar(ui: Ui, { direction, lengthAlong }: FoldedPart) {
   const { section } = ui.state.view,
+    at = placeText(section.at * lengthAlong(section.along), ui.state.units),
+    from = section.axis === 'view' ? 'its far end' : `its lower end along ${section.axis}`,
     set = (change: Partial<typeof section>) => ui.dispatch({ type: 'section', section: change });
   return html`<div class="section" data-testid="section-bar">
     <span class="segments" role="group" aria-label="Direction of the section">
@@ -86,13 +99,16 @@ function sectionBar(ui: Ui, direction: () => Vec3) {
       type="range"
       data-testid="section-slider"
       aria-label="Place of the section"
-      aria-valuetext="${Math.round(100 * section.at)} % of the part"
+      aria-valuetext="${at} from ${from}"
       min="0"
       max="1"
       step="0.005"
       .value=${String(section.at)}
       @input=${(e: Event) => set({ at: Number((e.target as HTMLInputElement).value) })}
     />
+    <output data-testid="section-place" title="How far the section lies from the part’s end: from ${from}"
+      >${at}</output
+    >
     <button data-testid="section-flip" title="Show the other side" @click=${() => set({ flipped: !section.flipped })}>
       Flip
     </button>

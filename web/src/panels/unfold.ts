@@ -13,7 +13,11 @@ export function unfoldPanel(ui: Ui) {
   ${section(
     'Lying flat',
     html`${rootChoice(ui)}
-      <div class="pick">${pickButton(ui, 'root')}<span class="hint">and click it in a view</span></div>
+      <div class="pick">
+        ${pickButton(ui, 'root')}<span class="hint" data-testid="pick-hint"
+          >${ui.state.pick === 'root' ? 'in a view; Esc cancels' : 'and click it in a view'}</span
+        >
+      </div>
       <div class="pick">
         <span>Faces up</span
         ><b data-testid="up-value"
@@ -78,6 +82,6 @@ function pickButton(ui: Ui, mode: PickMode) {
     aria-pressed=${on}
     @click=${() => ui.dispatch({ type: 'pick', pick: on ? 'none' : mode })}
   >
-    ${on ? 'Click a flange …' : 'Pick'}
+    ${on ? 'Click a flange' : 'Pick'}
   </button>`;
 }
