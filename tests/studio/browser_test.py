@@ -216,6 +216,18 @@ class Browser(StudioTest):
     def test_an_assembly_opens_on_its_first_sheet_and_the_list_says_what_became_of_each_body(self):
         self.flow("assembly")
 
+    def test_what_is_edited_can_be_opened_again_after_another_file_took_its_place(self):
+        self.flow("leaving")
+
+    def test_one_goes_back_to_the_start_page(self):
+        self.flow("startpage")
+
+    def test_a_reload_keeps_the_tab(self):
+        self.flow("tabkept")
+
+    def test_files_that_are_not_opened_are_said(self):
+        self.flow("besides")
+
     def test_values_that_cannot_be_are_refused_with_a_sentence(self):
         self.flow("refused")
 

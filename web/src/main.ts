@@ -84,6 +84,8 @@ const ui: Ui = {
   openExample: (name) => void documents.openExample(name),
   openRecent: (recent) => void documents.openRecent(recent),
   forgetRecents: () => recents.forget(),
+  openGiven: () => void documents.openGiven(),
+  close: () => documents.close(),
   download,
   downloadAll: () => void archive.start(),
   cancelArchive: () => archive.cancel(),
@@ -338,11 +340,11 @@ function removeChosen() {
   store.dispatch({ type: 'select', selection: {} });
 }
 
-/** Where the focus goes whose place has gone: the name of what is open. */
+/** Where the focus goes whose place has gone: the name of what is open, or how one begins. */
 store.subscribe((state, before) => {
   if (state.document?.id === before.document?.id) return;
   requestAnimationFrame(() => {
-    if (document.activeElement === document.body) part('.name').focus();
+    if (document.activeElement === document.body) part(state.document ? '.name' : '[data-testid=start-open]').focus();
   });
 });
 
@@ -364,7 +366,10 @@ window.addEventListener('drop', (e) => {
   if (e.dataTransfer?.files.length) ui.openFiles([...e.dataTransfer.files]);
 });
 window.addEventListener('refused', (e) => store.dispatch({ type: 'note', note: (e as CustomEvent<string>).detail }));
-window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
+window.addEventListener('pagehide', () => {
+  documents.copies.rest();
+  documents.leave(store.state.document?.id);
+});
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);

@@ -26,7 +26,8 @@ import {
   type OrderState,
 } from './order-state.ts';
 import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
-import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
+import { initialView, reduceView, type ViewAction, type ViewState } from './view-state.ts';
+import { reduceOpen, type OpenAction } from './open-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } from './workshop-state.ts';
@@ -41,7 +42,8 @@ export interface History {
   past: Input[];
   future: Input[];
 }
-export type Tab = 'input' | 'bends' | 'order' | 'findings' | 'certificate';
+export const tabs = ['input', 'bends', 'order', 'findings', 'certificate'] as const;
+export type Tab = (typeof tabs)[number];
 export const severities = ['error', 'warning', 'info'] as const;
 export type Severity = (typeof severities)[number];
 export type Theme = 'light' | 'dark';
@@ -80,6 +82,7 @@ export interface Opening {
 
 export interface State extends History {
   document: OpenDocument | null;
+  given: OpenDocument | null; // of the command line
   pending: Input | null; // what the input was before a drag that has not ended
   shape: Shape | null;
   shapeIsDraft: boolean;
@@ -128,7 +131,7 @@ export type Action =
   | { type: 'examples'; examples: Example[] }
   | { type: 'recents'; recents: Recent[] }
   | { type: 'opening'; opening: Opening | null }
-  | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
+  | OpenAction
   | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
   | { type: 'history'; history: History; order?: OrderState }
@@ -166,6 +169,7 @@ export const nothing: Selection = {
 export function initialState(theme: Theme): State {
   return {
     document: null,
+    given: null,
     input: { spec: null, options: {} },
     pending: null,
     past: [],
@@ -219,7 +223,9 @@ export function reduce(state: State, action: Action): State {
     case 'opening':
       return { ...state, opening: action.opening };
     case 'opened':
-      return opened(state, action);
+    case 'given':
+    case 'closed':
+      return reduceOpen(state, action);
     case 'body':
       return state.document?.id === action.id
         ? { ...state, bodies: { ...state.bodies, [action.number]: action.status } }
@@ -322,31 +328,6 @@ const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status ===
 /** What remains once another problem, such as that of a file of options, is settled. */
 const problemOfInput = ({ stale, shape, problem }: State) =>
   shape?.report.status === 'refused' ? shape.report.reason : stale ? problem : null;
-
-function opened(state: State, { document, spec, body, bodies }: Extract<Action, { type: 'opened' }>): State {
-  return {
-    ...initialState(state.theme),
-    description: state.description,
-    examples: state.examples,
-    recents: state.recents,
-    units: unitsOf(document, spec),
-    document,
-    input: { spec, options: { ...partOptions(state, document), ...(body === undefined ? {} : { body }) } },
-    bodies: bodies ?? {},
-    tab: state.document?.kind === document.kind ? state.tab : 'input',
-    order: { ...noOrder, brake: state.order.brake },
-    view: { ...state.view, section: noSection },
-    workshop: state.workshop,
-  };
-}
-
-/** What is set on this machine for every part to unfold that is opened. */
-export const partOptions = ({ workshop }: State, { kind }: OpenDocument): Options =>
-  kind === 'unfold' ? (workshop.everyPart ?? {}) : {};
-
-/** The page uses the unit of the file. */
-const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
-  spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm';
 
 function edited(state: State, input: Input): State {
   const before = state.pending ?? state.input;

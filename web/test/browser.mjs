@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as access from './flows/access.mjs';
+import * as away from './flows/away.mjs';
 import * as bodies from './flows/bodies.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
@@ -48,6 +49,7 @@ const flows = {
   ...access,
   ...states,
   ...start,
+  ...away,
 };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */
