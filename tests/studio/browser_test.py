@@ -228,6 +228,12 @@ class Browser(StudioTest):
     def test_files_that_are_not_opened_are_said(self):
         self.flow("besides")
 
+    def test_small_windows_reach_all_of_the_page(self):
+        self.flow("small")
+
+    def test_small_windows_show_the_machine_and_what_collides(self):
+        self.flow("smallmachine")
+
     def test_values_that_cannot_be_are_refused_with_a_sentence(self):
         self.flow("refused")
 

@@ -27,6 +27,7 @@ import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import './panels/lists.css';
+import './small.css';
 import { bringKept } from './kept-here.ts';
 import { Recents } from './recents.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
@@ -153,7 +154,7 @@ function draw() {
     scrolledFor = store.state.document?.id;
     part('.content').scrollTop = 0;
   }
-  if (store.state.selection !== pickedBefore)
+  if (store.state.selection !== pickedBefore && getComputedStyle(part('.content')).overflowY !== 'visible')
     root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
   pickedBefore = store.state.selection;
   render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));

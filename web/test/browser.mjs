@@ -20,6 +20,7 @@ import * as refusal from './flows/refusal.mjs';
 import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
+import * as small from './flows/small.mjs';
 import * as start from './flows/start.mjs';
 import * as states from './flows/states.mjs';
 import * as transition from './flows/transition.mjs';
@@ -50,6 +51,7 @@ const flows = {
   ...states,
   ...start,
   ...away,
+  ...small,
 };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */
