@@ -103,6 +103,9 @@ class Browser(StudioTest):
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
 
+    def test_a_refused_part_offers_only_what_can_be_had(self):
+        self.flow("offered")
+
     def test_reliefs_that_a_finding_names_are_cut_by_one_click(self):
         self.flow("reliefs")
 
