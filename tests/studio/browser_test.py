@@ -198,6 +198,9 @@ class Browser(StudioTest):
     def test_the_folded_part_is_measured(self):
         self.flow("measurefolded")
 
+    def test_many_measures_leave_most_of_the_part_to_be_seen(self):
+        self.flow("manymeasures")
+
     def test_one_measures_by_keys_alone(self):
         self.flow("measurekeys")
 
