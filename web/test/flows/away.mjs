@@ -112,6 +112,12 @@ export async function startpage({ page }) {
   await page.waitForSelector('[data-testid="recent-bracket.step"]');
   await page.reload();
   await page.waitForSelector('[data-testid="recent-bracket.step"]');
+  // At once, while the bodies are looked at.
+  await page.setInputFiles('[data-testid=file-input]', [`${folder(page)}/../sixty.step`]);
+  await page.waitForFunction(() => window.planish.store.state.document);
+  await toStart(page);
+  await page.waitForTimeout(1000);
+  assert.deepEqual(await state(page, '[s.document, s.problem, s.computing, s.opening]'), [null, null, false, null]);
   await page.click('[data-testid=new-slit]');
   await opened(page, 'slits.json');
   assert.equal(await state(page, 's.shape.report.status'), 'ok');

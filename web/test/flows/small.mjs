@@ -124,6 +124,11 @@ export async function small({ page }) {
     await page.screenshot({ path: `${folder(page)}/${menu}.png` });
     await page.keyboard.press('Escape');
   }
+  await page.click('[data-testid=help]');
+  await page.waitForSelector('dialog[open]');
+  wrong.push(...(await violations(page)).map((line) => `help: ${line}`));
+  await page.screenshot({ path: `${folder(page)}/help.png` });
+  await page.click('[data-testid=shortcuts-close]');
   await page.click('[data-testid=tab-bends]');
   await page.evaluate(() => scrollTo(0, 0));
   await page.evaluate(() => window.planish.store.dispatch({ type: 'select', selection: { part: 'B2' } }));
