@@ -69,14 +69,17 @@ std::string why_not(const BlockedBend& blocked) {
 }
 
 /// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
-/// rest in the stage that got furthest.
+/// rest in the stage that got furthest. Nothing is told of a bend that could be formed there, and
+/// was not because another can no longer be.
 void note_furthest(StrokeModel& model, const LineSet& furthest, Clock::time_point until,
                    Plan& plan) {
   constexpr int kTold = 4;  // lines: more say the same again
   int told = 0;
   for (int line = 0; line < std::ssize(model.work().lines); ++line) {
-    if (holds(furthest, line) || ++told > kTold) continue;
+    if (holds(furthest, line) || told == kTold) continue;
     const BlockedBend blocked = model.blocked(furthest, line, until);
+    if (blocked.hits.empty() && blocked.why.empty()) continue;
+    ++told;
     plan.in_the_way.push_back(blocked);
     plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
                                      name_of(blocked.bend), why_not(blocked)));

@@ -84,6 +84,10 @@ Result<StepHeader> read_step_header(std::string_view text, const std::string& na
             name, text.size()),
         name);
   const std::string_view header = body.substr(0, body.find("ENDSEC"));
+  // The kernel fails on a file without any instance (#1 = …).
+  if (body.find('#', header.size()) == std::string_view::npos)
+    return fail(ErrorCode::no_solid,
+                fmt::format("{} holds nothing at all; export the part as a solid.", name), name);
   StepHeader result;
   if (const auto schema = strings_of(header, "FILE_SCHEMA"); !schema.empty())
     result.schema = application_protocol(schema.front());

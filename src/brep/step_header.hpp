@@ -14,7 +14,8 @@ struct StepHeader {
 };
 
 /// Checks that a text is a whole ISO 10303-21 exchange file and reads its header. Errors:
-/// `empty_file`, `not_step`, `truncated_file`, each naming `name`.
+/// `empty_file`, `not_step`, `truncated_file`, `no_solid` for one that holds nothing, each naming
+/// `name`.
 Result<StepHeader> read_step_header(std::string_view text, const std::string& name);
 
 }  // namespace planish::brep

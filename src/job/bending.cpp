@@ -122,8 +122,8 @@ std::string cannot_sentence(const Report& report, const Plan& plan, const Bendin
   if (plan.unformed.empty()) return text;
   text += fmt::format("; each can be formed, but not after the others: {} {} left at best",
                       names_of(report, plan.unformed), plan.unformed.size() == 1 ? "is" : "are");
-  // The plan's last note is about the stage that got furthest.
-  return plan.notes.empty() ? text : text + "; " + plan.notes.back();
+  // The plan's last note is then about the stage that got furthest.
+  return plan.in_the_way.empty() ? text : text + "; " + plan.notes.back();
 }
 
 std::string gave_up_sentence(const Plan& plan) {

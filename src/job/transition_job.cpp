@@ -26,15 +26,23 @@ constexpr double kFolded = 1e-8;
 /// A share of the extent too small to see.
 constexpr double kDrawn = tolerance::kFileDigits;
 
-const Gauge* stocked(const Request& request, double thickness) {
-  return request.shop ? gauge_of(*request.shop, thickness) : nullptr;
+/// K of all bends, and who says so.
+Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
+  const TransitionSpec& spec = file.spec;
+  if (request.allowance) {
+    const auto* constant = std::get_if<ConstantK>(&*request.allowance);
+    if (constant) return ConstantK{constant->k, "constant"};
+    return fail(ErrorCode::bad_option,
+                "a transition has no inside radius, so its K is one number: `k`", "k");
+  }
+  if (request.shop && gauge_of(*request.shop, spec.thickness))
+    return shop_k(*request.shop, spec.thickness);
+  return ConstantK{spec.k_factor, file.has_default_k ? "default" : "transition file"};
 }
 
-FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
+FlattenOptions options_of(const ConstantK& k) {
   FlattenOptions options;
-  options.allowance = ConstantK{spec.k_factor, request.allowance ? "constant" : "transition file"};
-  if (!request.allowance && stocked(request, spec.thickness))
-    options.allowance = shop_k(*request.shop, spec.thickness);
+  options.allowance = k;
   options.curve_tolerance = kOutline;
   options.merge_tolerance = kMerged;
   return options;
@@ -42,7 +50,7 @@ FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
 
 /// `folded` is the piece to make its solid from, or why there is none.
 std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
-                               const Result<FoldedPiece>& folded, const TransitionSpec& spec,
+                               const Result<FoldedPiece>& folded, const FlattenOptions& options,
                                const Request& request, const Progress& progress) {
   std::optional<FoldedBody> body;
   if (folded) {
@@ -55,15 +63,14 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
     leave_unfolded(piece, folded.error(), piece.solid);
   }
   piece.summary = summary_of(sheet);
-  return lay_flat(piece, {sheet, border_distance(sheet), request, body}, options_of(spec, request),
-                  progress);
+  return lay_flat(piece, {sheet, border_distance(sheet), request, body}, options, progress);
 }
 
 std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,
-                                const TransitionSpec& spec, const Request& request,
+                                const FlattenOptions& options, const Request& request,
                                 const Progress& progress) {
   piece.summary = summary_of(sheet);
-  return lay_flat(piece, {sheet, EdgeDistance(), request}, options_of(spec, request), progress);
+  return lay_flat(piece, {sheet, EdgeDistance(), request}, options, progress);
 }
 
 /// The report of a single piece becomes the whole's; of several pieces, only the findings.
@@ -86,15 +93,10 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
   TransitionSpec& spec = report.spec;
   spec = file.spec;
   if (auto wrong = unchosen(request)) return wrong;
-  if (request.allowance) {
-    const auto* constant = std::get_if<ConstantK>(&*request.allowance);
-    if (!constant)
-      return Error{ErrorCode::bad_option,
-                   "a transition has no inside radius, so its K is one number: `k`", "k"};
-    spec.k_factor = constant->k;
-  } else if (const Gauge* gauge = stocked(request, spec.thickness)) {
-    spec.k_factor = gauge->k_factor;
-  }
+  const auto k = k_of(file, request);
+  if (!k) return k.error();
+  spec.k_factor = k->k;
+  const FlattenOptions options = options_of(*k);
   progress.at("finding the surface", 0.0);
   const bool draft = request.effort == Effort::draft;
   auto made = make_transition(spec, {.tolerance = draft ? kDrawn : TransitionOptions{}.tolerance},
@@ -113,8 +115,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
     piece.input = report.input;
     piece.units = report.units;
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
-    auto wrong = draft ? draw_piece(piece, sheets[i], spec, request, progress)
-                       : lay_piece(piece, sheets[i], folded_piece(i), spec, request, progress);
+    auto wrong = draft ? draw_piece(piece, sheets[i], options, request, progress)
+                       : lay_piece(piece, sheets[i], folded_piece(i), options, request, progress);
     report.pieces.push_back(std::move(piece));
     if (wrong) {
       gather(report);

@@ -159,7 +159,9 @@ const Schema& transition_schema() {
 Result<TransitionFile> parse_transition(const std::string& json, const std::string& name) {
   JsonReading reading(json, "transition file", name, transition_schema());
   TransitionFile file;
-  file.spec = spec_at(JsonPlace(reading));
+  const JsonPlace place(reading);
+  file.spec = spec_at(place);
+  file.has_default_k = !place["k_factor"].given();
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());
   return file;

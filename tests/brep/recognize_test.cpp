@@ -303,6 +303,10 @@ TEST(ReadStep, NamesWhatIsWrongWithAFile) {
   ASSERT_TRUE(text);
   EXPECT_EQ(read_step_text(text->substr(0, text->size() / 2), "a.step").error().code,
             ErrorCode::truncated_file);
+  const auto data = text->find("DATA;") + 5;
+  EXPECT_EQ(
+      read_step_text(text->substr(0, data) + "ENDSEC;\nEND-ISO-10303-21;\n", "a.step").error().code,
+      ErrorCode::no_solid);
   EXPECT_EQ(read_step("/no/such/file.step").error().code, ErrorCode::cannot_read);
 }
 

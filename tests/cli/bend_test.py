@@ -2,6 +2,7 @@
 """Orders the strokes of parts that a press brake can bend; refuses those that it cannot, and tools that cannot be."""
 
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -11,6 +12,7 @@ import xml.etree.ElementTree
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_cli import CLI, CliTest, main  # noqa: E402
 
+PARTS = pathlib.Path(os.environ.get("PLANISH_PARTS") or pathlib.Path(__file__).parents[3] / "shared" / "parts")
 WEIGHTS = {"turn_over": 3, "rotate": 2, "tool_change": 5, "stroke": 1, "ungauged": 4}
 
 
@@ -271,6 +273,21 @@ class WrongRequests(BendTest):
         reason = self.plan(channel(30), "--tools", "weak.json", status=4)["reason"]
         self.assertEqual(reason["code"], "no_tool")
         self.assertIn("that bears the force", reason["message"])
+
+    def test_what_is_in_the_way_has_a_reason(self):
+        # Of two joggles one bend each can be formed, and is then in the way of the other one of its joggle only.
+        name = "sf011_Original-Prusa_long-profile-R1.step"
+        part = PARTS / name
+        if not part.is_file():
+            self.skipTest(f"{part} is absent")
+        self.run_cli("bend", str(part), "--json", "r.json", "-o", "plan.svg", "-q", status=4)
+        report = self.json("r.json")
+        told = [note for note in report["notes"] if "the stage that got furthest" in note]
+        self.assertEqual(len(told), len(report["plan"]["in_the_way"]))
+        self.assertTrue(told)
+        for note in told:
+            self.assertRegex(note, r"^in the stage that got furthest, B\d cannot be bent: \S")
+        self.assertIn(told[-1], report["reason"]["message"])
 
     def test_a_bend_without_a_straight_line(self):
         lofted = pathlib.Path(__file__).parents[2] / "examples/connect/b_lofted.json"

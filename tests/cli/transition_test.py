@@ -188,6 +188,15 @@ class Nets(TransitionTest):
         self.assertEqual(report["units"], "inch")
         self.assertAlmostEqual(report["transition"]["perimeters"][0], 2 * math.pi * 150.8, places=6)
 
+    def test_k_comes_from_the_command_then_the_file(self):
+        for content, options, k, source in ((square_to_round(k_factor=0.4), [], 0.4, "transition file"),
+                                            (square_to_round(k_factor=0.4), ["--k", "0.3"], 0.3, "constant"),
+                                            (square_to_round(), [], 0.5, "default")):
+            report = self.report(content, *options)
+            bends = report["flat"]["bends"]
+            self.assertTrue(bends)
+            self.assertEqual({(bend["k_factor"], bend["k_source"]) for bend in bends}, {(k, source)})
+
     def test_examples_have_nets(self):
         for example in sorted(EXAMPLES.glob("*.json")):
             self.run_cli("transition", str(example), "--flat", "net.svg", "--json", "report.json")

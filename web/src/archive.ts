@@ -1,5 +1,5 @@
 import type { Api } from './api.ts';
-import { refused, sameOptions, sharedOptions, type BodyStatus } from './bodies.ts';
+import { optionsOf, refused, sameOptions, type BodyStatus } from './bodies.ts';
 import { hasPattern, stems, summaryCsv } from './body-files.ts';
 import { problemOf } from './compute.ts';
 import { dxfOptions } from './dxf-choices.ts';
@@ -58,9 +58,8 @@ export class Archive {
       drawings: (Uint8Array | null)[] = [];
     for (const body of bodies) {
       this.store.dispatch({ type: 'archive', archive: { done: reports.length, all: bodies.length } });
-      // What was chosen for one body only goes with the one that is shown.
-      const own = body.number === shown ? state.input.options : sharedOptions(state.input.options);
-      const { report, drawing } = await this.make(document, body, own, dxf),
+      const own = optionsOf(state.input, body.number, shown),
+        { report, drawing } = await this.make(document, body, own, dxf),
         pierces = drawing ? await this.piercesOf(document, body, own) : null;
       if (this.cancelled || this.store.state.document?.id !== document.id) return null;
       reports.push(report);

@@ -1,3 +1,4 @@
+import type { Input } from './state.ts';
 import { solidImage } from './solid-picture.ts';
 import type { ApiProblem, LengthUnit, Options, Report, Shape, Vec2 } from './types.ts';
 
@@ -25,12 +26,27 @@ export interface Picture {
   down: string;
 }
 
-/** What is said of one body only goes with it when another is looked at. */
+/** What is said of one body only waits for it while another is looked at. */
 const ofOneBody = new Set(['body', 'root', 'up', 'bend_k', 'rip_edges', 'piece']);
 
 /** The options that hold for every body of an assembly. */
 export const sharedOptions = (options: Options): Options =>
   Object.fromEntries(Object.entries(options).filter(([name]) => !ofOneBody.has(name))) as Options;
+
+const ownOptions = (options: Options): Options =>
+  Object.fromEntries(Object.entries(options).filter(([name]) => ofOneBody.has(name) && name !== 'body')) as Options;
+
+/** The options of a body, `shown` or another. */
+export const optionsOf = ({ options, others }: Input, body: number, shown: number): Options =>
+  body === shown ? options : { ...sharedOptions(options), ...others?.[body] };
+
+/** The input that shows another body, with what was set for it. */
+export function withBody(input: Input, shown: number, body: number): Input {
+  const { [body]: _, ...rest } = input.others ?? {},
+    left = ownOptions(input.options),
+    others = Object.keys(left).length ? { ...rest, [shown]: left } : rest;
+  return { ...input, options: { ...optionsOf(input, body, shown), body }, others };
+}
 
 /** Whether the same was asked for, of whichever body. */
 export function sameOptions(a: Options, b: Options): boolean {

@@ -35,6 +35,7 @@ import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } fro
 export interface Input {
   spec: Spec | null;
   options: Options;
+  others?: Record<number, Options>; // what was set for one body only, of those that are not shown
 }
 /** The input, and those that undo and redo go back and on to. */
 export interface History {

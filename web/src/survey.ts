@@ -1,5 +1,5 @@
 import { ApiError, type Api } from './api.ts';
-import { refused, sameOptions, sharedOptions, statusOfShape, type BodyStatus } from './bodies.ts';
+import { optionsOf, refused, sameOptions, statusOfShape, type BodyStatus } from './bodies.ts';
 import { poll, problemOf } from './compute.ts';
 import { bodyOf, type Store } from './state.ts';
 import type { Options } from './types.ts';
@@ -53,12 +53,14 @@ export class Survey {
     while (this.next() !== null) {
       await this.quiet();
       const body = this.next(), // of what is open by now
-        { document, input } = this.store.state;
+        { state } = this.store,
+        { document, input } = state;
       if (body === null || !document) break;
       this.flight = new AbortController();
-      const status = await lookAt(this.api, document.id, body, sharedOptions(input.options), this.flight.signal).catch(
-        (error: unknown) => this.otherOpened(document.id, error),
-      );
+      const of = optionsOf(input, body, bodyOf(state)),
+        status = await lookAt(this.api, document.id, body, of, this.flight.signal).catch((error: unknown) =>
+          this.otherOpened(document.id, error),
+        );
       if (!status) continue;
       this.store.dispatch({ type: 'body', id: document.id, number: body, status });
     }
@@ -74,10 +76,9 @@ export class Survey {
   private next(): number | null {
     const { state } = this.store,
       all = state.document?.info?.bodies ?? [],
-      of = sharedOptions(state.input.options),
       shown = bodyOf(state);
     if (all.length < 2) return null;
-    const known = (n: number) => state.bodies[n] && sameOptions(state.bodies[n].of, of);
+    const known = (n: number) => state.bodies[n] && sameOptions(state.bodies[n].of, optionsOf(state.input, n, shown));
     return all.find((b) => (b.number !== shown || !state.bodies[b.number]) && !known(b.number))?.number ?? null;
   }
 

@@ -7,7 +7,6 @@ const plates = {
   version: 1,
   units: 'mm',
   thickness: 2,
-  k_factor: 0.44,
   plates: [
     {
       id: 'base',
@@ -35,7 +34,6 @@ const transition = {
   version: 1,
   units: 'mm',
   thickness: 1,
-  k_factor: 0.5,
   from: {
     profile: {
       polygon: [

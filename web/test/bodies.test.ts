@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { pictureOf, sameOptions, sharedOptions, statusOfShape } from '../src/bodies.ts';
+import type { Input } from '../src/state.ts';
+import { optionsOf, pictureOf, sameOptions, sharedOptions, statusOfShape, withBody } from '../src/bodies.ts';
 import { safeName, stems, summaryCsv } from '../src/body-files.ts';
 import { decodeShape } from '../src/shape.ts';
 import type { Report } from '../src/types.ts';
@@ -84,6 +85,20 @@ test('what is said of one body only does not go with another', () => {
   assert.ok(sameOptions({ body: 1, k: 0.4, shop }, { body: 2, k: 0.4, shop }));
   assert.ok(!sameOptions({ k: 0.4 }, {}));
   assert.ok(!sameOptions({ shop }, { shop: { content: {} } }));
+});
+
+test('what is said of one body only waits for it', () => {
+  const first: Input = { spec: null, options: { k: 0.4, bend_k: { B1: 0.2 }, rip_edges: '3' } },
+    second = withBody(first, 1, 2);
+  assert.deepEqual(second.options, { k: 0.4, body: 2 });
+  assert.deepEqual(optionsOf(second, 1, 2), { k: 0.4, bend_k: { B1: 0.2 }, rip_edges: '3' });
+  const changed = { ...second, options: { ...second.options, k: 0.3, up: 'other' as const } },
+    back = withBody(changed, 2, 1);
+  assert.deepEqual(back.options, { k: 0.3, body: 1, bend_k: { B1: 0.2 }, rip_edges: '3' });
+  assert.deepEqual(optionsOf(back, 2, 1), { k: 0.3, up: 'other' });
+  assert.deepEqual(optionsOf(back, 3, 1), { k: 0.3 });
+  const bare = withBody({ ...back, options: { k: 0.3, body: 1 } }, 1, 3);
+  assert.deepEqual(bare.others, { 2: { up: 'other' } }, 'of the first nothing is left to keep');
 });
 
 test('a pattern has a picture, its y axis down, and no more points than are seen', () => {

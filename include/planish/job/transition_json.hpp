@@ -12,6 +12,7 @@ namespace planish::job {
 struct TransitionFile {
   TransitionSpec spec;
   LengthUnit units = LengthUnit::mm;  ///< of the file
+  bool has_default_k = false;         ///< the file says no K
 };
 
 /// Reads a transition file. Errors: `invalid_input` for anything that is not JSON (`where` is

@@ -1,7 +1,7 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html';
 import { ref } from 'lit-html/directives/ref.js';
 import { guard } from 'lit-html/directives/guard.js';
-import type { BodyStatus, Picture } from '../bodies.ts';
+import { withBody, type BodyStatus, type Picture } from '../bodies.ts';
 import { bodyOf } from '../state.ts';
 import type { BodyInfo } from '../types.ts';
 import type { Ui } from '../ui.ts';
@@ -116,17 +116,11 @@ export const drawing = (p: Picture | undefined) =>
       : nothing}
   </svg>`;
 
-/** What holds for one body only is dropped with it. */
+/** What was set for one body only waits for it. */
 function choose(ui: Ui, number: number) {
-  if (number === bodyOf(ui.state)) return;
-  ui.editOptions((o) => ({
-    ...o,
-    body: number,
-    root: undefined,
-    up: undefined,
-    bend_k: undefined,
-    rip_edges: undefined,
-  }));
+  const { state } = ui,
+    shown = bodyOf(state);
+  if (number !== shown) ui.dispatch({ type: 'edit', input: withBody(state.input, shown, number) });
 }
 
 /** Arrow keys, Home and End move along the list; Enter or Space shows the body. */

@@ -29,6 +29,48 @@ export async function status({ page }) {
   assert.equal(await page.locator('[data-testid=body-1] image').count(), 1, 'the picture stays');
 }
 
+/** What was set for one body only waits for it, in the list and in the archive too; undo goes back to that body. */
+export async function waiting({ page }) {
+  const size = (n) => state(page, `s.bodies[${n}].size`);
+  const body = async (n) => {
+    await page.click('[data-testid=tab-input]');
+    await page.click(`[data-testid=body-${n}]`);
+    await rested(page);
+  };
+  const k = async () => {
+    await page.click('[data-testid=tab-bends]');
+    return page.inputValue('[data-testid=bend-k-B1]');
+  };
+  await open(page, [`${folder(page)}/../short.step`]);
+  await known(page, 3);
+  await page.click('[data-testid=tab-bends]');
+  const drawn = await size(2);
+  await page.fill('[data-testid=bend-k-B1]', '0.1');
+  await page.keyboard.press('Enter');
+  await rested(page);
+  const bent = await size(2);
+  assert.ok(Math.max(...drawn) - Math.max(...bent) > 0.1, `${drawn} became ${bent}`);
+  await body(3);
+  assert.equal(await k(), '0.44');
+  await page.click('[data-testid=tab-input]');
+  await Promise.all([page.waitForEvent('download'), page.click('[data-testid=download-all]')]);
+  await page.waitForSelector('[data-testid=download-all]');
+  assert.deepEqual(await size(2), bent, 'the archive holds it as it was set');
+  await body(2);
+  assert.equal(await k(), '0.1');
+  assert.deepEqual(await state(page, 's.shape.report.flat.size'), bent);
+  for (const [shown, text] of [
+    [3, '0.44'],
+    [2, '0.1'],
+    [2, '0.44'],
+  ]) {
+    await page.keyboard.press('Control+z');
+    await rested(page);
+    assert.equal(await state(page, 's.input.options.body'), shown);
+    assert.equal(await k(), text);
+  }
+}
+
 /** Whether a row is wholly seen in its list. */
 const inList = (page, n) =>
   page.evaluate((number) => {
