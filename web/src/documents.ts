@@ -5,9 +5,9 @@ import { EditedCopies, type Begun } from './edited-copies.ts';
 import { isAtStart, keepDocument, keepSource, keepTab, keptDocument, keptTab } from './kept.ts';
 import { partOptions } from './open-state.ts';
 import type { Recent, Recents } from './recents.ts';
-import type { Store } from './state.ts';
+import type { OptionsSet, Store } from './state.ts';
 import { lookAt } from './survey.ts';
-import type { OpenDocument, Options, SlitSpec, Spec } from './types.ts';
+import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
 interface Given {
   name: string;
@@ -24,7 +24,7 @@ export class Documents {
   private readonly store: Store;
   private readonly recents: Recents;
   private adopted: string | null = null;
-  private adoptedOptions: Options | undefined; // as they were left
+  private adoptedSet: OptionsSet | undefined; // as it was left
   private file: Given | null = null;
   private beside: Record<string, ArrayBuffer> = {};
   private isInTab = true; // the file, from where a reload takes it
@@ -145,7 +145,7 @@ export class Documents {
 
   private async takeGiven(given: OpenDocument, signal: AbortSignal, isRestored: boolean) {
     const bytes = given.text ? (new TextEncoder().encode(given.text).buffer as ArrayBuffer) : null;
-    await this.take(given, async () => null, signal, bytes ? undefined : this.adoptedOptions);
+    await this.take(given, async () => null, signal, bytes ? undefined : this.adoptedSet);
     this.file = bytes && { name: given.name, bytes };
     this.beside = {};
     if (this.file) this.copies.begin({ ...this.file, beside: {}, isRestored });
@@ -185,7 +185,7 @@ export class Documents {
         return bytes;
       },
       signal,
-      how.recent?.options,
+      how.recent?.set,
     );
     this.file = main;
     this.beside = used;
@@ -226,7 +226,7 @@ export class Documents {
     };
   }
 
-  private async take(document: OpenDocument, beside: Beside, signal: AbortSignal, options?: Options) {
+  private async take(document: OpenDocument, beside: Beside, signal: AbortSignal, set?: OptionsSet) {
     const spec = document.text ? (JSON.parse(document.text) as Spec) : null;
     const missing: string[] = [];
     for (const file of pointFiles(document, spec)) {
@@ -236,10 +236,10 @@ export class Documents {
     }
     if (signal.aborted) this.leave(document.id);
     signal.throwIfAborted();
-    const sheet = await this.firstSheet(document, options, signal),
+    const sheet = await this.firstSheet(document, set, signal),
       before = this.store.state.document,
       isKept = this.end();
-    this.store.dispatch({ type: 'opened', document, spec, ...sheet, options });
+    this.store.dispatch({ type: 'opened', document, spec, ...sheet, set });
     if (isKept) this.store.dispatch({ type: 'note', note: `${before?.name} is kept as edited: see the start page.` });
     if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
     this.leave(before?.id);
@@ -247,18 +247,19 @@ export class Documents {
 
   /** What is open is left: says whether it was edited and is kept. */
   private end(): boolean {
-    const { document, input } = this.store.state;
-    if (document && document.id === this.adopted) this.adoptedOptions = input.options;
+    const { document, pending, input } = this.store.state,
+      { spec: _, ...set } = pending ?? input;
+    if (document && document.id === this.adopted) this.adoptedSet = set;
     return this.copies.end();
   }
 
   /** The first body of an assembly that is a sheet, if one is soon found: that is what one came for. */
   private async firstSheet(
     document: OpenDocument,
-    options: Options | undefined,
+    set: OptionsSet | undefined,
     signal: AbortSignal,
   ): Promise<{ body?: number; bodies: Bodies }> {
-    if (options) return { bodies: {} }; // of the body that was chosen
+    if (set) return { bodies: {} }; // of the body that was chosen
     const all = document.info?.bodies ?? [],
       of = partOptions(this.store.state, document),
       bodies: Bodies = {},

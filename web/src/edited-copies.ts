@@ -2,7 +2,7 @@ import { pictureOf } from './bodies.ts';
 import { keepCopy, keptCopy } from './kept.ts';
 import { keyOf, type Recent, type Recents } from './recents.ts';
 import type { Input, Store } from './state.ts';
-import type { Shape } from './types.ts';
+import type { Options, Shape } from './types.ts';
 
 const pause = 400; // ms without an edit, after which what was edited is kept
 
@@ -88,15 +88,15 @@ export class EditedCopies {
       { document, pending, input } = this.store.state;
     if (!watched?.key || !document) return false;
     const { name, key, bytes, beside, before, isNew } = watched,
-      { spec, options } = pending ?? input,
-      content = contentOf({ spec, options }),
+      { spec, ...set } = pending ?? input,
+      content = contentOf({ spec, ...set }),
       isEdited = content !== watched.base;
     if (!isEdited && watched.written === null) return false;
     const picture = (watched.shown && pictureOf(watched.shown)) ?? undefined,
       own: Recent | null = isEdited
         ? {
             ...{ key, name, kind: document.kind, beside: Object.keys(beside) },
-            ...{ edited: isNew ? 'new' : 'file', options: shared(options), picture },
+            ...{ edited: isNew ? 'new' : 'file', set: { ...set, options: shared(set.options) }, picture },
           }
         : before && { ...before, picture };
     const what = JSON.stringify([content, own]);
@@ -119,12 +119,12 @@ export class EditedCopies {
   }
 }
 
-/** Without the piece and the body that are shown: choosing one is no edit. */
-const shared = ({ piece: _, ...options }: Input['options']) => options;
+/** Choosing a piece, or a body, is no edit. */
+const shared = ({ piece: _, ...options }: Options) => options;
 
-function contentOf({ spec, options }: Input): string {
+function contentOf({ spec, options, others }: Input): string {
   const { body: _, ...own } = shared(options);
-  return JSON.stringify([spec, own]);
+  return JSON.stringify([spec, own, Object.keys(others ?? {}).length ? others : null]);
 }
 
 const newKey = () => crypto.randomUUID().replaceAll('-', '').slice(0, 24);

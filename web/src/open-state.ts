@@ -1,13 +1,13 @@
 import type { Bodies } from './bodies.ts';
 import { noOrder } from './order-state.ts';
-import { initialState, type State } from './state.ts';
+import { initialState, type OptionsSet, type State } from './state.ts';
 import type { OpenDocument, Options, Spec } from './types.ts';
 import type { DisplayUnit } from './units.ts';
 import { noSection } from './view-state.ts';
 
-/** `options`: those that it was left with, when it was opened before. */
+/** `set`: the options that it was left with, when it was opened before. */
 export type OpenAction =
-  | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies; options?: Options }
+  | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies; set?: OptionsSet }
   | { type: 'given'; document: OpenDocument }
   | { type: 'closed' };
 
@@ -25,13 +25,13 @@ export function reduceOpen(state: State, action: OpenAction): State {
     workshop: state.workshop,
   };
   if (action.type === 'closed') return { ...anew, units: state.units };
-  const { document, spec, body, bodies, options } = action,
-    chosen = options ?? partOptions(state, document);
+  const { document, spec, body, bodies, set } = action,
+    { options, ...others } = set ?? { options: partOptions(state, document) };
   return {
     ...anew,
     units: unitsOf(document, spec),
     document,
-    input: { spec, options: { ...chosen, ...(body === undefined ? {} : { body }) } },
+    input: { spec, options: { ...options, ...(body === undefined ? {} : { body }) }, ...others },
     bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
   };

@@ -1,7 +1,7 @@
 import { ApiError, type Api } from './api.ts';
 import { pictureOf, type Picture } from './bodies.ts';
-import type { State, Store } from './state.ts';
-import type { Kind, Options } from './types.ts';
+import type { OptionsSet, State, Store } from './state.ts';
+import type { Kind } from './types.ts';
 
 /** A file that was opened lately. Its bytes, and those of the files beside it, are kept on this machine. */
 export interface Recent {
@@ -11,7 +11,7 @@ export interface Recent {
   beside: string[];
   picture?: Picture;
   edited?: 'new' | 'file'; // it is kept as it was edited here; a new one was made here
-  options?: Options; // as they were set
+  set?: OptionsSet; // as they were left
 }
 
 export const recentList = 'recent.json';

@@ -37,6 +37,8 @@ export interface Input {
   options: Options;
   others?: Record<number, Options>; // what was set for one body only, of those that are not shown
 }
+/** What is set of a part, for the body that is shown and for the others. */
+export type OptionsSet = Omit<Input, 'spec'>;
 /** The input, and those that undo and redo go back and on to. */
 export interface History {
   input: Input;

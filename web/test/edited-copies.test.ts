@@ -112,3 +112,22 @@ test('the piece and the body that are shown are no edit', async () => {
   await written();
   assert.equal(files.size, 0);
 });
+
+test('of a part the entry of its file gets what was set, for each body, and it is opened with it', async () => {
+  const { files, store, copies } = page(),
+    document = { id: 'd2', kind: 'unfold', name: 'two.step' },
+    set = { options: { k: 0.3, body: 2 }, others: { 1: { root: 4 } } };
+  store.dispatch({ type: 'opened', document, spec: null });
+  copies.begin({ name: document.name, bytes, beside: {}, listed: true });
+  await written(); // its key
+  store.dispatch({ type: 'edit', input: { spec: null, options: { body: 2 }, others: {} } });
+  assert.equal(copies.rest(), false, 'choosing a body is no edit');
+  store.dispatch({ type: 'edit', input: { spec: null, ...set } });
+  assert.equal(copies.end(), true);
+  await written();
+  const [kept] = store.state.recents;
+  assert.deepEqual([kept!.edited, kept!.set], ['file', set]);
+  assert.equal(await files.get(`recent-${kept!.key}-0`)!.text(), '{}', 'the file itself');
+  store.dispatch({ type: 'opened', document, spec: null, set: kept!.set });
+  assert.deepEqual(store.state.input, { spec: null, ...set });
+});
