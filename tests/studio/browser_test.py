@@ -103,6 +103,9 @@ class Browser(StudioTest):
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
 
+    def test_a_refused_part_offers_only_what_can_be_had(self):
+        self.flow("offered")
+
     def test_reliefs_that_a_finding_names_are_cut_by_one_click(self):
         self.flow("reliefs")
 
@@ -195,6 +198,9 @@ class Browser(StudioTest):
     def test_the_folded_part_is_measured(self):
         self.flow("measurefolded")
 
+    def test_many_measures_leave_most_of_the_part_to_be_seen(self):
+        self.flow("manymeasures")
+
     def test_one_measures_by_keys_alone(self):
         self.flow("measurekeys")
 
@@ -215,6 +221,24 @@ class Browser(StudioTest):
 
     def test_an_assembly_opens_on_its_first_sheet_and_the_list_says_what_became_of_each_body(self):
         self.flow("assembly")
+
+    def test_what_is_edited_can_be_opened_again_after_another_file_took_its_place(self):
+        self.flow("leaving")
+
+    def test_one_goes_back_to_the_start_page(self):
+        self.flow("startpage")
+
+    def test_a_reload_keeps_the_tab(self):
+        self.flow("tabkept")
+
+    def test_files_that_are_not_opened_are_said(self):
+        self.flow("besides")
+
+    def test_small_windows_reach_all_of_the_page(self):
+        self.flow("small")
+
+    def test_small_windows_show_the_machine_and_what_collides(self):
+        self.flow("smallmachine")
 
     def test_values_that_cannot_be_are_refused_with_a_sentence(self):
         self.flow("refused")

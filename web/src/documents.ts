@@ -1,9 +1,11 @@
 import { Api, ApiError } from './api.ts';
 import type { Bodies } from './bodies.ts';
 import { patience, poll, problemOf } from './compute.ts';
-import { keepDocument, keepSource, keptDocument } from './kept.ts';
+import { EditedCopies, type Begun } from './edited-copies.ts';
+import { isAtStart, keepDocument, keepSource, keepTab, keptDocument, keptTab } from './kept.ts';
+import { partOptions } from './open-state.ts';
 import type { Recent, Recents } from './recents.ts';
-import { partOptions, type Store } from './state.ts';
+import type { OptionsSet, Store } from './state.ts';
 import { lookAt } from './survey.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
@@ -11,6 +13,8 @@ interface Given {
   name: string;
   bytes: ArrayBuffer;
 }
+type Beside = (name: string) => Promise<ArrayBuffer | null>;
+type How = Pick<Begun, 'isNew' | 'recent' | 'listed' | 'isRestored'>;
 
 const looking = 5000; // ms in which a sheet among the bodies is found, or the first body is shown
 
@@ -20,14 +24,17 @@ export class Documents {
   private readonly store: Store;
   private readonly recents: Recents;
   private adopted: string | null = null;
+  private adoptedSet: OptionsSet | undefined; // as it was left
   private file: Given | null = null;
   private beside: Record<string, ArrayBuffer> = {};
   private isInTab = true; // the file, from where a reload takes it
   private flight = new AbortController(); // of the file that is being opened
+  readonly copies: EditedCopies;
   constructor(api: Api, store: Store, recents: Recents) {
     this.api = api;
     this.store = store;
     this.recents = recents;
+    this.copies = new EditedCopies(store, recents);
   }
 
   async openFiles(files: File[], isNew = false) {
@@ -36,28 +43,30 @@ export class Documents {
       const [main, ...others] = given.filter((g) => !isPoints(g.name)),
         points = given.filter((g) => isPoints(g.name));
       if (main) {
-        await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
+        const beside: Beside = async (name) => points.find((p) => p.name === name)?.bytes ?? null;
+        await this.open(main, beside, signal, { isNew, listed: !isNew });
         if (!isNew) void this.remember(main);
       } else await this.addPoints(points);
-      if (others.length)
-        this.store.dispatch({
-          type: 'note',
-          note: `One file at a time: ${others.map((g) => g.name).join(', ')} was left out.`,
-        });
+      const said = leftOut(
+        others.map((g) => g.name),
+        main ? points.flatMap(({ name }) => (name in this.beside ? [] : [name])) : [],
+      );
+      if (said) this.store.dispatch({ type: 'note', note: [this.store.state.note ?? '', said].join(' ').trim() });
     });
   }
 
   async openRecent(recent: Recent) {
     await this.attempt(recent.name, async (signal) => {
       const main = await this.openKept(recent, signal);
-      void this.remember(main);
+      if (!recent.edited) void this.remember(main);
+      else if ((await this.recents.again(recent)) && !this.isInTab) keepSource({ recent });
     });
   }
 
-  private async openKept(recent: Recent, signal: AbortSignal): Promise<Given> {
+  private async openKept(recent: Recent, signal: AbortSignal, how: How = {}): Promise<Given> {
     const { main, beside } = await this.recents.bytesOf(recent),
       given = { name: recent.name, bytes: main };
-    await this.open(given, async (name) => beside[name] ?? null, signal);
+    await this.open(given, async (name) => beside[name] ?? null, signal, { recent, listed: true, ...how });
     return given;
   }
 
@@ -75,38 +84,72 @@ export class Documents {
         { name: name.slice(folder.length), bytes: await this.api.example(name) },
         (file) => this.api.example(folder + file).catch(() => null),
         signal,
+        {},
       );
     });
+  }
+
+  /** The file of the command line, once more. */
+  async openGiven() {
+    const { given } = this.store.state;
+    if (given) await this.attempt(given.name, (signal) => this.takeGiven(given, signal, false));
+  }
+
+  /** Back to the start page. What was edited is kept among the files opened lately. */
+  close() {
+    this.flight.abort();
+    const { document } = this.store.state;
+    this.end();
+    this.file = null;
+    this.beside = {};
+    keepSource({ start: location.hash });
+    this.store.dispatch({ type: 'closed' });
+    this.leave(document?.id);
   }
 
   /** The file that was open here before a reload, else the file of the command line. */
   async begin(ready: Promise<void>) {
     const kept = keptDocument();
-    const source = kept?.source;
+    const source = kept?.source,
+      tab = keptTab(),
+      restored = { isRestored: true };
+    this.store.subscribe((state, before) => {
+      if (state.tab !== before.tab) keepTab(state.tab);
+    });
     const work = async (signal: AbortSignal) => {
       const isGiven = !source || 'given' in source,
         [known] = await Promise.all([isGiven ? this.api.documents() : [], ready]);
       if (kept && !isGiven) {
-        if ('bytes' in source) await this.open(source, async (name) => source.beside[name] ?? null, signal);
+        if ('bytes' in source) await this.open(source, async (name) => source.beside[name] ?? null, signal, restored);
         else {
-          await this.openKept(source.recent, signal);
+          await this.openKept(source.recent, signal, restored);
           keepSource(source);
         }
-        return this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
+        this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
+        return this.store.dispatch({ type: 'tab', tab });
       }
       const named = known.find((d) => d.given);
       if (!named) return;
       this.adopted = named.id;
-      this.file = named.text
-        ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer }
-        : null;
-      await this.take(named, async () => null, signal);
+      this.store.dispatch({ type: 'given', document: named });
+      if (isAtStart(location.hash)) return;
       // The token is another one at each start, at which the file may have changed.
-      if (kept && source && 'given' in source && source.given === location.hash)
-        this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
-      keepSource({ given: location.hash });
+      const isSame = kept && source && 'given' in source && source.given === location.hash;
+      await this.takeGiven(named, signal, Boolean(isSame));
+      if (!isSame) return;
+      this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
+      this.store.dispatch({ type: 'tab', tab });
     };
     await this.attempt(source && 'bytes' in source ? source.name : '', work, true);
+  }
+
+  private async takeGiven(given: OpenDocument, signal: AbortSignal, isRestored: boolean) {
+    const bytes = given.text ? (new TextEncoder().encode(given.text).buffer as ArrayBuffer) : null;
+    await this.take(given, async () => null, signal, bytes ? undefined : this.adoptedSet);
+    this.file = bytes && { name: given.name, bytes };
+    this.beside = {};
+    if (this.file) this.copies.begin({ ...this.file, beside: {}, isRestored });
+    keepSource({ given: location.hash });
   }
 
   /**
@@ -126,12 +169,18 @@ export class Documents {
     this.flight.abort();
   }
 
+  /** The page is left, for good or not. */
+  hidden() {
+    this.copies.rest();
+    this.leave(this.store.state.document?.id);
+  }
+
   /** Documents opened by others are not closed. */
-  leave(id: string | undefined) {
+  private leave(id: string | undefined) {
     if (id && id !== this.adopted) void this.api.close(id).catch(() => undefined);
   }
 
-  private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>, signal: AbortSignal) {
+  private async open(main: Given, beside: Beside, signal: AbortSignal, how: How) {
     const document = await this.read(main, signal),
       used: Record<string, ArrayBuffer> = {};
     await this.take(
@@ -142,10 +191,12 @@ export class Documents {
         return bytes;
       },
       signal,
+      how.recent?.set,
     );
     this.file = main;
     this.beside = used;
     this.isInTab = keepDocument(main, used);
+    this.copies.begin({ ...main, beside: used, ...how });
   }
 
   /** Has the server read a file. A file that cannot be read, or is abandoned, leaves no document behind. */
@@ -181,11 +232,7 @@ export class Documents {
     };
   }
 
-  private async take(
-    document: OpenDocument,
-    beside: (name: string) => Promise<ArrayBuffer | null>,
-    signal: AbortSignal,
-  ) {
+  private async take(document: OpenDocument, beside: Beside, signal: AbortSignal, set?: OptionsSet) {
     const spec = document.text ? (JSON.parse(document.text) as Spec) : null;
     const missing: string[] = [];
     for (const file of pointFiles(document, spec)) {
@@ -195,15 +242,30 @@ export class Documents {
     }
     if (signal.aborted) this.leave(document.id);
     signal.throwIfAborted();
-    const before = this.store.state.document,
-      { body, bodies } = await this.firstSheet(document, signal);
-    this.store.dispatch({ type: 'opened', document, spec, body, bodies });
+    const sheet = await this.firstSheet(document, set, signal),
+      before = this.store.state.document,
+      isKept = this.end();
+    this.store.dispatch({ type: 'opened', document, spec, ...sheet, set });
+    if (isKept) this.store.dispatch({ type: 'note', note: `${before?.name} is kept as edited: see the start page.` });
     if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
     this.leave(before?.id);
   }
 
+  /** What is open is left: says whether it was edited and is kept. */
+  private end(): boolean {
+    const { document, pending, input } = this.store.state,
+      { spec: _, ...set } = pending ?? input;
+    if (document && document.id === this.adopted) this.adoptedSet = set;
+    return this.copies.end();
+  }
+
   /** The first body of an assembly that is a sheet, if one is soon found: that is what one came for. */
-  private async firstSheet(document: OpenDocument, signal: AbortSignal): Promise<{ body?: number; bodies: Bodies }> {
+  private async firstSheet(
+    document: OpenDocument,
+    set: OptionsSet | undefined,
+    signal: AbortSignal,
+  ): Promise<{ body?: number; bodies: Bodies }> {
+    if (set) return { bodies: {} }; // of the body that was chosen
     const all = document.info?.bodies ?? [],
       of = partOptions(this.store.state, document),
       bodies: Bodies = {},
@@ -227,6 +289,7 @@ export class Documents {
     for (const p of points) await this.api.attach(d.id, p.name, p.bytes);
     this.beside = { ...this.beside, ...Object.fromEntries(points.map((p) => [p.name, p.bytes])) };
     if (this.file) this.isInTab = keepDocument(this.file, this.beside);
+    this.copies.besides(this.beside);
     this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
   }
 
@@ -246,6 +309,14 @@ export class Documents {
     }
     say({ type: 'opening', opening: null });
   }
+}
+
+/** What is said of files that were dropped with one that was opened. */
+function leftOut(others: string[], points: string[]): string {
+  return [
+    ...(others.length ? [`One file at a time: ${others.join(', ')} was left out.`] : []),
+    ...(points.length ? [`Not opened: ${points.join(', ')}, which the file does not name.`] : []),
+  ].join(' ');
 }
 
 const isPoints = (name: string) => /\.(xyz|txt|asc|csv)$/i.test(name);

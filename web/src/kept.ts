@@ -1,7 +1,7 @@
 import type { Recent } from './recents.ts';
 import { orderOfText, textOfOrder } from './kept-order.ts';
 import type { OrderState } from './order-state.ts';
-import type { History, State } from './state.ts';
+import { tabs, type History, type State, type Tab } from './state.ts';
 
 /** What a tab needs to restore its state after a reload, in the tab's own storage: the edits, and the file. */
 interface Kept {
@@ -10,13 +10,24 @@ interface Kept {
   order?: OrderState;
 }
 
+/** Where what is edited lies among the files opened lately. */
+interface Copy {
+  key: string;
+  isNew: boolean;
+  before: Recent | null;
+}
+
 /** A file, or where it is to be had: on this machine, if it is large, or from the server that was started with it. */
 type Source = { name: string; bytes: ArrayBuffer; beside: Record<string, ArrayBuffer> } | Elsewhere;
 type Elsewhere = { recent: Recent } | { given: string };
+/** The start page, by the server's token: it is shown even if the server was started with a file. */
+type Start = { start: string };
 
 const file = 'planish-file',
   edited = 'planish-input',
-  ordered = 'planish-order';
+  ordered = 'planish-order',
+  copied = 'planish-copy',
+  shown = 'planish-tab';
 const most = 3 << 20; // storages hold some five million characters
 const mostOfHistory = 1 << 20;
 
@@ -32,7 +43,17 @@ export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside:
   });
 }
 
-export const keepSource = (source: Elsewhere) => write(file, source);
+export const keepSource = (source: Elsewhere | Start) => write(file, source);
+export const isAtStart = (token: string) => sessionStorage.getItem(file) === JSON.stringify({ start: token });
+
+export const keepCopy = ({ key, isNew, before }: Copy) => write(copied, { key, isNew, before });
+export function keptCopy(isRestored: boolean): Copy | null {
+  if (!isRestored) sessionStorage.removeItem(copied);
+  return JSON.parse(sessionStorage.getItem(copied) ?? 'null') as Copy | null;
+}
+
+export const keepTab = (tab: Tab) => writeText(shown, tab);
+export const keptTab = (): Tab => tabs.find((tab) => tab === sessionStorage.getItem(shown)) ?? 'input';
 
 /**
  * Keeps the input with what undo and redo go through, the farthest steps last: of large inputs as many as there is room
@@ -60,9 +81,10 @@ export function keptDocument(): Kept | null {
     const kept = JSON.parse(sessionStorage.getItem(file) ?? 'null') as
       | { name: string; bytes: string; beside: Record<string, string> }
       | Elsewhere
+      | Start
       | null;
     const history = JSON.parse(sessionStorage.getItem(edited) ?? 'null') as History | null;
-    if (!kept || !history) return null;
+    if (!kept || !history || 'start' in kept) return null;
     const order = keptOrder(history);
     if (!('bytes' in kept)) return { source: kept, history, order };
     const beside = Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)]));

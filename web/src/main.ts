@@ -27,6 +27,7 @@ import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import './panels/lists.css';
+import './small.css';
 import { bringKept } from './kept-here.ts';
 import { Recents } from './recents.ts';
 import { sayRefusals } from './refusals.ts';
@@ -85,6 +86,8 @@ const ui: Ui = {
   openExample: (name) => void documents.openExample(name),
   openRecent: (recent) => void documents.openRecent(recent),
   forgetRecents: () => recents.forget(),
+  openGiven: () => void documents.openGiven(),
+  close: () => documents.close(),
   download,
   downloadAll: () => void archive.start(),
   cancelArchive: () => archive.cancel(),
@@ -153,7 +156,7 @@ function draw() {
     scrolledFor = store.state.document?.id;
     part('.content').scrollTop = 0;
   }
-  if (store.state.selection !== pickedBefore)
+  if (store.state.selection !== pickedBefore && getComputedStyle(part('.content')).overflowY !== 'visible')
     root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
   pickedBefore = store.state.selection;
   render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));
@@ -342,11 +345,11 @@ function removeChosen() {
   store.dispatch({ type: 'select', selection: {} });
 }
 
-/** Where the focus goes whose place has gone: the name of what is open. */
+/** Where the focus goes whose place has gone: the name of what is open, or how one begins. */
 store.subscribe((state, before) => {
   if (state.document?.id === before.document?.id) return;
   requestAnimationFrame(() => {
-    if (document.activeElement === document.body) part('.name').focus();
+    if (document.activeElement === document.body) part(state.document ? '.name' : '[data-testid=start-open]').focus();
   });
 });
 
@@ -369,7 +372,7 @@ window.addEventListener('drop', (e) => {
 });
 sayRefusals(store);
 followStroke(store);
-window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
+window.addEventListener('pagehide', () => documents.hidden());
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);

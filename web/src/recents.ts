@@ -1,15 +1,17 @@
 import { ApiError, type Api } from './api.ts';
 import { pictureOf, type Picture } from './bodies.ts';
-import type { State, Store } from './state.ts';
+import type { OptionsSet, State, Store } from './state.ts';
 import type { Kind } from './types.ts';
 
 /** A file that was opened lately. Its bytes, and those of the files beside it, are kept on this machine. */
 export interface Recent {
-  key: string; // of its name and bytes
+  key: string; // of its name and bytes, or its own if it was edited here
   name: string;
   kind: Kind;
   beside: string[];
   picture?: Picture;
+  edited?: 'new' | 'file'; // it is kept as it was edited here; a new one was made here
+  set?: OptionsSet; // as they were left
 }
 
 export const recentList = 'recent.json';
@@ -38,7 +40,7 @@ export class Recents {
       const key = await keyOf(name, bytes),
         others = Object.entries(beside),
         known = this.all.find((r) => r.key === key);
-      const own = { ...known, key, name, kind, beside: others.map(([n]) => n) };
+      const own: Recent = { key, name, kind, beside: others.map(([n]) => n), picture: known?.picture };
       try {
         if (!known || known.beside.join() !== own.beside.join()) {
           await this.api.keep(fileOf(key), new Blob([bytes]));
@@ -52,6 +54,44 @@ export class Recents {
       }
       this.pictured(this.store.state);
       return own;
+    });
+  }
+
+  /** What was edited, as it is now; `rewritten`: its bytes, too. All at once, as the page may be closing. */
+  keepEdited(own: Recent, main: ArrayBuffer, beside: Record<string, ArrayBuffer>, rewritten: boolean) {
+    return this.then(async () => {
+      const known = this.all.find((r) => r.key === own.key),
+        others = Object.values(beside),
+        isBeside = known?.beside.join() === own.beside.join();
+      try {
+        await Promise.all([
+          !known || rewritten ? this.api.keep(fileOf(own.key), new Blob([main])) : null,
+          ...(isBeside ? [] : others.map((other, i) => this.api.keep(fileOf(own.key, i + 1), new Blob([other])))),
+          this.write([
+            { ...own, picture: own.picture ?? known?.picture },
+            ...this.all.filter((r) => r.key !== own.key),
+          ]),
+        ]);
+      } catch {
+        if (!known) await this.write(this.all.filter((r) => r.key !== own.key)).catch(() => this.drop(own));
+        return null;
+      }
+      return own;
+    });
+  }
+
+  /** Has been opened again: the first of all. */
+  again(recent: Recent) {
+    return this.then(async () => {
+      await this.write([recent, ...this.all.filter((r) => r.key !== recent.key)]);
+      return recent;
+    });
+  }
+
+  remove(key: string) {
+    return this.then(async () => {
+      await this.write(this.all.filter((r) => r.key !== key));
+      return true;
     });
   }
 
@@ -107,7 +147,7 @@ export class Recents {
   }
 }
 
-async function keyOf(name: string, bytes: ArrayBuffer): Promise<string> {
+export async function keyOf(name: string, bytes: ArrayBuffer): Promise<string> {
   const digest = await crypto.subtle.digest('SHA-256', await new Blob([name, '\n', bytes]).arrayBuffer());
   return [...new Uint8Array(digest).subarray(0, 12)].map((b) => b.toString(16).padStart(2, '0')).join('');
 }

@@ -12,3 +12,11 @@ export function pieceOf(state: Pick<State, 'shape' | 'input'>): PieceReport | nu
 export function knownPiece(state: Pick<State, 'known' | 'input'>): PieceReport | null {
   return state.known ? pieceOf({ shape: { report: state.known } as Shape, input: state.input }) : null;
 }
+
+/** Whether no file can be made of the input as it is: only what says why. */
+export const isRefused = ({ shape, stale }: Pick<State, 'shape' | 'stale'>): boolean =>
+  stale || shape?.report.status === 'refused';
+
+/** Whether there is a pattern of this input, with flanges to choose and a side to turn up. */
+export const hasFlanges = ({ shape, stale }: Pick<State, 'shape' | 'stale'>): boolean =>
+  !stale && Boolean(shape?.facet_parent.length);

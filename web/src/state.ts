@@ -26,7 +26,8 @@ import {
   type OrderState,
 } from './order-state.ts';
 import { ended, forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
-import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
+import { initialView, reduceView, type ViewAction, type ViewState } from './view-state.ts';
+import { reduceOpen, type OpenAction } from './open-state.ts';
 import { asBefore } from './orientation.ts';
 import { pickedBend } from './picked.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
@@ -37,13 +38,16 @@ export interface Input {
   options: Options;
   others?: Record<number, Options>; // what was set for one body only, of those that are not shown
 }
+/** What is set of a part, for the body that is shown and for the others. */
+export type OptionsSet = Omit<Input, 'spec'>;
 /** The input, and those that undo and redo go back and on to. */
 export interface History {
   input: Input;
   past: Input[];
   future: Input[];
 }
-export type Tab = 'input' | 'bends' | 'order' | 'findings' | 'certificate';
+export const tabs = ['input', 'bends', 'order', 'findings', 'certificate'] as const;
+export type Tab = (typeof tabs)[number];
 export const severities = ['error', 'warning', 'info'] as const;
 export type Severity = (typeof severities)[number];
 export type Theme = 'light' | 'dark';
@@ -82,6 +86,7 @@ export interface Opening {
 
 export interface State extends History {
   document: OpenDocument | null;
+  given: OpenDocument | null; // of the command line
   pending: Input | null; // what the input was before a drag that has not ended
   shape: Shape | null;
   shapeIsDraft: boolean;
@@ -130,7 +135,7 @@ export type Action =
   | { type: 'examples'; examples: Example[] }
   | { type: 'recents'; recents: Recent[] }
   | { type: 'opening'; opening: Opening | null }
-  | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
+  | OpenAction
   | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
   | { type: 'history'; history: History; order?: OrderState }
@@ -168,6 +173,7 @@ export const nothing: Selection = {
 export function initialState(theme: Theme): State {
   return {
     document: null,
+    given: null,
     input: { spec: null, options: {} },
     pending: null,
     past: [],
@@ -221,7 +227,9 @@ export function reduce(state: State, action: Action): State {
     case 'opening':
       return { ...state, opening: action.opening };
     case 'opened':
-      return opened(state, action);
+    case 'given':
+    case 'closed':
+      return reduceOpen(state, action);
     case 'body':
       return state.document?.id === action.id
         ? { ...state, bodies: { ...state.bodies, [action.number]: action.status } }
@@ -325,31 +333,6 @@ const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status ===
 /** What remains once another problem, such as that of a file of options, is settled. */
 const problemOfInput = ({ stale, shape, problem }: State) =>
   shape?.report.status === 'refused' ? shape.report.reason : stale ? problem : null;
-
-function opened(state: State, { document, spec, body, bodies }: Extract<Action, { type: 'opened' }>): State {
-  return {
-    ...initialState(state.theme),
-    description: state.description,
-    examples: state.examples,
-    recents: state.recents,
-    units: unitsOf(document, spec),
-    document,
-    input: { spec, options: { ...partOptions(state, document), ...(body === undefined ? {} : { body }) } },
-    bodies: bodies ?? {},
-    tab: state.document?.kind === document.kind ? state.tab : 'input',
-    order: { ...noOrder, brake: state.order.brake },
-    view: { ...state.view, section: noSection },
-    workshop: state.workshop,
-  };
-}
-
-/** What is set on this machine for every part to unfold that is opened. */
-export const partOptions = ({ workshop }: State, { kind }: OpenDocument): Options =>
-  kind === 'unfold' ? (workshop.everyPart ?? {}) : {};
-
-/** The page uses the unit of the file. */
-const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
-  spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm';
 
 function edited(state: State, input: Input): State {
   const before = state.pending ?? state.input;

@@ -19,6 +19,10 @@ export interface Ui {
   openExample(name: string): void;
   openRecent(recent: Recent): void;
   forgetRecents(): void;
+  /** The file of the command line, once more. */
+  openGiven(): void;
+  /** Back to the start page. */
+  close(): void;
   /** `artifact`: of the description, or "spec", the edited input. */
   download(artifact: string, suffix: string, more?: Partial<Options>): void;
   /** The DXF of every sheet of an assembly, as one archive. */

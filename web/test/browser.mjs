@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as access from './flows/access.mjs';
+import * as away from './flows/away.mjs';
 import * as bodies from './flows/bodies.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
@@ -20,6 +21,7 @@ import * as refusal from './flows/refusal.mjs';
 import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
+import * as small from './flows/small.mjs';
 import * as start from './flows/start.mjs';
 import * as states from './flows/states.mjs';
 import * as transition from './flows/transition.mjs';
@@ -50,6 +52,8 @@ const flows = {
   ...access,
   ...states,
   ...start,
+  ...away,
+  ...small,
 };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */

@@ -49,6 +49,11 @@ export async function fresh({ name = 'other', bypassCSP = true } = {}) {
   await page.waitForSelector('[data-testid=examples-menu]');
   await page.waitForTimeout(300);
   await page.unrouteAll(); // what looks at every request delays it
+  const reload = page.reload.bind(page);
+  page.reload = async () => {
+    await serveDist(page, address);
+    return reload();
+  };
   return { page, said, context };
 }
 

@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { flangeLengths, type FlangeLength } from '../flange-lengths.ts';
 import { isDefaultK } from '../default-k.ts';
 import { bendsToMark } from '../picked.ts';
-import { knownPiece, pieceOf } from '../report.ts';
+import { isRefused, knownPiece, pieceOf } from '../report.ts';
 import type { BendRow, Shape } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
@@ -29,7 +29,8 @@ function deductionTo({ angle, kind, deduction: value }: BendRow): string | typeo
 export function bendTable(ui: Ui): TemplateResult {
   const report = knownPiece(ui.state),
     rows = report?.flat?.bends ?? [];
-  if (rows.length === 0) return html`<p class="hint">No bends.</p>`;
+  if (rows.length === 0)
+    return html`<p class="hint">${isRefused(ui.state) ? 'Refused: no bends are known.' : 'No bends.'}</p>`;
   const marked = bendsToMark(ui.state),
     lengths = outsideLengths(ui.state.shape),
     units = unitName(ui.state.units);

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { dxfOptions, dxfUnit, type DxfChoices } from '../dxf-choices.ts';
+import { isRefused } from '../report.ts';
 import { refusedByClick } from '../typing.ts';
 import type { LengthUnit, MakerRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
@@ -15,8 +16,16 @@ export function downloadMenu(ui: Ui): TemplateResult {
     const { dxf } = ui.state.workshop;
     ui.download(artifact, suffix, artifact === 'dxf' && maker ? dxfOptions(dxf, maker, ui.state.units) : {});
   };
-  const button = (name: string, suffix: string, description: string) =>
-    html`<button data-testid="download-${name}" @click=${save(name, suffix)}>${description}</button>`;
+  const refused = isRefused(ui.state);
+  const button = (name: string, suffix: string, description: string, isAlways = false) =>
+    html`<button
+      data-testid="download-${name}"
+      ?disabled=${refused && !isAlways}
+      title=${refused && !isAlways ? 'Refused: there is nothing to write. The reason stands at the top.' : nothing}
+      @click=${save(name, suffix)}
+    >
+      ${description}
+    </button>`;
   const rows = artifacts.filter((a) => maker?.artifacts.includes(a.name)),
     dxf = rows.find((a) => a.name === 'dxf');
   return html`<details class="menu right downloads">
@@ -24,13 +33,18 @@ export function downloadMenu(ui: Ui): TemplateResult {
     <div class="list">
       ${!maker
         ? html`<p class="hint">Open something first.</p>`
-        : html`${dxf
+        : html`${refused
+            ? html`<p class="hint" data-testid="download-refused">
+                Refused: there is no pattern to write. The reason stands at the top.
+              </p>`
+            : nothing}
+          ${dxf
             ? html`<div class="dxf" data-testid="dxf-panel">
                 ${button(dxf.name, dxf.suffix, dxf.description)} ${dxfPanel(ui, maker)}
               </div>`
             : nothing}
-          ${rows.filter((a) => a !== dxf).map((a) => button(a.name, a.suffix, a.description))}
-          ${maker.editable ? button('spec', '.json', 'JSON, the edited input') : nothing}`}
+          ${rows.filter((a) => a !== dxf).map((a) => button(a.name, a.suffix, a.description, a.role === 'report'))}
+          ${maker.editable ? button('spec', '.json', 'JSON, the edited input', true) : nothing}`}
     </div>
   </details>`;
 }

@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { pieceOf } from '../report.ts';
+import { isRefused, pieceOf } from '../report.ts';
 import { severities, type Severity, type State } from '../state.ts';
 import type { Finding } from '../types.ts';
 import type { Ui } from '../ui.ts';
@@ -19,6 +19,10 @@ export function findingsList(ui: Ui): TemplateResult {
   const { state } = ui,
     findings = findingsOf(state);
   if (!state.result) return html`<p class="hint">Findings appear with the full result.</p>`;
+  if (findings.length === 0 && isRefused(state))
+    return html`<p class="hint" data-testid="no-findings">
+      This was refused, so nothing was looked for. The reason stands at the top, beside “refused”.
+    </p>`;
   if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">No findings.</p>`;
   return html`${severityFilter(ui, findings)}
     <ol class="findings ${state.shapeIsDraft ? 'old' : ''}" data-testid="findings">

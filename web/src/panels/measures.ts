@@ -28,9 +28,11 @@ export function measureList(ui: Ui) {
     ${kept.length
       ? html`<details open>
           <summary>${kept.length === 1 ? '1 measure' : `${kept.length} measures`}</summary>
-          <ol>
-            ${kept.map((m) => row(ui, m))}
-          </ol>
+          <div class="kept">
+            <ol>
+              ${kept.map((m) => row(ui, m))}
+            </ol>
+          </div>
           <button data-testid="measure-clear" @click=${() => ui.dispatch({ type: 'measure-clear' })}>Clear all</button>
         </details>`
       : nothing}

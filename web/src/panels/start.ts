@@ -10,7 +10,7 @@ const most = 3; // examples of a kind
 
 /** What is there while nothing is open: a place to drop files, what can be begun anew, and examples. */
 export function startScreen(ui: Ui) {
-  const { document: d, description, examples, recents, opening } = ui.state;
+  const { document: d, description, examples, recents, opening, given } = ui.state;
   if (d || opening?.first) return nothing;
   return html`<div class="start" data-testid="start">
     <h2>Drop a file here</h2>
@@ -20,10 +20,13 @@ export function startScreen(ui: Ui) {
       ${templates.map(
         (t) => html`<button data-testid="new-${t.kind}" @click=${() => ui.openNew(fileOf(t))}>${t.text}</button>`,
       )}
+      ${given
+        ? html`<button data-testid="start-given" @click=${ui.openGiven}>Open ${given.name} again</button>`
+        : nothing}
     </p>
     ${recents.length
       ? html`<h3>
-            Opened lately
+            ${recents.some((r) => r.edited) ? 'Opened and edited lately' : 'Opened lately'}
             <button
               class="link"
               data-testid="forget-recents"
@@ -58,8 +61,12 @@ const kinds: Record<string, string> = {
 
 const recentTile = (ui: Ui, r: Recent) =>
   html`<button class="tile" data-testid="recent-${r.name}" @click=${() => ui.openRecent(r)}>
-    ${drawing(r.picture)}<b title=${r.name}>${breaking(r.name)}</b><small>${kinds[r.kind] ?? r.kind}</small>
+    ${drawing(r.picture)}<b title=${r.name}>${breaking(titleOf(r))}</b><small>${kinds[r.kind] ?? r.kind}</small>
   </button>`;
+
+/** What was made here has no name of its own. */
+export const titleOf = ({ name, kind, edited }: Recent) =>
+  edited === 'new' ? (templates.find((t) => t.kind === kind)?.text ?? name) : edited ? `${name} (edited)` : name;
 
 /** A file's name, which may go on in another line after each of its words. */
 const breaking = (name: string) => name.split(/(?<=[_\-. ])/).map((word, i) => (i ? html`<wbr />${word}` : word));

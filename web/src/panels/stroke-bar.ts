@@ -72,7 +72,8 @@ export function machineLegend(ui: Ui) {
     [color('--beam', 'upper beam', 'lower beam'), 'beams'],
     ...(gauge ? [['--finger', gauge] as [string, string]] : []),
   ];
-  return html`<ul class="legend" data-testid="machine-legend">
+  return html`<details class="folding" data-testid="machine-tools"><summary>Tools</summary></details>
+    <ul class="legend" data-testid="machine-legend">
       ${tools.map(([shown, name]) => html`<li><i style="background: var(${shown})"></i>${name}</li>`)}
     </ul>
     <p>

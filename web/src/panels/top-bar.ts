@@ -21,6 +21,15 @@ export function topBar(ui: Ui): TemplateResult {
       }}
     />
     ${examplesMenu(ui)}
+    ${d
+      ? html`<button
+          data-testid="start-page"
+          title="Begin anew, open a file of lately; edits are kept among these"
+          @click=${ui.close}
+        >
+          Start page
+        </button>`
+      : nothing}
     <span class="name" tabindex="-1" data-testid="document-name" title=${d?.name ?? ''}>${d?.name ?? ''}</span>
     <span class="grow"></span>
     <span class="segments"

@@ -1,10 +1,13 @@
 import { html, nothing } from 'lit-html';
 import type { Options } from '../types.ts';
+import { hasFlanges } from '../report.ts';
 import type { PickMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
 import { allowanceSection } from './allowance.ts';
 import { bodyList } from './bodies.ts';
 import { choice, section } from './fields.ts';
+
+const noPattern = 'There is no pattern';
 
 export function unfoldPanel(ui: Ui) {
   const { options } = ui.state.input;
@@ -51,7 +54,16 @@ export function unfoldPanel(ui: Ui) {
             </button>
           </div>`
         : nothing}
-      <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`,
+      <p class="row">
+        <button
+          data-testid="up-turn"
+          ?disabled=${!hasFlanges(ui.state)}
+          title=${hasFlanges(ui.state) ? nothing : noPattern}
+          @click=${() => ui.faceUp(false)}
+        >
+          Turn over
+        </button>
+      </p>`,
   )}`;
 }
 
@@ -75,8 +87,11 @@ function rootChoice(ui: Ui) {
 }
 
 function pickButton(ui: Ui, mode: PickMode) {
-  const on = ui.state.pick === mode;
+  const possible = hasFlanges(ui.state),
+    on = possible && ui.state.pick === mode;
   return html`<button
+    ?disabled=${!possible}
+    title=${possible ? nothing : noPattern}
     class=${on ? 'on' : ''}
     data-testid="pick-${mode}"
     aria-pressed=${on}

@@ -225,5 +225,18 @@ export async function given({ page }) {
   await page.keyboard.press('Control+z');
   await rested(page);
   assert.deepEqual(await state(page, 's.input.options'), {});
+  // From the start page, too, where a reload stays, it can be opened again, as it was left.
+  await page.click('[data-testid=up-turn]');
+  await rested(page);
+  await page.click('[data-testid=start-page]');
+  await page.click('[data-testid=start-given]');
+  await page.waitForFunction(() => window.planish.store.state.result);
+  assert.deepEqual(await state(page, 's.input.options'), options);
+  await page.click('[data-testid=start-page]');
+  await page.reload();
+  await page.waitForSelector('[data-testid=start-given]');
+  assert.equal(await state(page, 's.document'), null);
+  await page.click('[data-testid=start-given]');
+  await page.waitForFunction(() => window.planish.store.state.result);
 }
 given.isAlone = true; // its studio was started with a file

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { inTheme, violations } from '../axe.mjs';
 import { untilDrawn } from '../drawn.mjs';
 import { folder, open, rested, state } from '../driving.mjs';
 
@@ -293,4 +294,42 @@ export async function measurekeys({ page }) {
   assert.equal(await state(page, 's.measure.on'), false);
   assert.equal(await page.getAttribute('.flat .canvas', 'role'), 'img');
   assert.equal(await page.evaluate(() => document.activeElement.matches('.canvas')), false);
+}
+
+/** Many measures leave most of the part to be seen; the last one is in the list, the others are scrolled to. */
+export async function manymeasures({ page }) {
+  await open(page, [`${folder(page)}/../channel.step`]);
+  await page.keyboard.press('d');
+  await page.evaluate(() => {
+    const { dispatch } = window.planish.store;
+    for (let i = 0; i < 12; ++i)
+      for (const edge of [i % 4, (i + 1) % 4])
+        dispatch({ type: 'measure-pick', view: 'flat', ref: { kind: 'edge', edge } });
+  });
+  for (const stacked of [false, true]) {
+    await page.evaluate(
+      (arrangement) => window.planish.store.dispatch({ type: 'view', view: { arrangement } }),
+      stacked ? 'stacked' : 'beside',
+    );
+    await page.waitForTimeout(200);
+    const { list, view, last, clear } = await page.evaluate(() => {
+      const box = (selector) => document.querySelector(selector).getBoundingClientRect().toJSON();
+      return {
+        list: box('.measures'),
+        view: box('.view.folded'),
+        last: box('.measures li:last-child'),
+        clear: box('[data-testid=measure-clear]'),
+      };
+    });
+    assert.ok(list.height < view.height / 3 + 1, `${list.height} of ${view.height}`);
+    if (stacked) continue;
+    assert.ok(last.top >= list.top && last.bottom <= clear.top + 1 && clear.bottom <= list.bottom, 'the last is seen');
+    for (const theme of ['light', 'dark']) {
+      await inTheme(page, theme);
+      assert.deepEqual(await violations(page), [], theme);
+      await page.screenshot({ path: `${folder(page)}/${theme}.png` });
+    }
+    await page.click('[data-testid=measure-remove-1]'); // it is scrolled to
+    await page.waitForFunction(() => document.querySelectorAll('.measures li').length === 11);
+  }
 }

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { inTheme, violations } from '../axe.mjs';
 import { drag, folder, open, rested, state } from '../driving.mjs';
 
 // A refused part: what the sentence names is marked in it.
@@ -195,4 +196,39 @@ export async function reliefs({ page }) {
   await page.click('[data-testid=remedy-bend-none]');
   await rested(page);
   assert.equal(await area(), drawn);
+}
+
+/** A refused part offers what can be had of it, and says where the reason is for the rest. */
+export async function offered({ page }) {
+  await open(page, [`${folder(page)}/../tube.step`]);
+  await page.click('[data-testid=download-menu]');
+  const all = page.locator('.downloads .list button[data-testid^=download-]');
+  const offers = await all.evaluateAll((es) => es.map((e) => [e.dataset.testid, e.disabled, e.title]));
+  assert.ok(offers.length >= 7);
+  for (const [name, disabled, title] of offers) {
+    assert.equal(disabled, name !== 'download-json', name);
+    assert.equal(/The reason stands at the top/.test(title), disabled, name);
+  }
+  assert.match(await page.textContent('[data-testid=download-refused]'), /Refused/);
+  for (const theme of ['light', 'dark']) {
+    await inTheme(page, theme);
+    assert.deepEqual(await violations(page), [], theme);
+    await page.screenshot({ path: `${folder(page)}/downloads-${theme}.png` });
+  }
+  await page.keyboard.press('Escape');
+  for (const one of ['pick-root', 'pick-up', 'up-turn'])
+    assert.equal(await page.locator(`[data-testid=${one}]`).isDisabled(), true, one);
+  await page.click('[data-testid=tab-findings]');
+  await page.waitForSelector('[data-testid=no-findings]');
+  assert.match(await page.textContent('[data-testid=no-findings]'), /refused.*The reason stands at the top/s);
+  await page.click('[data-testid=tab-bends]');
+  await page.locator('[data-testid=panel]', { hasText: 'Refused: no bends are known.' }).waitFor();
+  // Opened along its edge it has all of it.
+  await page.click('[data-testid=remedy-rip-edge]');
+  await rested(page);
+  await page.click('[data-testid=tab-input]');
+  for (const one of ['pick-root', 'pick-up', 'up-turn']) await page.waitForSelector(`[data-testid=${one}]:enabled`);
+  await page.click('[data-testid=download-menu]');
+  assert.deepEqual(await all.evaluateAll((es) => es.filter((e) => e.disabled).length), 0);
+  assert.equal(await page.locator('[data-testid=download-refused]').count(), 0);
 }
