@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { folder, open, opened, state } from '../driving.mjs';
+import { folder, open, opened, rested, state } from '../driving.mjs';
 
 /** Nothing is open: examples have pictures, and each kind of file can be begun anew. */
 export async function begin({ page }) {
@@ -12,10 +12,10 @@ export async function begin({ page }) {
     await page.screenshot({ path: `${folder(page)}/${theme}.png` });
     await page.click('[data-testid=theme]');
   }
-  for (const [kind, name] of [
-    ['connect', 'plates.json'],
-    ['transition', 'transition.json'],
-    ['slit', 'slits.json'],
+  for (const [kind, name, k] of [
+    ['connect', 'plates.json', 0.44],
+    ['transition', 'transition.json', 0.5],
+    ['slit', 'slits.json', null],
   ]) {
     await page.click(`[data-testid=new-${kind}]`);
     await opened(page, name);
@@ -24,6 +24,13 @@ export async function begin({ page }) {
       await state(page, 's.shape.report.checks.filter((c) => c.severity !== "info").map((c) => c.code)'),
       [],
     );
+    if (k !== null) {
+      assert.match(await page.textContent('[data-testid=unconfirmed]'), new RegExp(`K ${k} is only a default`));
+      await page.click('[data-testid=confirm-k]');
+      await rested(page);
+      assert.equal(await page.locator('[data-testid=unconfirmed]').count(), 0);
+      assert.equal(await state(page, 's.input.spec.k_factor'), k);
+    }
     await page.evaluate(() => sessionStorage.clear());
     await page.reload();
     await page.waitForSelector('[data-testid=start]');
