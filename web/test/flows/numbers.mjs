@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { channel } from '../channel.mjs';
+import { checked, plan, strokeNames } from '../ordering.mjs';
 import { enter, example, folder, open, rested, state } from '../driving.mjs';
 
 // Figures as they are shown, entered and refused, and modes that end each other.
@@ -138,39 +139,29 @@ export async function wrongentry({ page }) {
 
 /** The bend that is picked is the one of the stroke that is shown; a row's own buttons know its keys. */
 export async function strokefollows({ page }) {
-  const checked = async () => {
-    await page.waitForFunction(() => {
-      const { order } = window.planish.store.state;
-      return order.answer && !order.computing && !order.asked;
-    });
-    await page.waitForTimeout(100);
-  };
-  const names = () => page.$$eval('[data-testid=strokes] li', (rows) => rows.map((r) => r.dataset.stroke)),
-    picked = () => state(page, 's.selection.part');
+  const picked = () => state(page, 's.selection.part');
   await open(page, [channel(page)]);
-  await page.click('[data-testid=tab-order]');
-  await page.click('[data-testid=plan]');
-  await checked();
-  const [first, second] = await names();
+  await plan(page);
+  const [first, second] = await strokeNames(page);
   await page.dragAndDrop('[data-testid=stroke-2]', '[data-testid=stroke-1]', { targetPosition: { x: 60, y: 4 } });
   await page.waitForFunction(() => window.planish.store.state.order.given);
-  await checked();
-  assert.deepEqual(await names(), [second, first]);
+  await checked(page);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   await page.click('[data-testid=stroke-2]');
   assert.equal(await picked(), first);
   await page.click('[data-testid=undo]');
-  await checked();
+  await checked(page);
   assert.equal(await picked(), second, 'the bend of stroke 2 of 2');
   await page.screenshot({ path: `${folder(page)}/undone.png` });
   await page.keyboard.press('Control+y');
-  await checked();
+  await checked(page);
   assert.equal(await picked(), first);
   // Alt with an arrow moves the row of the button that has the focus.
   await page.focus('[data-testid=earlier-2]');
   await page.keyboard.press('Alt+ArrowUp');
   await page.waitForFunction((n) => document.activeElement?.dataset.stroke === n, first);
-  await checked();
-  assert.deepEqual(await names(), [first, second]);
+  await checked(page);
+  assert.deepEqual(await strokeNames(page), [first, second]);
 }
 
 /** The section says where it lies, in the page's unit. */

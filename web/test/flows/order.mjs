@@ -2,26 +2,8 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { channel } from '../channel.mjs';
 import { address, example, folder, open, rested, state } from '../driving.mjs';
+import { checked, drawn, plan, strokeNames } from '../ordering.mjs';
 import { serveDist } from '../serve-dist.mjs';
-
-const drawn = (page) => page.evaluate(() => new Promise((f) => requestAnimationFrame(() => requestAnimationFrame(f))));
-
-async function checked(page) {
-  await page.waitForFunction(() => {
-    const { order } = window.planish.store.state;
-    return order.answer && !order.computing && !order.asked;
-  });
-  await drawn(page);
-}
-
-async function plan(page) {
-  await page.click('[data-testid=tab-order]');
-  await page.click('[data-testid=plan]');
-  await checked(page);
-}
-
-const names = (page) =>
-  page.$$eval('[data-testid=strokes] li', (rows) => rows.map((row) => row.getAttribute('data-stroke')));
 
 /** What readers of the screen are told of a view, besides its name. */
 const described = (page, view) =>
@@ -40,7 +22,7 @@ export async function order({ page }) {
   await example(page, 'bracket.step');
   await plan(page);
   await page.waitForSelector('[data-testid=order-status]:has-text("The cheapest order: cost")');
-  const strokes = await names(page);
+  const strokes = await strokeNames(page);
   assert.equal(await state(page, 'views.folded.machine.group.visible'), true, 'the sheet is in the machine');
   await page.click('[data-testid=stroke-2]');
   assert.equal(await state(page, 's.selection.part'), strokes[1], 'the bend that is pressed is picked');
@@ -76,12 +58,12 @@ export async function reorder({ page }) {
   await open(page, [channel(page)]);
   await rested(page);
   await plan(page);
-  const [first, second] = await names(page);
+  const [first, second] = await strokeNames(page);
   assert.equal(await page.locator('.strokes li.blocked').count(), 0);
   await page.dragAndDrop('[data-testid=stroke-1]', '[data-testid=stroke-2]', { targetPosition: { x: 60, y: 30 } });
   await page.waitForFunction(() => window.planish.store.state.order.given);
   await checked(page);
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   await page.waitForSelector('[data-testid=order-status]:has-text("1 of 2 strokes cannot be made")');
   assert.equal(await page.getAttribute('[data-testid=stroke-2]', 'class').then((c) => c.includes('blocked')), true);
   await page.click('[data-testid=stroke-2]');
@@ -107,22 +89,22 @@ export async function reorder({ page }) {
   await page.keyboard.press('Alt+ArrowUp');
   await page.waitForFunction(() => window.planish.store.state.order.asked === null);
   await checked(page);
-  assert.deepEqual(await names(page), [first, second]);
+  assert.deepEqual(await strokeNames(page), [first, second]);
   assert.equal(await page.locator('.strokes li.blocked').count(), 0);
   await page.waitForFunction((name) => document.activeElement?.dataset.stroke === name, first);
   assert.equal(await toolIsRed(page, blocked.tool), false);
   assert.doesNotMatch(await told(), /collides|cannot/);
   // Orders are undone like all else, and before the edits that came before them.
   await page.keyboard.press('Control+z');
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   assert.equal(await toolIsRed(page, blocked.tool), true);
   await page.keyboard.press('Control+z');
-  assert.deepEqual(await names(page), [first, second]);
+  assert.deepEqual(await strokeNames(page), [first, second]);
   assert.equal(await state(page, 's.order.given'), false, 'the cheapest one');
   assert.equal(await page.isDisabled('[data-testid=undo]'), true);
   await page.click('[data-testid=redo]');
   await drawn(page);
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
 }
 
 /** What cannot be planned is said, and a tools file that is none. */
@@ -146,7 +128,7 @@ export async function orderkept({ page }) {
   await open(page, [channel(page)]);
   await rested(page);
   await plan(page);
-  const [first, second] = await names(page);
+  const [first, second] = await strokeNames(page);
   await page.click('[data-testid=later-1]');
   await page.waitForFunction(() => window.planish.store.state.order.given);
   await checked(page);
@@ -160,17 +142,17 @@ export async function orderkept({ page }) {
     await drawn(page);
   };
   await again();
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
   assert.equal(await state(page, 'views.folded.machine.group.visible'), true, 'the sheet is in the machine');
   assert.equal(await page.isDisabled('[data-testid=undo]'), false);
   await page.click('[data-testid=undo]');
-  assert.deepEqual(await names(page), [first, second]);
+  assert.deepEqual(await strokeNames(page), [first, second]);
   assert.equal(await state(page, 's.order.given'), false, 'the cheapest one');
   assert.equal(await page.isDisabled('[data-testid=undo]'), true);
   await again();
   await page.click('[data-testid=redo]');
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   // An edit after it is taken back first.
   await page.click('[data-testid=tab-input]');
   await page.click('[data-testid=density-steel]');
@@ -179,15 +161,15 @@ export async function orderkept({ page }) {
   await page.waitForSelector('[data-testid=order-old]');
   await page.click('[data-testid=undo]');
   await rested(page);
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
   await page.click('[data-testid=undo]');
-  assert.deepEqual(await names(page), [first, second]);
+  assert.deepEqual(await strokeNames(page), [first, second]);
   // It is worked on as before.
   await page.click('[data-testid=later-1]');
   await page.waitForFunction(() => window.planish.store.state.order.given);
   await checked(page);
-  assert.deepEqual(await names(page), [second, first]);
+  assert.deepEqual(await strokeNames(page), [second, first]);
   // Another file has nothing of it.
   await example(page, 'bracket.step');
   await again();

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { inTheme, violations } from '../axe.mjs';
 import { channel } from '../channel.mjs';
+import { collide, plan } from '../ordering.mjs';
 import { example, folder, open, state } from '../driving.mjs';
 
 // Small windows: 1280 × 720 at 150 % and at 200 %, and what is low only.
@@ -139,23 +140,11 @@ export async function small({ page }) {
 
 /** The bend order in small windows: what is said of a stroke has a place of its own. */
 export async function smallmachine({ page }) {
-  const checked = () =>
-    page.waitForFunction(() => {
-      const { order } = window.planish.store.state;
-      return order.answer && !order.computing && !order.asked;
-    });
   await open(page, [channel(page)]);
-  await page.click('[data-testid=tab-order]');
-  await page.click('[data-testid=plan]');
-  await checked();
+  await plan(page);
   const wrong = await everywhere(page, 'machine');
   await page.setViewportSize({ width: 1280, height: 720 });
-  await page.focus('[data-testid=stroke-2]');
-  await page.keyboard.press('Alt+ArrowUp');
-  await page.waitForFunction(() => window.planish.store.state.order.given);
-  await checked();
-  await page.click('[data-testid=stroke-2]');
-  await page.waitForSelector('[data-testid=collision]');
+  await collide(page);
   wrong.push(...(await everywhere(page, 'collision')));
   // The tools are folded away where it is narrow, and can be seen.
   await page.setViewportSize({ width: 640, height: 360 });

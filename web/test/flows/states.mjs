@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { looker } from '../axe.mjs';
 import { channel } from '../channel.mjs';
+import { collide, plan } from '../ordering.mjs';
 import { coarse, example, folder, open, opened, rested, state } from '../driving.mjs';
 import { perforated } from '../perforated.mjs';
 import { serveDist } from '../serve-dist.mjs';
@@ -129,22 +130,10 @@ export async function liststates({ page }) {
 /** The machine, playing and stopped where something collides. */
 export async function machinestates({ page }) {
   const { found, look } = looker(page);
-  const checked = () =>
-    page.waitForFunction(() => {
-      const { order } = window.planish.store.state;
-      return order.answer && !order.computing && !order.asked;
-    });
   await open(page, [channel(page)]);
-  await page.click('[data-testid=tab-order]');
-  await page.click('[data-testid=plan]');
-  await checked();
+  await plan(page);
   await look('the cheapest order');
-  await page.focus('[data-testid=stroke-2]');
-  await page.keyboard.press('Alt+ArrowUp');
-  await page.waitForFunction(() => window.planish.store.state.order.given);
-  await checked();
-  await page.click('[data-testid=stroke-2]');
-  await page.waitForSelector('[data-testid=collision]');
+  await collide(page);
   await away(page);
   await look('a collision');
   await page.click('[data-testid=stroke-back]');
@@ -154,9 +143,7 @@ export async function machinestates({ page }) {
   await page.click('[data-testid=stroke-play]');
   await look('strokes that are stopped');
   await example(page, 'bracket.step');
-  await page.click('[data-testid=tab-order]');
-  await page.click('[data-testid=plan]');
-  await checked();
+  await plan(page);
   assert.ok(await page.locator('.strokes .change').count(), 'the part is turned between its strokes');
   await page.click('[data-testid=stroke-2]');
   await away(page);
