@@ -74,11 +74,9 @@ class Lines {
 
  private:
   static std::vector<Box2> boxes(const std::vector<Segment>& lines) {
-    std::vector<Box2> boxes(lines.size());
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      boxes[i].add(lines[i].a);
-      boxes[i].add(lines[i].b);
-    }
+    std::vector<Box2> boxes;
+    for (const Segment& line : lines)
+      boxes.push_back(bounds(line));
     return boxes;
   }
 

@@ -29,12 +29,11 @@ export interface Picture {
 /** What is said of one body only waits for it while another is looked at. */
 const ofOneBody = new Set(['body', 'root', 'up', 'bend_k', 'rip_edges', 'piece']);
 
-/** The options that hold for every body of an assembly. */
-export const sharedOptions = (options: Options): Options =>
-  Object.fromEntries(Object.entries(options).filter(([name]) => !ofOneBody.has(name))) as Options;
+const only = (options: Options, wanted: (name: string) => boolean): Options =>
+  Object.fromEntries(Object.entries(options).filter(([name]) => wanted(name))) as Options;
 
-const ownOptions = (options: Options): Options =>
-  Object.fromEntries(Object.entries(options).filter(([name]) => ofOneBody.has(name) && name !== 'body')) as Options;
+/** The options that hold for every body of an assembly. */
+export const sharedOptions = (options: Options): Options => only(options, (name) => !ofOneBody.has(name));
 
 /** The options of a body, `shown` or another. */
 export const optionsOf = ({ options, others }: Input, body: number, shown: number): Options =>
@@ -43,7 +42,7 @@ export const optionsOf = ({ options, others }: Input, body: number, shown: numbe
 /** The input that shows another body, with what was set for it. */
 export function withBody(input: Input, shown: number, body: number): Input {
   const { [body]: _, ...rest } = input.others ?? {},
-    left = ownOptions(input.options),
+    left = only(input.options, (name) => ofOneBody.has(name) && name !== 'body'),
     others = Object.keys(left).length ? { ...rest, [shown]: left } : rest;
   return { ...input, options: { ...optionsOf(input, body, shown), body }, others };
 }

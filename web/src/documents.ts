@@ -2,7 +2,7 @@ import { Api, ApiError } from './api.ts';
 import type { Bodies } from './bodies.ts';
 import { patience, poll, problemOf } from './compute.ts';
 import { EditedCopies, type Begun } from './edited-copies.ts';
-import { isAtStart, keepDocument, keepSource, keepTab, keptDocument, keptTab } from './kept.ts';
+import { isAtStart, keepDocument, keepSource, keepTab, keptDocument, keptTab, type Kept } from './kept.ts';
 import { partOptions } from './open-state.ts';
 import type { Recent, Recents } from './recents.ts';
 import type { OptionsSet, Store } from './state.ts';
@@ -113,6 +113,10 @@ export class Documents {
     const source = kept?.source,
       tab = keptTab(),
       restored = { isRestored: true };
+    const restore = ({ history, order }: Kept) => {
+      this.store.dispatch({ type: 'history', history, order });
+      this.store.dispatch({ type: 'tab', tab });
+    };
     this.store.subscribe((state, before) => {
       if (state.tab !== before.tab) keepTab(state.tab);
     });
@@ -125,8 +129,7 @@ export class Documents {
           await this.openKept(source.recent, signal, restored);
           keepSource(source);
         }
-        this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
-        return this.store.dispatch({ type: 'tab', tab });
+        return restore(kept);
       }
       const named = known.find((d) => d.given);
       if (!named) return;
@@ -136,9 +139,7 @@ export class Documents {
       // The token is another one at each start, at which the file may have changed.
       const isSame = kept && source && 'given' in source && source.given === location.hash;
       await this.takeGiven(named, signal, Boolean(isSame));
-      if (!isSame) return;
-      this.store.dispatch({ type: 'history', history: kept.history, order: kept.order });
-      this.store.dispatch({ type: 'tab', tab });
+      if (isSame) restore(kept);
     };
     await this.attempt(source && 'bytes' in source ? source.name : '', work, true);
   }

@@ -4,7 +4,7 @@ import type { OrderState } from './order-state.ts';
 import { tabs, type History, type State, type Tab } from './state.ts';
 
 /** What a tab needs to restore its state after a reload, in the tab's own storage: the edits, and the file. */
-interface Kept {
+export interface Kept {
   source: Source;
   history: History;
   order?: OrderState;

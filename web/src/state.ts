@@ -30,6 +30,7 @@ import { initialView, reduceView, type ViewAction, type ViewState } from './view
 import { reduceOpen, type OpenAction } from './open-state.ts';
 import { asBefore } from './orientation.ts';
 import { pickedBend } from './picked.ts';
+import { isRefused } from './report.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } from './workshop-state.ts';
 
@@ -274,7 +275,8 @@ export function reduce(state: State, action: Action): State {
       return {
         ...state,
         selection: { ...nothing, ...action.selection },
-        problem: isOfInput(state) ? state.problem : null,
+        // Another problem, such as a file that could not be opened, is done once it was read.
+        problem: isRefused(state) ? state.problem : null,
       };
     case 'severity':
       return {
@@ -323,12 +325,6 @@ export function reduce(state: State, action: Action): State {
       return { ...state, order: reduceOrder(state.order, action) };
   }
 }
-
-/**
- * Whether an error concerns what is shown. Others, such as a file that could not be opened, are done once they were
- * read.
- */
-const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
 
 /** What remains once another problem, such as that of a file of options, is settled. */
 const problemOfInput = ({ stale, shape, problem }: State) =>
