@@ -3,6 +3,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/base/packed_error.hpp>
 #include <planish/job/options.hpp>
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ Texts texts_of(const Outcome& outcome) {
   for (const OutputFile& file : outcome.files)
     texts.insert(texts.end(), {file.path.string(), file.content});
   if (!outcome.error) return texts;
-  const Texts error = job::texts_of(*outcome.error);
+  const Texts error = packed(*outcome.error);
   texts.insert(texts.end(), error.begin(), error.end());
   return texts;
 }
@@ -49,7 +50,7 @@ std::optional<Outcome> outcome_in(const Texts& texts) {
   for (int i = 0; i < *files; ++i, text += 2)
     outcome.files.push_back({*text, *(text + 1)});
   if (text == texts.end()) return outcome;
-  outcome.error = job::error_in({text, texts.end()});
+  outcome.error = unpacked({text, texts.end()});
   return outcome.error ? std::optional(std::move(outcome)) : std::nullopt;
 }
 
@@ -77,7 +78,7 @@ class Apart {
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - steady_clock::now());
       auto made = asked(left);
       if (made) return written(std::move(*made));
-      const bool crashed = made.error().code == ErrorCode::crashed;
+      const bool crashed = made.error().code == code::crashed;
       if (!crashed || !command_.leaves_out(made.error())) return command_.failed(made.error());
     }
   }
@@ -88,7 +89,7 @@ class Apart {
       return texts_of(command_.make(parent));
     };
     auto child = ChildProcess::copy(answering, running_.limits.memory);
-    if (!child) return tl::unexpected(child.error());
+    if (!child) return pass_on(child);
     child_ = std::move(*child);
     const auto hear = [this](const Texts& note) { command_.hear(note); };
     const auto answer = child_->ask({}, time, {line_.progress(), hear});
@@ -118,9 +119,8 @@ class Apart {
 int said(const Outcome& outcome, const Running& running) {
   const auto& error = outcome.error;
   const int status = error ? complain(*error) : 0;
-  if (error && error->code == ErrorCode::cancelled) return status;
-  const bool of_report = error && error->code == ErrorCode::cannot_write &&
-                         error->where == running.json;
+  if (error && error->code == code::cancelled) return status;
+  const bool of_report = error && error->code == code::cannot_write && error->where == running.json;
   if (!outcome.json.empty() && !of_report)
     if (const auto unwritten = write_report(running.json, outcome.json)) {
       const int other = complain(*unwritten);

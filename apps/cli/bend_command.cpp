@@ -154,7 +154,7 @@ class Bend : public Command {
         continue;
       }
       auto pdf = pages_pdf(pages, made.report().body + ", bend plan");
-      if (!pdf) return tl::unexpected(pdf.error());
+      if (!pdf) return pass_on(pdf);
       files.push_back({name, std::move(*pdf)});
     }
     return files;

@@ -3,6 +3,7 @@
 #include "output_files.hpp"
 #include "plan.hpp"
 
+#include <planish/job/codes.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/job/unfold.hpp>
 
@@ -41,7 +42,7 @@ job::Request begun(const Arguments& arguments) {
 Outcome failed_outcome(const Arguments& arguments, const job::Request& request,
                        const Error& failure) {
   Error error = failure;
-  if (error.code == ErrorCode::no_such_body && request.body.empty())
+  if (error.code == code::no_such_body && request.body.empty())
     error.message += "; or take all of them with --all -o FOLDER/";
   return {.json = arguments.maker->failed(request, error)->json(), .error = error};
 }
@@ -75,8 +76,7 @@ Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
     for (const Target& target : plan.targets) {
       if (pieces > 1 && target.artifact->by_piece() != (piece >= 0)) continue;
       auto bytes = target.artifact->write(made, std::max(piece, 0), plan.request);
-      if (!bytes && !target.artifact->may_be_missing(bytes.error()))
-        return tl::unexpected(bytes.error());
+      if (!bytes && !target.artifact->may_be_missing(bytes.error())) return pass_on(bytes);
       if (!bytes) {
         job::note_missing(made.report(), *target.artifact, bytes.error());
         missing = bytes.error();

@@ -34,10 +34,10 @@ std::string spelled_place(const std::string& where) {
 std::string sentence(const Error& error) {
   std::string text = "planish: ";
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
-  if (error.code == ErrorCode::internal) text += "internal error, please report it: ";
+  if (error.code == code::internal) text += "internal error, please report it: ";
   text += spelled(error.message);
   if (text.back() == '.') text.pop_back();  // the sentence continues
-  if (error.code == ErrorCode::cancelled) return text;
+  if (error.code == code::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
   // Most messages name the place themselves.
   const std::string where = spelled_place(error.where);

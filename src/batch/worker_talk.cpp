@@ -1,5 +1,7 @@
 #include "worker_talk.hpp"
 
+#include <planish/base/packed_error.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
@@ -41,7 +43,7 @@ job::Texts texts_of(const FileTask& task) {
                    std::to_string(task.share.number),
                    std::to_string(task.share.of)};
   for (const auto& [body, error] : task.given_up) {
-    const job::Texts words = job::texts_of(error);
+    const job::Texts words = packed(error);
     texts.insert(texts.end(), {std::to_string(body), std::to_string(words.size())});
     texts.insert(texts.end(), words.begin(), words.end());
   }
@@ -65,7 +67,7 @@ std::optional<FileTask> task_in(const job::Texts& texts) {
     const auto body = static_cast<int>(reading.count());
     const auto count = reading.count();
     if (count < 0 || !reading.has(count)) return std::nullopt;
-    auto error = job::error_in(reading.next(count));
+    auto error = unpacked(reading.next(count));
     if (!error) return std::nullopt;
     task.given_up.emplace(body, std::move(*error));
   }

@@ -3,6 +3,7 @@
 #include "worker_talk.hpp"
 
 #include <planish/batch/batch.hpp>
+#include <planish/batch/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -21,14 +22,14 @@ const job::Texts kDone{"done"};
 Error error_of_part(const ChildEnd& end, const std::string& input, const job::Limits& limits) {
   if (end.from_outside)
     return {
-        ErrorCode::worker_died,
+        code::worker_died,
         fmt::format("the process that worked on {} was ended from outside twice ({}): if it was "
                     "the system, memory is short: use fewer --jobs, and run the batch again",
                     input, end.reason),
         input};
   Error error = job::error_of(end, input, limits);
-  if (end.cause == ChildEnd::Cause::crashed) error.code = ErrorCode::worker_died;
-  if (end.cause == ChildEnd::Cause::out_of_time) error.code = ErrorCode::time_limit;
+  if (end.cause == ChildEnd::Cause::crashed) error.code = code::worker_died;
+  if (end.cause == ChildEnd::Cause::out_of_time) error.code = code::time_limit;
   return error;
 }
 
@@ -58,7 +59,7 @@ Result<void> Worker::begin() {
   if (child_ && child_->is_alive()) return {};
   auto child = job::ChildProcess::program({"batch-worker", std::to_string(limits_.memory)},
                                           std::filesystem::current_path());
-  if (!child) return tl::unexpected(child.error());
+  if (!child) return pass_on(child);
   child_ = std::move(*child);
   return {};
 }
@@ -66,7 +67,7 @@ Result<void> Worker::begin() {
 Result<std::vector<PartDone>> Worker::work_on(FileTask task) {
   bool tried_again = false;
   for (;;) {
-    if (const auto begun = begin(); !begun) return tl::unexpected(begun.error());
+    if (const auto begun = begin(); !begun) return pass_on(begun);
     Heard heard;
     const auto end = ask(task, heard);
     if (!end) return std::move(heard.parts);

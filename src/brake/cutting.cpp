@@ -1,6 +1,7 @@
 #include "cutting.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/brake/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -112,7 +113,7 @@ std::optional<Error> Cutting::add_lines(BendId id) {
   const std::string name = fmt::format("B{}", index_of(id) + 1);
   if (bend.kind == BendKind::general && bend.press_lines.empty())
     return Error{
-        ErrorCode::no_straight_bend,
+        code::no_straight_bend,
         fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
                     "press brake has no line to strike",
                     name),
@@ -246,7 +247,7 @@ std::optional<Error> Cutting::check_tree() const {
   for (const BrakeLine& line : made_.lines) {
     if (line.closes || bodies.unite(line.bodies[0], line.bodies[1])) continue;
     const std::string name = fmt::format("B{}", index_of(line.bends.front()) + 1);
-    return Error{ErrorCode::unsupported_shape,
+    return Error{code::unsupported_shape,
                  fmt::format("bend {} closes a loop of flanges: it could only be bent at the same "
                              "time as a bend on another line",
                              name),

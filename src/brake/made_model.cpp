@@ -1,5 +1,7 @@
 #include "made_model.hpp"
 
+#include <planish/brake/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 /// The first option that is out of its range.
 std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
   const auto wrong = [](const char* name, const char* range) {
-    return Error{ErrorCode::bad_option, fmt::format("`{}` is to be {}", name, range), name};
+    return Error{code::bad_option, fmt::format("`{}` is to be {}", name, range), name};
   };
   const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
   if (!is_length(options.clearance)) return wrong("clearance", "0 or more");
@@ -38,7 +40,7 @@ std::optional<Error> line_without_tool(const StrokeModel& model) {
     if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
     const BrakeLine& line = model.work().lines[i];
     const std::string name = name_of(line.bends.front());
-    return Error{ErrorCode::no_tool,
+    return Error{code::no_tool,
                  fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
                              "and there is {}",
                              name, line.angle.degrees(), line.inside_radius, line.bend.thickness,
@@ -51,10 +53,10 @@ std::optional<Error> line_without_tool(const StrokeModel& model) {
 Result<std::unique_ptr<StrokeModel>> stroke_model(const Sheet& sheet, const Layout& layout,
                                                   const BrakeTools& tools,
                                                   const PlanOptions& options) {
-  if (const auto right = check(tools); !right) return tl::unexpected(right.error());
+  if (const auto right = check(tools); !right) return pass_on(right);
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
   auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
-  if (!work) return tl::unexpected(work.error());
+  if (!work) return pass_on(work);
   auto model = std::make_unique<StrokeModel>(std::move(*work), tools, options);
   if (const auto error = line_without_tool(*model)) return tl::unexpected(*error);
   return model;

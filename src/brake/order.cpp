@@ -130,11 +130,11 @@ std::optional<Error> take(OrderSteps& steps, const Workpiece& work,
     if (progress.should_stop()) return std::nullopt;
     const LineSet lines = lines_of(work, stroke);
     if (count(lines) == 0)
-      return Error{ErrorCode::bad_option,
+      return Error{code::bad_option,
                    fmt::format("no stroke presses \"{}\" in this way", names_of(stroke.bends)),
                    "order"};
     if (!disjoint(taken, lines))
-      return Error{ErrorCode::bad_option,
+      return Error{code::bad_option,
                    fmt::format("the order presses {} twice", names_of(stroke.bends)), "order"};
     taken = joined(std::move(taken), lines);
     steps.press(lines);
@@ -177,7 +177,7 @@ Result<OrderChecker> OrderChecker::make(const Sheet& sheet, const Layout& layout
   auto state = std::make_unique<State>(State{tools, options, nullptr});
   state->options.begin_with.clear();
   auto model = stroke_model(sheet, layout, state->tools, state->options);
-  if (!model) return tl::unexpected(model.error());
+  if (!model) return pass_on(model);
   state->model = std::move(*model);
   return OrderChecker(std::move(state));
 }
@@ -187,9 +187,9 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
   StrokeModel& model = *state_->model;
   OrderSteps steps(model);
   if (const auto error = take(steps, model.work(), order, progress)) return tl::unexpected(*error);
-  if (progress.should_stop()) return fail(ErrorCode::cancelled, "checking the order was stopped");
+  if (progress.should_stop()) return fail(code::cancelled, "checking the order was stopped");
   const auto search = cheapest(steps.steps(), steps.formed(), state_->options.weights, progress);
-  if (!search) return tl::unexpected(search.error());
+  if (!search) return pass_on(search);
   CheckedOrder checked;
   checked.cost = search->cost;
   checked.turn_overs = search->turn_overs;

@@ -113,13 +113,13 @@ void add_blocked(StrokeModel& model, const StrokeSearch& search, Clock::time_poi
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                           const PlanOptions& options, const Progress& progress) {
   auto made = stroke_model(sheet, layout, tools, options);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   StrokeModel& model = **made;
   Plan plan;
   note_radii(model, tools, options, plan);
   const Clock::time_point until = options.limits.end(Clock::now());
   auto search = search_plan(model, options, progress);
-  if (!search) return tl::unexpected(search.error());
+  if (!search) return pass_on(search);
   if (search->furthest.empty())
     search->furthest = no_lines(static_cast<int>(model.work().lines.size()));
   plan.status = search->status;

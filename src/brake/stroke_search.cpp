@@ -113,8 +113,8 @@ Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weig
   for (const double weight :
        {weights.turn_over, weights.rotate, weights.tool_change, weights.stroke, weights.ungauged})
     if (!is_weight(weight))
-      return fail(ErrorCode::bad_option,
-                  fmt::format("a weight is {}; it must be 0 or more", weight), "weights");
+      return fail(code::bad_option, fmt::format("a weight is {}; it must be 0 or more", weight),
+                  "weights");
   for (const int line : problem.begin_with)
     PLANISH_ASSERT(line >= 0 && line < problem.lines);
   return {};
@@ -176,7 +176,7 @@ void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines) {
 
 Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWeights& weights,
                                     const StrokeLimits& limits, const Progress& progress) {
-  if (auto fine = check_input(problem, weights); !fine) return tl::unexpected(fine.error());
+  if (auto fine = check_input(problem, weights); !fine) return pass_on(fine);
   StrokeSearch result;
   if (problem.lines == 0) {
     result.status = PlanStatus::optimal;
@@ -185,7 +185,7 @@ Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWe
   StrokeWork work(problem, weights, limits, progress);
   const bool ended = run(work, limits);
   if (work.stopped() == StrokeWork::Stop::cancelled)
-    return fail(ErrorCode::cancelled, "ordering the strokes was stopped");
+    return fail(code::cancelled, "ordering the strokes was stopped");
   if (work.has_plan()) {
     result.status = ended ? PlanStatus::optimal : PlanStatus::feasible;
     tell_plan(result, work);

@@ -1,6 +1,7 @@
 #include "profile_check.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/brake/codes.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ class ToolCheck {
   void wrong(const std::string& key, const std::string& what, const std::string& sentence) {
     if (error_) return;
     const std::string subject = what.empty() ? name_ : fmt::format("the {} of {}", what, name_);
-    error_ = Error{ErrorCode::bad_tools, subject + " " + sentence, pointer_ + key};
+    error_ = Error{code::bad_tools, subject + " " + sentence, pointer_ + key};
   }
 
   void above_zero(const std::string& key, const std::string& what, double value) {
@@ -185,8 +186,7 @@ std::optional<Error> fault_of_tools(const std::vector<Tool>& tools, const std::s
                                     void (*check_one)(ToolCheck&, const Tool&)) {
   const std::string list = fmt::format("/{}{}", kind, kind == "punch" ? "es" : "s");
   if (tools.empty())
-    return Error{ErrorCode::bad_tools, fmt::format("there is no {}: list at least one", kind),
-                 list};
+    return Error{code::bad_tools, fmt::format("there is no {}: list at least one", kind), list};
   std::set<std::string> ids;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     const std::string name = tools[i].id.empty() ? fmt::format("{} {}", kind, i + 1)

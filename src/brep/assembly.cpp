@@ -7,6 +7,9 @@
 #include "features.hpp"
 #include "joint_line.hpp"
 
+#include <planish/brep/codes.hpp>
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,7 +109,7 @@ Result<void> straighten(SheetBuilder& builder, const SolidEdge& edge, const Bord
                               off_ruling(builder[b.face], builder[b].curve));
   if (off > kCurved) {
     const int first = face_as_read(edge, 0) + 1, second = face_as_read(edge, 1) + 1;
-    return fail(ErrorCode::doubly_curved,
+    return fail(code::doubly_curved,
                 fmt::format("Faces {} and {} meet smoothly along a line that curves by {:.3g} mm; "
                             "no flat blank can be bent into that shape.",
                             first, second, off),
@@ -172,15 +175,15 @@ Result<Sheet> assemble_sheet(const Recognition& of) {
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);
   align_turns(builder, map, of);
-  if (auto done = add_joints(builder, map, of); !done) return tl::unexpected(done.error());
+  if (auto done = add_joints(builder, map, of); !done) return pass_on(done);
   for (const BendId bend : builder.sheet().bends.ids())
     if (!builder[bend].faces.empty()) builder[bend] = measured_bend(builder.sheet(), bend);
   add_features(builder, map, of);
   builder.set_volume(volume_of(of.model));
   builder.set_genus(of.model.genus);
   auto sheet = std::move(builder).build();
-  if (!sheet && sheet.error().code == ErrorCode::invalid_sheet)
-    return fail(ErrorCode::unsupported_shape,
+  if (!sheet && sheet.error().code == code::invalid_sheet)
+    return fail(code::unsupported_shape,
                 "The borders of its faces do not fit together, as in damaged files; check the "
                 "solid in a CAD program and export it again. " +
                     sheet.error().message,

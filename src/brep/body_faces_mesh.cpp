@@ -60,7 +60,7 @@ Result<void> check_closed(const MeshOfFaces& surface) {
   }
   if (sum.norm() <= kOpen * area) return {};
   return fail(
-      ErrorCode::internal,
+      code::internal,
       fmt::format("The CAD kernel's triangles of the body leave {:.3g} mm² open.", sum.norm()));
 }
 
@@ -68,11 +68,11 @@ Result<void> check_closed(const MeshOfFaces& surface) {
 
 Result<MeshOfFaces> body_faces_mesh(const Body& body, double chord) {
   if (!(chord > 0.0))
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
   return brep::guarded([&]() -> Result<MeshOfFaces> {
     MeshOfFaces surface = triangles_of(body.shape().solid, chord);
-    if (auto closed = check_closed(surface); !closed) return tl::unexpected(closed.error());
+    if (auto closed = check_closed(surface); !closed) return pass_on(closed);
     return surface;
   });
 }

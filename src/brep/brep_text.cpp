@@ -2,6 +2,8 @@
 
 #include "coordinate_bound.hpp"
 
+#include <planish/brep/codes.hpp>
+
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -81,7 +83,7 @@ std::optional<Error> too_far_away(const TopoDS_Shape& shape, const std::string& 
     farthest = std::max({farthest, std::abs(low.Coord(k)), std::abs(high.Coord(k))});
   if (farthest <= kFarthestPoint) return std::nullopt;
   return Error{
-      ErrorCode::too_far_away,
+      code::too_far_away,
       fmt::format("{} reaches more than 1,000 km from the origin; a number in it is damaged "
                   "or its unit is wrong.",
                   name),
@@ -100,11 +102,11 @@ Result<ProductTree> read_kernel_shape(const std::string& bytes, const std::strin
   try {
     shape = read_shape(bytes);
   } catch (const std::ios::failure&) {
-    return fail(ErrorCode::truncated_file,
+    return fail(code::truncated_file,
                 fmt::format("{} ends in the middle of its B-rep; it was cut short.", name), name);
   }
   if (shape.IsNull())
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("{} is a damaged B-rep: the kernel finds no shape in it.", name), name);
   if (auto error = too_far_away(shape, name)) return tl::unexpected(std::move(*error));
   ProductTree tree;

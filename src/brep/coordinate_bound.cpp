@@ -1,5 +1,7 @@
 #include "coordinate_bound.hpp"
 
+#include <planish/brep/codes.hpp>
+
 #include <StepData_StepModel.hxx>
 #include <StepGeom_CartesianPoint.hxx>
 #include <fmt/format.h>
@@ -18,7 +20,7 @@ std::optional<Error> point_too_far_away(const StepData_StepModel& model, double 
       const double coordinate = millimetres * std::abs(point->CoordinatesValue(k));
       if (coordinate <= kFarthestPoint) continue;
       return Error{
-          ErrorCode::too_far_away,
+          code::too_far_away,
           fmt::format("{} has a point {:.3g} km from its origin, where nothing can be "
                       "computed beyond {:.0f} km: the file is damaged, or the part must be "
                       "moved to the origin and exported again.",

@@ -7,6 +7,8 @@
 #include "genus.hpp"
 #include "slanted_cuts.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +57,7 @@ void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& o
 
 Error recess_at_rim(const RimPart& part) {
   const int face = part.faces.front() + 1;
-  return {ErrorCode::not_a_sheet,
+  return {code::not_a_sheet,
           fmt::format("The recess at face {} cuts into the outer contour on one skin only.", face),
           fmt::format("face {}", face)};
 }

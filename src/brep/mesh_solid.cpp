@@ -56,17 +56,16 @@ Result<void> check_triangles(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
     if (std::ranges::any_of(t, [&](int corner) { return corner < 0 || corner >= count; }))
-      return fail(ErrorCode::invalid_input, "A triangle has a corner that does not exist.",
+      return fail(code::invalid_input, "A triangle has a corner that does not exist.",
                   fmt::format("triangle {}", i));
     if (!(twice_area(mesh, t).norm() > 0.0))
-      return fail(ErrorCode::invalid_input, "A triangle has no area.",
-                  fmt::format("triangle {}", i));
+      return fail(code::invalid_input, "A triangle has no area.", fmt::format("triangle {}", i));
   }
   return {};
 }
 
 Result<void> check_closed(const Mesh& mesh) {
-  if (mesh.triangles.empty()) return fail(ErrorCode::invalid_input, "The mesh is empty.");
+  if (mesh.triangles.empty()) return fail(code::invalid_input, "The mesh is empty.");
   std::map<VertexPair, int> runs;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
@@ -75,7 +74,7 @@ Result<void> check_closed(const Mesh& mesh) {
     const auto back = runs.find({edge.second, edge.first});
     if (times != 1 || back == runs.end() || back->second != 1)
       return fail(
-          ErrorCode::invalid_input,
+          code::invalid_input,
           fmt::format("The mesh is not closed between points {} and {}.", edge.first, edge.second));
   }
   return {};
@@ -83,7 +82,7 @@ Result<void> check_closed(const Mesh& mesh) {
 
 Result<void> check_volume(const Mesh& part) {
   if (const double volume = volume_of(part); !(volume > 0.0))
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("The mesh encloses {:.6g} mm³: a part of it is inside out.", volume));
   return {};
 }
@@ -132,7 +131,7 @@ Result<TopoDS_Shape> solid_of(const TopoDS_Shell& shell) {
   builder.MakeSolid(solid);
   builder.Add(solid, shell);
   if (!BRepCheck_Analyzer(solid).IsValid())
-    return fail(ErrorCode::internal, "The CAD kernel finds the solid of the mesh invalid.");
+    return fail(code::internal, "The CAD kernel finds the solid of the mesh invalid.");
   return with_whole_faces(solid);
 }
 
@@ -152,15 +151,15 @@ Result<TopoDS_Shape> solids_of(const std::vector<Mesh>& parts) {
 }  // namespace
 
 Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name) {
-  if (auto sound = check_triangles(mesh); !sound) return tl::unexpected(sound.error());
-  if (auto sound = check_closed(mesh); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_triangles(mesh); !sound) return pass_on(sound);
+  if (auto sound = check_closed(mesh); !sound) return pass_on(sound);
   const std::vector<Mesh> parts = parts_of(mesh);
   for (const Mesh& part : parts)
-    if (auto sound = check_volume(part); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_volume(part); !sound) return pass_on(sound);
   return brep::guarded(
       [&]() -> Result<std::string> {
         const auto solids = solids_of(parts);
-        if (!solids) return tl::unexpected(solids.error());
+        if (!solids) return pass_on(solids);
         return brep::step_text(*solids, name);
       },
       name);

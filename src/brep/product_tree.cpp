@@ -4,6 +4,8 @@
 #include "mend_where_needed.hpp"
 #include "step_text.hpp"
 
+#include <planish/brep/codes.hpp>
+
 #include <IFSelect_WorkLibrary.hxx>
 #include <Interface_HGraph.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -319,12 +321,12 @@ class Walk {
 Result<ProductTree> read_products(std::istream& text, const fs::path& path, const std::string& name,
                                   const Progress& progress) {
   const auto stopped = [&] {
-    return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
+    return fail(code::cancelled, "Stopped while reading " + name + ".", name);
   };
   progress.at("reading", 0.0);
   const auto content = std::make_shared<Content>();
   if (!content->parse(text, path))
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
                 name);
   if (auto error = content->point_too_far_away(name)) return tl::unexpected(std::move(*error));
@@ -334,7 +336,7 @@ Result<ProductTree> read_products(std::istream& text, const fs::path& path, cons
   const bool whole = content->translate(translating->Start());
   if (progress.should_stop()) return stopped();
   if (!whole)
-    return fail(ErrorCode::no_solid,
+    return fail(code::no_solid,
                 fmt::format("{} holds no shape that can be read; export a solid body.", name),
                 name);
   ProductTree tree;

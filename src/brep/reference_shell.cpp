@@ -22,11 +22,11 @@ namespace {
 
 Result<void> check_input(const Sheet& sheet) {
   if (const auto right = check(sheet); !right)
-    return fail(ErrorCode::invalid_input, right.error().message, right.error().where);
+    return fail(code::invalid_input, right.error().message, right.error().where);
   for (const FaceId id : sheet.faces.ids())
     if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
       return fail(
-          ErrorCode::unsupported_shape,
+          code::unsupported_shape,
           fmt::format(
               "A bend's reference surface has a radius of {:.3g} mm; it must be above zero.", r),
           fmt::format("face {}", index_of(id)));
@@ -159,12 +159,12 @@ class ShellMaker {
 }  // namespace
 
 Result<TopoDS_Shape> reference_shell(const Sheet& given, const ReferenceShellOptions& options) {
-  if (auto sound = check_input(given); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_input(given); !sound) return pass_on(sound);
   const Sheet sheet = without_gaping_joints(given, options.joint_tolerance);
   const std::vector<TopoDS_Shell> shells = ShellMaker(sheet, options).shells();
   for (const TopoDS_Shell& shell : shells)
     if (!BRepCheck_Analyzer(shell).IsValid())
-      return fail(ErrorCode::internal, "The CAD kernel finds the folded surface invalid.");
+      return fail(code::internal, "The CAD kernel finds the folded surface invalid.");
   if (shells.size() == 1) return TopoDS_Shape(shells.front());
   TopoDS_Compound all;
   BRep_Builder builder;

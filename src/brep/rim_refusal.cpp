@@ -2,6 +2,9 @@
 
 #include "dihedral.hpp"
 
+#include <planish/brep/codes.hpp>
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +52,7 @@ Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& 
   const std::vector<Contact> contacts = contacts_of(model, edges, skins, part);
   for (const Contact& at : contacts)
     if (const auto* curved = std::get_if<DoublyCurved>(&model.faces[at.face].surface))
-      return {ErrorCode::doubly_curved,
+      return {code::doubly_curved,
               fmt::format("Face {} ({}) is curved in two directions: it was drawn or formed, not "
                           "bent, and has no flat pattern.",
                           at.face + 1, curved->kind),
@@ -57,13 +60,13 @@ Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& 
   constexpr double kContinues = 0.1;  // radians between the outward normals
   for (const Contact& at : contacts)
     if (const auto angle = dihedral(model, at.edge); angle && std::abs(*angle) < kContinues)
-      return {ErrorCode::thickness_not_constant,
+      return {code::thickness_not_constant,
               fmt::format("The material below face {}, which continues face {}, is not {:.4g} mm "
                           "thick.",
                           at.face + 1, at.skin + 1, skins.thickness),
               face_name(at.face)};
   const int face = outermost(part.faces, edges, outside);
-  return {ErrorCode::not_a_sheet,
+  return {code::not_a_sheet,
           fmt::format("At face {} the body extends beyond the sheet of {:.4g} mm; it is not made "
                       "of one sheet.",
                       face + 1, skins.thickness),

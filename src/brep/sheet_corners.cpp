@@ -84,7 +84,7 @@ Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetC
     const Vec3 step = mitre(normals[c], sheet.thickness);
     const Vec3 on_reference = middle[c] / count[c];
     if (!(step.norm() < 10 * sheet.thickness))
-      return fail(ErrorCode::unsupported_shape,
+      return fail(code::unsupported_shape,
                   "A sharp bend turns by more than 168°, so its mitre would be longer than ten "
                   "times the thickness; give it an inside radius.");
     points[c].reference = on_reference + depths.first / sheet.thickness * step;

@@ -2,6 +2,8 @@
 
 #include "dihedral.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -108,15 +110,15 @@ Result<std::pair<int, int>> two_skins(const Components& components, const FacePa
                                       SkinStart start) {
   const int first = first_component(components, start);
   if (first < 0)
-    return fail(ErrorCode::not_a_sheet,
+    return fail(code::not_a_sheet,
                 "No two faces lie opposite each other at one thickness; this is not a sheet.");
   const auto [second, shared] = most_opposite(components, pairs, first);
   if (shared <= 0.0)
-    return fail(ErrorCode::not_a_sheet,
+    return fail(code::not_a_sheet,
                 "No face lies opposite the largest one at the thickness of the others; this is not "
                 "a sheet.");
   if (second == first)
-    return fail(ErrorCode::unsupported_shape,
+    return fail(code::unsupported_shape,
                 "The two skins of the sheet run into each other without a cut edge between them.");
   return std::pair{first, second};
 }
@@ -174,7 +176,7 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
   const Components components = components_of(
       model, skin_neighbours(model, candidates, skins.sharp), candidates, outlines);
   const auto both = two_skins(components, pairs, start);
-  if (!both) return tl::unexpected(both.error());
+  if (!both) return pass_on(both);
   const auto [first, second] = *both;
   skins.partners = pairs.partners;
   for (const int component : components.of_face)

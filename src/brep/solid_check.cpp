@@ -5,6 +5,7 @@
 #include "kernel_points.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/brep/codes.hpp>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -117,7 +118,7 @@ Result<SolidCheck> check_step_solid(const std::string& text) {
     STEPControl_Reader reader;
     std::istringstream stream(text);
     if (reader.ReadStream("check", stream) != IFSelect_RetDone)
-      return fail(ErrorCode::not_step, "The text is not a STEP file.");
+      return fail(code::not_step, "The text is not a STEP file.");
     reader.TransferRoots();
     SolidCheck check = checked(reader.OneShape());
     check.product = product_name(reader.StepModel());

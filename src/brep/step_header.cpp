@@ -1,5 +1,7 @@
 #include "step_header.hpp"
 
+#include <planish/brep/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,11 +65,10 @@ std::string application_protocol(const std::string& schema) {
 Result<StepHeader> read_step_header(std::string_view text, const std::string& name) {
   const std::string_view body = trimmed_left(text);
   if (body.empty())
-    return fail(ErrorCode::empty_file, fmt::format("{} is empty; export the part again.", name),
-                name);
+    return fail(code::empty_file, fmt::format("{} is empty; export the part again.", name), name);
   if (!body.starts_with("ISO-10303-21"))
     return fail(
-        ErrorCode::not_step,
+        code::not_step,
         fmt::format(
             "{} is not a STEP file (it does not start with ISO-10303-21); export the part as "
             "STEP AP203, AP214 or AP242.",
@@ -77,7 +78,7 @@ Result<StepHeader> read_step_header(std::string_view text, const std::string& na
   const std::string_view tail = body.substr(body.size() - std::min(kTail, body.size()));
   if (tail.find("END-ISO-10303-21") == std::string_view::npos)
     return fail(
-        ErrorCode::truncated_file,
+        code::truncated_file,
         fmt::format(
             "{} ends in the middle (END-ISO-10303-21 is missing after {} bytes); copy or export it "
             "again.",
@@ -86,7 +87,7 @@ Result<StepHeader> read_step_header(std::string_view text, const std::string& na
   const std::string_view header = body.substr(0, body.find("ENDSEC"));
   // The kernel fails on a file without any instance (#1 = …).
   if (body.find('#', header.size()) == std::string_view::npos)
-    return fail(ErrorCode::no_solid,
+    return fail(code::no_solid,
                 fmt::format("{} holds nothing at all; export the part as a solid.", name), name);
   StepHeader result;
   if (const auto schema = strings_of(header, "FILE_SCHEMA"); !schema.empty())

@@ -138,7 +138,7 @@ Result<std::string> step_text(const TopoDS_Shape& shape, const std::string& name
   STEPControl_Writer writer;  // registers the parameters, so it comes first
   set_parameters();
   if (writer.Transfer(large_faces_last(shape), STEPControl_AsIs) != IFSelect_RetDone)
-    return fail(ErrorCode::internal, "The CAD kernel could not translate the solid to STEP.", name);
+    return fail(code::internal, "The CAD kernel could not translate the solid to STEP.", name);
   const Handle(StepData_StepModel) model = writer.Model();
   set_product_name(model);
   set_header(model);
@@ -147,7 +147,7 @@ Result<std::string> step_text(const TopoDS_Shape& shape, const std::string& name
   out.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
   std::ostringstream stream;
   if (!out.Print(stream))
-    return fail(ErrorCode::internal, "The CAD kernel could not print the STEP model.", name);
+    return fail(code::internal, "The CAD kernel could not print the STEP model.", name);
   std::string result = stream.str();
   replace_all(result, name_mark, step_string(name));
   return result;

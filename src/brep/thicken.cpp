@@ -33,12 +33,12 @@ std::string place(const BorderRef& ref) {
 
 Result<void> check_input(const Sheet& sheet) {
   if (const auto right = check(sheet); !right)
-    return fail(ErrorCode::invalid_input, right.error().message, right.error().where);
+    return fail(code::invalid_input, right.error().message, right.error().where);
   for (const FaceId id : sheet.faces.ids())
     if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
                                   smallest_radius(sheet[id], Depths(sheet).second));
         r < Precision::Confusion())
-      return fail(ErrorCode::unsupported_shape,
+      return fail(code::unsupported_shape,
                   fmt::format("A bend has an inside radius of {:.3g} mm; a solid needs one above "
                               "zero.",
                               r),
@@ -82,7 +82,7 @@ class Thickener {
     edges_.resize(topology().border_count());
     for (const BorderId border : topology().borders())
       if (corners_.leads(border))
-        if (auto made = make_edges(border); !made) return tl::unexpected(made.error());
+        if (auto made = make_edges(border); !made) return pass_on(made);
     for (const FaceId face : sheet_.faces.ids())
       for (double depth : {depths_.first, depths_.second})
         make_skin(face, depth);
@@ -113,7 +113,7 @@ class Thickener {
     edges.border = border_curve(face, curve_at(border), options_.shape_tolerance);
     if (edges.border.shape == Shape::line) return make_straight(border, start, end);
     if (corners_.is_sharp(start) || corners_.is_sharp(end))
-      return fail(ErrorCode::unsupported_shape,
+      return fail(code::unsupported_shape,
                   "A curved border ends at a sharp bend; only straight ones can be mitred.",
                   place(topology()[border]));
 
@@ -134,7 +134,7 @@ class Thickener {
   Result<void> make_straight(BorderId border, int start, int end) {
     const Vec3 along = points_[end].reference - points_[start].reference;
     if (along.dot(points_[end].other - points_[start].other) <= 0.0 && !cross_wall(border))
-      return fail(ErrorCode::unsupported_shape,
+      return fail(code::unsupported_shape,
                   fmt::format("A border of {:.3g} mm is shorter than the mitres of the sharp bends "
                               "at its ends.",
                               along.norm()),
@@ -274,23 +274,23 @@ Result<TopoDS_Solid> checked_solid(const TopoDS_Shell& shell) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(solid, properties);
   if (!(properties.Mass() > 0.0))
-    return fail(ErrorCode::internal,
+    return fail(code::internal,
                 fmt::format("The folded solid has a volume of {:.6g} mm³: its faces point inwards.",
                             properties.Mass()));
   if (!is_sound(shell))
-    return fail(ErrorCode::internal, "The CAD kernel finds the folded solid invalid.");
+    return fail(code::internal, "The CAD kernel finds the folded solid invalid.");
   return solid;
 }
 
 }  // namespace
 
 Result<TopoDS_Solid> thicken(const Sheet& sheet, const ThickenOptions& options) {
-  if (auto sound = check_input(sheet); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_input(sheet); !sound) return pass_on(sound);
   SheetCorners corners(sheet);
   auto points = corner_points(sheet, corners);
-  if (!points) return tl::unexpected(points.error());
+  if (!points) return pass_on(points);
   auto shell = Thickener(sheet, options, std::move(corners), std::move(*points)).shell();
-  if (!shell) return tl::unexpected(shell.error());
+  if (!shell) return pass_on(shell);
   return checked_solid(*shell);
 }
 

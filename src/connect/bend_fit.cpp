@@ -6,6 +6,8 @@
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -110,7 +112,7 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
 Result<void> check_radius(const FitTask& task, double radius) {
   if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - tolerance::kComputed))
     return {};
-  return fail(ErrorCode::radius_too_small,
+  return fail(code::radius_too_small,
               fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface "
                           "has a radius of {:.4g} "
                           "mm at one end and needs more than {:.4g} mm",
@@ -153,14 +155,14 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
 Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
   if (frame.parallel() && (is_conical(task.request) || task.request.inside_radii ||
                            task.request.aperture || task.request.surface == SurfaceChoice::general))
-    return fail(ErrorCode::no_bend_fits,
+    return fail(code::no_bend_fits,
                 "plates in parallel planes are joined by half a cylinder: leave surface, slope, "
                 "aperture and inside_radii out",
                 "/surface");
   if (!frame.parallel() || !task.request.inside_radius) return {};
   const double fixed = 0.5 * (frame.rise.norm() - task.thickness);
   if (std::abs(*task.request.inside_radius - fixed) <= kSmallestInsideRadius) return {};
-  return fail(ErrorCode::no_bend_fits,
+  return fail(code::no_bend_fits,
               fmt::format("plates in parallel planes {:.4g} mm apart are joined by a half-turn of "
                           "inside radius {:.4f} "
                           "mm, not {:.4g} mm",
@@ -192,7 +194,7 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
   const Corners corners = choice.corners(best);
   if (task.request.surface == SurfaceChoice::general && !choice.frame.parallel()) {
     const auto lines = general_lines(corners, best.kind, task.request.apex);
-    if (!lines) return tl::unexpected(lines.error());
+    if (!lines) return pass_on(lines);
     report.line = lines->lines[0];
     report.apex = lines->apex;
     report.extension_area = lines->area;
@@ -200,7 +202,7 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
                            extent_of(task));
   }
   auto line = tangent_line(task, choice, options);
-  if (!line) return tl::unexpected(line.error());
+  if (!line) return pass_on(line);
   if (line->slope == 0.0 && !task.request.inside_radius) line = clear_of_drawn(choice, *line, task);
   report.line = *line;
   report.extension_area = extension_area(corners, best.kind, *line);
@@ -233,16 +235,15 @@ LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
 
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
-  if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
+  if (auto turn = check_half_turn(task, choice.frame); !turn) return pass_on(turn);
   const EdgeChoice& best = choice.search.best;
   BendFit fit;
   auto surface = chosen_surface(task, choice, options, fit.report);
-  if (!surface) return tl::unexpected(surface.error());
+  if (!surface) return pass_on(surface);
   fit.surface = std::move(*surface);
   // Checked before laying flat, which is impossible for a cylinder without an inside.
   if (fit.surface.kind == BendKind::cylinder)
-    if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius)
-      return tl::unexpected(radius.error());
+    if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius) return pass_on(radius);
   const Corners corners = choice.corners(best);
   const RunEnds ends = run_ends(fit.surface, choice.frame, corners);
   LateralOptions lateral;
@@ -251,12 +252,12 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   lateral.legal = legal_on_both(task, fit.surface, ends);
   fit.runs = whole_runs(task, choice);
   auto boundaries = lateral_boundaries(fit.surface, ends, lateral_wanted(task, fit), lateral);
-  if (!boundaries) return tl::unexpected(boundaries.error());
+  if (!boundaries) return pass_on(boundaries);
   fit.boundaries = std::move(*boundaries);
   for (int side = 0; side < 2; ++side)
     fit.runs[side] = trimmed(fit.runs[side], *task.plates[side], fit.surface, fit.boundaries, side,
                              task.thickness);
-  if (auto radii = check_radii(task, fit); !radii) return tl::unexpected(radii.error());
+  if (auto radii = check_radii(task, fit); !radii) return pass_on(radii);
   fill_report(fit, task, choice, options);
   return fit;
 }
@@ -266,7 +267,7 @@ Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options)
   const FitTask task = at_limit_of_edges(asked, options);
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
     return tl::unexpected(at(
-        task, {ErrorCode::radius_too_small,
+        task, {code::radius_too_small,
                fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
                            *task.request.inside_radius, kSmallestInsideRadius),
                "/inside_radius"}));

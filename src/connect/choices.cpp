@@ -4,6 +4,9 @@
 #include "sharp_fit.hpp"
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -128,25 +131,16 @@ class Trial {
     auto& [count, first] = failures_[rank(error.code)];
     if (count++ == 0) first = error;
     if (tries_ == 1) first_ = error;
-    if (error.code == ErrorCode::plates_touch && !touch_) touch_ = error;
+    if (error.code == code::plates_touch && !touch_) touch_ = error;
     return false;
   }
 
   // How far a choice with this error came.
-  static int rank(ErrorCode code) {
-    switch (code) {
-      case ErrorCode::radius_too_small:
-      case ErrorCode::plates_touch:
-        return 1;
-      case ErrorCode::no_common_width:
-        return 2;
-      case ErrorCode::overlap:
-        return 3;
-      case ErrorCode::too_far_apart:
-        return 4;
-      default:
-        return 0;
-    }
+  static int rank(const ErrorCode& code) {
+    if (code == code::radius_too_small || code == code::plates_touch) return 1;
+    if (code == code::no_common_width) return 2;
+    if (code == code::overlap) return 3;
+    return code == code::too_far_apart ? 4 : 0;
   }
 
   Error why() const {

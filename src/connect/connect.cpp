@@ -4,6 +4,7 @@
 #include "loops.hpp"
 #include "plate_pairs.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <fmt/format.h>
@@ -22,11 +23,11 @@ Result<std::vector<PlacedPlate>> place_all(const PlateStructure& structure,
   std::vector<PlacedPlate> plates;
   for (std::size_t p = 0; p < structure.plates.size(); ++p) {
     auto plate = placed(structure.plates[p], fmt::format("/plates/{}", p), options.planarity);
-    if (!plate) return tl::unexpected(plate.error());
+    if (!plate) return pass_on(plate);
     for (std::size_t q = 0; q < p; ++q)
       if (structure.plates[q].id == structure.plates[p].id)
         return fail(
-            ErrorCode::invalid_input,
+            code::invalid_input,
             fmt::format("two plates have the id \"{}\": ids must differ", structure.plates[p].id),
             fmt::format("/plates/{}/id", p));
     plates.push_back(std::move(*plate));
@@ -40,7 +41,7 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
     for (std::size_t b = a + 1; b < plates.size(); ++b) {
       if (const auto at = intersection(plates[a], plates[b], options.planarity))
         return fail(
-            ErrorCode::plates_intersect,
+            code::plates_intersect,
             fmt::format(
                 "plates \"{}\" and \"{}\" pass through each other at ({:.6g}, {:.6g}, {:.6g})",
                 structure.plates[a].id, structure.plates[b].id, at->x(), at->y(), at->z()),
@@ -48,7 +49,7 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
       auto near = too_near(plates[a], plates[b], structure.thickness);
       if (!near) near = too_near(plates[b], plates[a], structure.thickness);
       if (near)
-        return fail(ErrorCode::plates_touch,
+        return fail(code::plates_touch,
                     fmt::format("plates \"{}\" and \"{}\" are {:.4g} mm apart at ({:.6g}, {:.6g}, "
                                 "{:.6g}), where sheets of {:.4g} mm need {:.4g} "
                                 "mm between their middles: move them apart",
@@ -69,14 +70,14 @@ Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPla
   }
   for (std::size_t p = 0; p < plates.size(); ++p)
     if (structure.plates[p].id == structure.root) return static_cast<int>(p);
-  return fail(ErrorCode::unknown_plate,
+  return fail(code::unknown_plate,
               fmt::format("root is \"{}\", which is not the id of a plate", structure.root),
               "/root");
 }
 
 Result<void> check_options(const ConnectOptions& options) {
   const auto bad = [](const char* name, double value, const char* range) {
-    return fail(ErrorCode::bad_option, fmt::format("{} is {}; it must be {}", name, value, range));
+    return fail(code::bad_option, fmt::format("{} is {}; it must be {}", name, value, range));
   };
   if (!(options.k_factor >= 0.0 && options.k_factor <= 1.0))
     return bad("the K-factor", options.k_factor, "from 0 to 1");
@@ -91,11 +92,11 @@ Result<void> check_options(const ConnectOptions& options) {
 
 Result<void> check_whole(const PlateStructure& structure) {
   if (!(structure.thickness > 0.0) || !std::isfinite(structure.thickness))
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("thickness is {} mm; it must be above 0", structure.thickness),
                 "/thickness");
   if (structure.plates.empty() && structure.bends.size() != 1)
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 "without plates there must be exactly one bend, a section by itself", "/plates");
   return {};
 }
@@ -104,17 +105,16 @@ Result<void> check_whole(const PlateStructure& structure) {
 
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
                            const Progress& progress) {
-  if (auto sound = check_options(options); !sound) return tl::unexpected(sound.error());
-  if (auto whole = check_whole(structure); !whole) return tl::unexpected(whole.error());
+  if (auto sound = check_options(options); !sound) return pass_on(sound);
+  if (auto whole = check_whole(structure); !whole) return pass_on(whole);
   auto plates = place_all(structure, options);
-  if (!plates) return tl::unexpected(plates.error());
-  if (auto apart = check_apart(structure, *plates, options); !apart)
-    return tl::unexpected(apart.error());
+  if (!plates) return pass_on(plates);
+  if (auto apart = check_apart(structure, *plates, options); !apart) return pass_on(apart);
   const auto root = root_of(structure, *plates);
-  if (!root) return tl::unexpected(root.error());
+  if (!root) return pass_on(root);
   auto fits = structure.bends.empty() ? fit_tree(structure, *plates, options, progress)
                                       : fit_requested(structure, *plates, options, progress);
-  if (!fits) return tl::unexpected(fits.error());
+  if (!fits) return pass_on(fits);
   // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
   if (structure.bends.empty())
     std::sort(fits->begin(), fits->end(),
@@ -126,9 +126,8 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   for (const Plate& plate : structure.plates)
     parts.ids.push_back(plate.id);
   auto made = assembled(parts);
-  if (!made) return tl::unexpected(made.error());
-  if (auto flat = check_loops(parts, *made, options.k_factor); !flat)
-    return tl::unexpected(flat.error());
+  if (!made) return pass_on(made);
+  if (auto flat = check_loops(parts, *made, options.k_factor); !flat) return pass_on(flat);
   Connection connection{
       structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
   for (std::size_t b = 0; b < bends; ++b) {

@@ -1,5 +1,7 @@
 #include "chain_pair.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,15 +17,15 @@ using namespace connect_detail;
 using Sides = std::array<std::vector<Chain>, 2>;
 
 /// The place of given edges: the chain, and the positions of the first and the last.
-struct Place {
+struct Spot {
   int chain = 0;
   std::pair<int, int> run;
 };
 
 /// Several where bends have left parts of an edge.
-std::vector<Place> places_in(const std::vector<Chain>& chains, const std::vector<int>& edges) {
+std::vector<Spot> places_in(const std::vector<Chain>& chains, const std::vector<int>& edges) {
   const std::set<int> wanted(edges.begin(), edges.end());
-  std::vector<Place> places;
+  std::vector<Spot> places;
   for (std::size_t c = 0; c < chains.size(); ++c) {
     int first = -1, last = -1, found = 0;
     for (std::size_t j = 0; j < chains[c].edges.size(); ++j) {
@@ -45,7 +47,7 @@ std::string listed(const std::vector<int>& edges) {
   return text;
 }
 
-using Places = std::array<std::optional<std::vector<Place>>, 2>;
+using Places = std::array<std::optional<std::vector<Spot>>, 2>;
 
 /// The places of the given edges.
 Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
@@ -54,7 +56,7 @@ Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
     if (!options.edges[i]) continue;
     places[i] = places_in(sides[i], *options.edges[i]);
     if (places[i]->empty())
-      return fail(ErrorCode::unknown_edge,
+      return fail(code::unknown_edge,
                   fmt::format("edges {} cannot carry one bend: they must follow each other, look "
                               "the same way, towards the line where the plates' planes meet or "
                               "away from it, lie on one side of it and be free",
@@ -73,8 +75,8 @@ Envelopes envelopes_of(const Sides& sides) {
   return envelopes;
 }
 
-const Place* place_in(const std::optional<std::vector<Place>>& places, std::size_t chain) {
-  for (const Place& place : *places)
+const Spot* place_in(const std::optional<std::vector<Spot>>& places, std::size_t chain) {
+  for (const Spot& place : *places)
     if (place.chain == static_cast<int>(chain)) return &place;
   return nullptr;
 }
@@ -183,11 +185,11 @@ bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
 Error nothing_fits(const Sides& sides) {
   for (const EdgeKind kind : {EdgeKind::facing, EdgeKind::averted})
     if (faces(sides[0], kind) && faces(sides[1], kind))
-      return {ErrorCode::no_bend_fits,
+      return {code::no_bend_fits,
               "no tangent line that leaves both plates whole fits between any of their edges, with "
               "what is given",
               {}};
-  return {ErrorCode::no_bend_fits,
+  return {code::no_bend_fits,
           fmt::format("no edges look the same way on both plates (of {} and {} chains of edges): "
                       "turn a plate over or move it to the other side",
                       sides[0].size(), sides[1].size()),
@@ -227,7 +229,7 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
 
 Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearchOptions& options) {
   const auto places = places_of(sides, options);
-  if (!places) return tl::unexpected(places.error());
+  if (!places) return pass_on(places);
   Search search{sides, *places, beta, options};
   search.candidates = candidates_of(search);
   const double noise = noise_of(search), length = shortest_length(search, noise);

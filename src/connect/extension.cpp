@@ -1,6 +1,7 @@
 #include "tangent_program.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/connect/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -80,7 +81,7 @@ Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind ki
   cost.linear = -sign_of(kind) * area_of_line(corners);
   const auto best = cheapest_tangent(envelopes.sides, kind, cost, given, size_of(envelopes.sides));
   if (!best)
-    return fail(ErrorCode::no_bend_fits,
+    return fail(code::no_bend_fits,
                 fmt::format("no such tangent line leaves both plates whole between these edges; {}",
                             limits(corners, kind)));
   return SmallestExtension{best->line, std::max(0.0, extension_area(corners, kind, best->line))};

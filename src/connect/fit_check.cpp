@@ -6,8 +6,10 @@
 #include "sheets_meet.hpp"
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/region.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <fmt/format.h>
@@ -71,7 +73,7 @@ std::optional<Vec2> cut_place(const PlacedPlate& plate, const std::vector<Vec2>&
 }
 
 Error cuts(const std::string& id, const Vec3& at) {
-  return {ErrorCode::overlap,
+  return {code::overlap,
           fmt::format("the straight way from the edges of plate {} to the bend would cut through "
                       "the plate, near ({:.6g}, {:.6g}, {:.6g})",
                       id, at.x(), at.y(), at.z()),
@@ -80,7 +82,7 @@ Error cuts(const std::string& id, const Vec3& at) {
 
 Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
   const BendFrame& frame = parts.fits[bend].report.frame;
-  return {ErrorCode::plates_touch,
+  return {code::plates_touch,
           fmt::format("the sheets of {:.4g} mm run into each other at ({:.6g}, {:.6g}, {:.6g}): "
                       "move the plates apart or cut them back there, to {:.4g} mm from the line "
                       "where their planes meet; plates that share an edge can be folded sharply "
@@ -97,17 +99,17 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
     const JoinedFace face = bend_face(parts, bend, 1);
     for (const Border& border : face.face.loops.front())
       if (!is_regular(border.curve))
-        return fail(ErrorCode::no_bend_fits,
+        return fail(code::no_bend_fits,
                     "the planes of the plates are so nearly parallel that a bend between them is "
                     "out of reach: make them parallel, or turn one by more");
   }
   for (const int plate : parts.fits[bend].report.plates) {
     const auto made = plate_face(parts, plate, 1);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return pass_on(made);
     const bool joined = std::any_of(made->joints.begin(), made->joints.end(),
                                     [&](const auto& joint) { return joint.bend == bend; });
     if (!joined)
-      return fail(ErrorCode::no_common_width,
+      return fail(code::no_common_width,
                   fmt::format("the bend touches plate {} in a point only", parts.ids[plate]));
     if (parts.fits[bend].fold) continue;  // which cuts the plates back
     const PlacedPlate& placed = parts.plates[plate];
@@ -124,7 +126,7 @@ Result<void> check_room(const Parts& parts, int bend) {
   std::vector<PlacedPlate> extended;
   for (const int plate : report.plates) {
     const auto made = plate_face(parts, plate, 1);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return pass_on(made);
     extended.push_back(parts.plates[plate]);
     for (int ring = 0; ring < extended.back().ring_count(); ++ring)
       (ring == 0 ? extended.back().outline
@@ -144,19 +146,19 @@ Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
   }
   alone.fits.front().report.plates = {0, 1};
   const auto made = assembled(alone);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   FlattenOptions options;
   options.allowance = ConstantK{k_factor};
   options.root = made->root;
   const auto layout = lay_out(made->sheet, options);
-  if (!layout) return tl::unexpected(layout.error());
+  if (!layout) return pass_on(layout);
   const double clearance = std::max(kContact * parts.thickness, 2.0 * options.curve_tolerance);
   std::vector<Polygon> faces;
   for (const FaceId face : made->sheet.faces.ids())
     faces.push_back(polygon_of(layout->region(face), 0.25 * clearance));
   const auto twice = overlaps(faces, clearance, clearance * clearance);
   if (twice.empty()) return {};
-  return fail(ErrorCode::overlap,
+  return fail(code::overlap,
               fmt::format("laid flat, the plates and the bend would cover each other by {:.4g} mm²",
                           twice.front().area));
 }

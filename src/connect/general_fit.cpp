@@ -1,6 +1,7 @@
 #include "general_fit.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/connect/codes.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <fmt/format.h>
@@ -96,13 +97,12 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
   const double off = (point - foot).norm();
   if (off > kOnLine * extent)
     return fail(
-        ErrorCode::no_bend_fits,
+        code::no_bend_fits,
         fmt::format("the tangent point lies {:.4g} mm off the line where the plates' planes meet",
                     off),
         "/tangent_point");
   if ((foot - apex).norm() <= kOnLine * extent)
-    return fail(ErrorCode::no_bend_fits, "the tangent point is the apex of the bend",
-                "/tangent_point");
+    return fail(code::no_bend_fits, "the tangent point is the apex of the bend", "/tangent_point");
   return foot;
 }
 
@@ -111,13 +111,13 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
 Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
                                    std::optional<double> apex) {
   if (edges == EdgeKind::averted)
-    return fail(ErrorCode::no_bend_fits,
+    return fail(code::no_bend_fits,
                 "a general bend joins edges that look towards each other; these look away from "
                 "each other: choose a cylinder or a cone",
                 "/surface");
   if (apex && !beyond(*apex, corners))
     return fail(
-        ErrorCode::apex_in_span,
+        code::apex_in_span,
         fmt::format(
             "the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm",
             *apex, low_x(corners), high_x(corners)),
@@ -130,7 +130,7 @@ Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
   }
   if (!best)
     return fail(
-        ErrorCode::no_bend_fits,
+        code::no_bend_fits,
         "no edge runs towards the line where the plates' planes meet, so a general bend has "
         "no apex: give one, or choose a cylinder or a cone",
         "/surface");
@@ -158,7 +158,7 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
   Vec3 meet = equidistant(frame, apex, ends);
   if (tangent_point) {
     const auto given = checked_tangent_point(frame, apex, *tangent_point, extent);
-    if (!given) return tl::unexpected(given.error());
+    if (!given) return pass_on(given);
     meet = *given;
   }
   SpaceCurve arc = conic_arc(ends[0], meet, ends[1]);

@@ -8,6 +8,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
+#include <planish/connect/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ std::vector<std::size_t> with_edges_first(const std::vector<BendRequest>& bends)
 Result<void> check_joined(const PlateStructure& structure, UnionFind& groups) {
   for (std::size_t p = 1; p < structure.plates.size(); ++p)
     if (!groups.same(static_cast<int>(p), 0))
-      return fail(ErrorCode::not_connected,
+      return fail(code::not_connected,
                   fmt::format("the bends given do not join plate \"{}\" to plate \"{}\": add a "
                               "bend, or give no bends at all to have them found",
                               structure.plates[p].id, structure.plates[0].id),
@@ -59,11 +60,11 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
     const BendRequest& request = structure.bends[b];
     const std::string pointer = fmt::format("/bends/{}", b);
     auto found = rows_of(structure, request, pointer);
-    if (!found) return tl::unexpected(found.error());
+    if (!found) return pass_on(found);
     if (found->size() == 2) groups.unite((*found)[0], (*found)[1]);
     rows.push_back(std::move(*found));
   }
-  if (auto joined = check_joined(structure, groups); !joined) return tl::unexpected(joined.error());
+  if (auto joined = check_joined(structure, groups); !joined) return pass_on(joined);
   return rows;
 }
 
@@ -75,7 +76,7 @@ struct SpanLimit {
 
 Result<void> check_span(double reach, const SpanLimit& limit) {
   if (reach <= limit.most) return {};
-  return fail(ErrorCode::too_far_apart,
+  return fail(code::too_far_apart,
               fmt::format("the bend would be {:.4g} mm long from plate to plate, and {}", reach,
                           limit.given ? fmt::format("largest_span is {:.4g} mm", limit.most)
                                       : fmt::format("up to {:.4g} mm are joined: give a larger "
@@ -108,9 +109,8 @@ FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows
 /// Fits a request after checking it.
 Result<BendFit> fit_checked(const FitTask& task, const ConnectOptions& options,
                             const FitChecks& checks) {
-  if (auto numbers = check_numbers(task.request, task.pointer); !numbers)
-    return tl::unexpected(numbers.error());
-  if (auto edges = check_edges(task); !edges) return tl::unexpected(edges.error());
+  if (auto numbers = check_numbers(task.request, task.pointer); !numbers) return pass_on(numbers);
+  if (auto edges = check_edges(task); !edges) return pass_on(edges);
   return task.request.between.size() == 2 ? fit_any_choice(task, options, checks)
                                           : fit_section(task, options);
 }
@@ -173,7 +173,7 @@ Result<PairQueue> open_pairs(const Problem& problem, UnionFind& groups, const Ta
                              bool any, const Progress& progress) {
   PairQueue pairs;
   for (int a = 0; a < problem.count(); ++a) {
-    if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
+    if (progress.should_stop()) return fail(code::cancelled, kCancelled);
     progress.at("finding which plates to join", static_cast<double>(a) / problem.count());
     for (int b = a + 1; b < problem.count(); ++b) {
       if (groups.same(a, b)) continue;
@@ -200,7 +200,7 @@ std::optional<Error> too_far(const Problem& problem, UnionFind& groups, int p,
     return std::nullopt;
   const std::vector<Plate>& plates = problem.structure.plates;
   return Error{
-      ErrorCode::too_far_apart,
+      code::too_far_apart,
       fmt::format("plate \"{}\" is not joined to the others: the shortest bend, to plate "
                   "\"{}\", would be {:.4g} mm long from plate to plate, and up to {:.4g} mm "
                   "are joined: give a larger largest_span, or the bend itself",
@@ -220,7 +220,7 @@ Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
         where};
   if (const auto radius = problem.structure.defaults.inside_radius)
     return {
-        ErrorCode::no_bend_fits,
+        code::no_bend_fits,
         fmt::format("plate \"{}\" cannot be joined to the others by a bend of the default inside "
                     "radius, {:.6g} mm: make it smaller, or give it to single bends",
                     plates[p].id, *radius),
@@ -228,12 +228,12 @@ Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
   for (int other = 0; other < problem.count(); ++other)
     if (other != p && plane_pair(problem.plates[p], problem.plates[other],
                                  problem.options.planarity) == PlanePair::coplanar)
-      return {ErrorCode::plates_coplanar,
+      return {code::plates_coplanar,
               fmt::format("plates \"{}\" and \"{}\" lie in one plane, so there is nothing to bend "
                           "between them: make them one plate",
                           plates[other].id, plates[p].id),
               where};
-  return {ErrorCode::no_bend_fits,
+  return {code::no_bend_fits,
           fmt::format("plate \"{}\" cannot be joined to the others: none of their edges and its "
                       "own look towards each other",
                       plates[p].id),
@@ -256,9 +256,9 @@ class Tree {
     if (parts_.fits.size() + 1 >= problem_.plates.size()) return {};
     const bool any = fit == fit_any_choice;
     auto open = open_pairs(problem_, groups_, taken_, any, progress);
-    if (!open) return tl::unexpected(open.error());
+    if (!open) return pass_on(open);
     while (!open->empty() && parts_.fits.size() + 1 < problem_.plates.size()) {
-      if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
+      if (progress.should_stop()) return fail(code::cancelled, kCancelled);
       const Pair pair = open->top();
       open->pop();
       if (groups_.same(pair.a, pair.b)) continue;
@@ -321,8 +321,7 @@ std::ptrdiff_t round_the_back(const std::vector<BendFit>& fits) {
 template <typename Make>
 Result<std::vector<BendFit>> sharing_where_needed(const Make& make) {
   auto whole = make(false);
-  if (whole ? round_the_back(*whole) == 0 : whole.error().code == ErrorCode::cancelled)
-    return whole;
+  if (whole ? round_the_back(*whole) == 0 : whole.error().code == code::cancelled) return whole;
   auto shared = make(true);
   if (!shared || (whole && round_the_back(*whole) <= round_the_back(*shared))) return whole;
   return shared;
@@ -333,7 +332,7 @@ Result<std::vector<BendFit>> fit_all_requested(const PlateStructure& structure,
                                                const ConnectOptions& options, bool share_edges,
                                                const Progress& progress) {
   const auto rows = joined_rows(structure);
-  if (!rows) return tl::unexpected(rows.error());
+  if (!rows) return pass_on(rows);
   TakenEdges taken(plates.size());
   Parts parts = parts_of(structure, plates, structure.bends.size());
   // A bend that is given is held only to a largest span that is given too.
@@ -341,14 +340,14 @@ Result<std::vector<BendFit>> fit_all_requested(const PlateStructure& structure,
   if (structure.largest_span) limit = {*structure.largest_span, true};
   std::size_t done = 0;
   for (const std::size_t b : with_edges_first(structure.bends)) {
-    if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
+    if (progress.should_stop()) return fail(code::cancelled, kCancelled);
     progress.at("fitting bends",
                 static_cast<double>(done++) / static_cast<double>(structure.bends.size()));
     FitTask task = task_of(structure, plates, taken, (*rows)[b], structure.bends[b]);
     task.pointer = fmt::format("/bends/{}", b);
     task.shares_edges = share_edges;
     auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], limit, options));
-    if (!fit) return tl::unexpected(fit.error());
+    if (!fit) return pass_on(fit);
     fit->report.plates = (*rows)[b];
     take(*fit, plates, taken);
     parts.fits[b] = std::move(*fit);
@@ -376,7 +375,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
     Tree tree(problem);
     // Other choices than the first only where plates would be left alone.
     for (const auto fit : {fit_first_choice, fit_any_choice})
-      if (auto grown = tree.grow(fit, progress); !grown) return tl::unexpected(grown.error());
+      if (auto grown = tree.grow(fit, progress); !grown) return pass_on(grown);
     return std::move(tree).fits();
   });
 }

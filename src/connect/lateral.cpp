@@ -2,6 +2,7 @@
 
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/geometry/fit.hpp>
 
 #include <fmt/format.h>
@@ -126,7 +127,7 @@ std::optional<Interval> widest(const std::vector<Interval>& legal, double low, d
 }
 
 Error too_narrow(double width) {
-  return {ErrorCode::no_common_width,
+  return {code::no_common_width,
           fmt::format(
               "the edges have no width in common on which a bend runs over neither plate (their "
               "ranges miss each other by {:.4g} mm): choose other edges or move a plate",
@@ -185,7 +186,7 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
     if (near)
       if (auto both = straight_boundaries(surface, flat, ends, options)) return *both;
     if (wanted == LateralBoundary::straight)
-      return fail(ErrorCode::no_common_width,
+      return fail(code::no_common_width,
                   "a straight lateral boundary would run over a plate or past the end of the bend: "
                   "choose arc "
                   "or corner");

@@ -3,6 +3,8 @@
 #include "orientation.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/connect/codes.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <fmt/format.h>
@@ -22,7 +24,7 @@ std::optional<int> closing_bend(const Parts& parts) {
 
 Error loop_error(const Parts& parts, int bend, const std::string& why) {
   const std::vector<int>& plates = parts.fits[bend].report.plates;
-  return {ErrorCode::bend_loop,
+  return {code::bend_loop,
           fmt::format("the bend between \"{}\" and \"{}\" closes a loop, as they are joined "
                       "already, and {}: leave it out, so that the sheet is open there",
                       parts.ids[plates[0]], parts.ids[plates[1]], why),
@@ -40,7 +42,7 @@ Result<void> check_loops(const Parts& parts, const Assembled& made, double k_fac
   options.allowance = ConstantK{k_factor};
   options.root = made.root;
   const auto layout = lay_out(made.sheet, options);
-  if (layout || layout.error().code != ErrorCode::closed_loop) return {};
+  if (layout || layout.error().code != code::closed_loop) return {};
   return tl::unexpected(loop_error(parts, *bend, "this loop does not lie flat"));
 }
 

@@ -3,7 +3,9 @@
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/connect/codes.hpp>
 #include <planish/geometry/region.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -204,7 +206,7 @@ Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& pla
   const auto crossings = self_crossings(ring);
   if (crossings.empty() && (number == 0 ? 1.0 : -1.0) * ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))
-      return fail(ErrorCode::no_common_width,
+      return fail(code::no_common_width,
                   fmt::format("the bend that fits best begins beside the edges of plate {}, where "
                               "its extension would run over the plate at "
                               "({:.6g}, {:.6g}, {:.6g}): choose other edges or move a plate",
@@ -213,10 +215,10 @@ Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& pla
     return {};
   }
   const Vec3 p = plate.frame.point(crossings.empty() ? ring.front() : crossings.front());
-  return fail(ErrorCode::overlap, fmt::format("the extensions of plate {} that its bends need run "
-                                              "into each other or over the plate, near "
-                                              "({:.6g}, {:.6g}, {:.6g})",
-                                              id, p.x(), p.y(), p.z()));
+  return fail(code::overlap, fmt::format("the extensions of plate {} that its bends need run "
+                                         "into each other or over the plate, near "
+                                         "({:.6g}, {:.6g}, {:.6g})",
+                                         id, p.x(), p.y(), p.z()));
 }
 
 }  // namespace
@@ -249,8 +251,7 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
                                   [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
   with_runs_joined(outline, folded, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
-  if (auto simple = check_simple(outline, plate, id, ring); !simple)
-    return tl::unexpected(simple.error());
+  if (auto simple = check_simple(outline, plate, id, ring); !simple) return pass_on(simple);
   return outline;
 }
 

@@ -1,6 +1,7 @@
 #include "plate_plane.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/connect/codes.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -49,19 +50,19 @@ double extent_of(const Ring& ring) {
 
 Result<void> check_corners(const Ring& ring, const std::string& pointer) {
   if (ring.size() < 3)
-    return fail(ErrorCode::too_few_corners,
+    return fail(code::too_few_corners,
                 fmt::format("a polygon needs at least 3 corners, this one has {}", ring.size()),
                 pointer);
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (!ring[i].allFinite())
-      return fail(ErrorCode::invalid_input, "a corner must be three finite numbers",
+      return fail(code::invalid_input, "a corner must be three finite numbers",
                   fmt::format("{}/{}", pointer, i));
   const double same = kSameCorner * extent_of(ring);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::size_t next = (i + 1) % ring.size();
     if ((ring[next] - ring[i]).norm() <= same)
       return fail(
-          ErrorCode::repeated_corner,
+          code::repeated_corner,
           fmt::format("corners {} and {} are at the same place {}; a closed polygon does not "
                       "repeat a corner",
                       i, next, text(ring[i])),
@@ -83,7 +84,7 @@ Result<void> check_planar(const Ring& ring, const Frame& frame, const std::strin
   }
   if (most <= planarity) return {};
   return fail(
-      ErrorCode::not_planar,
+      code::not_planar,
       fmt::format("corner {} lies {:.4g} mm off the plane of the plate, {:.4g} mm are allowed: "
                   "a plate is flat",
                   worst, most, planarity),
@@ -114,7 +115,7 @@ Result<void> check_simple(const std::vector<Vec2>& ring, const Frame& frame,
     for (std::size_t j = i + 1; !at && j < ring.size(); ++j)
       if ((ring[i] - ring[j]).norm() <= kSameCorner * extent) at = ring[i];
   if (!at) return {};
-  return fail(ErrorCode::self_crossing,
+  return fail(code::self_crossing,
               fmt::format("the polygon crosses or touches itself at {}", text(frame.point(*at))),
               pointer);
 }
@@ -168,7 +169,7 @@ Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>
   const Box2 box = box_of(hole);
   if (const auto at = meeting(hole, placed.outline, same))
     return fail(
-        ErrorCode::self_crossing,
+        code::self_crossing,
         fmt::format("the hole touches or crosses the plate's outline at {}: leave material between",
                     text(placed.frame.point(*at))),
         place);
@@ -177,7 +178,7 @@ Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>
     const auto& other = placed.holes[h];
     const auto at = meeting(hole, other, same);
     if (!at && !inside({other}, hole.front()) && !inside({hole}, other.front())) continue;
-    return fail(ErrorCode::self_crossing,
+    return fail(code::self_crossing,
                 fmt::format("the hole overlaps or touches hole {} at {}: make them one", h,
                             text(placed.frame.point(at.value_or(hole.front())))),
                 place);
@@ -198,7 +199,7 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
       return simple;
     for (std::size_t i = 0; i < hole.size(); ++i)
       if (!inside({placed.outline}, hole[i]))
-        return fail(ErrorCode::invalid_input,
+        return fail(code::invalid_input,
                     fmt::format("corner {} of the hole at {} lies outside the plate's outline", i,
                                 text(ring[i])),
                     fmt::format("{}/{}", place, i));
@@ -242,25 +243,23 @@ EdgePlace PlacedPlate::place_of(int edge) const {
 
 Result<PlacedPlate> placed(const Plate& plate, const std::string& pointer, double planarity) {
   const std::string place = pointer + "/outline";
-  if (auto sound = check_corners(plate.outline, place); !sound)
-    return tl::unexpected(sound.error());
+  if (auto sound = check_corners(plate.outline, place); !sound) return pass_on(sound);
   PlacedPlate result;
   result.extent = extent_of(plate.outline);
   const Vec3 area = vector_area(plate.outline);
   result.area = area.norm();
   if (result.area <= kNoArea * result.extent * result.extent)
-    return fail(ErrorCode::self_crossing,
+    return fail(code::self_crossing,
                 "the outline encloses no area: its corners lie on one line, or it crosses itself",
                 place);
   result.frame = frame_from_axes(middle(plate.outline), area / result.area,
                                  plate.outline[1] - plate.outline[0]);
   if (auto planar = check_planar(plate.outline, result.frame, place, planarity); !planar)
-    return tl::unexpected(planar.error());
+    return pass_on(planar);
   result.outline = flat(plate.outline, result.frame);
   if (auto simple = check_simple(result.outline, result.frame, place, result.extent); !simple)
-    return tl::unexpected(simple.error());
-  if (auto holes = add_holes(result, plate, pointer, planarity); !holes)
-    return tl::unexpected(holes.error());
+    return pass_on(simple);
+  if (auto holes = add_holes(result, plate, pointer, planarity); !holes) return pass_on(holes);
   return result;
 }
 

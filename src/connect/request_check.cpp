@@ -1,5 +1,7 @@
 #include "request_check.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +16,7 @@ Result<int> row_of(const PlateStructure& structure, const std::string& id,
   std::string known;
   for (const Plate& plate : structure.plates)
     known += (known.empty() ? "" : ", ") + plate.id;
-  return fail(ErrorCode::unknown_plate,
+  return fail(code::unknown_plate,
               fmt::format("there is no plate \"{}\"; the plates are {}", id, known), pointer);
 }
 
@@ -80,18 +82,18 @@ std::optional<Fault> said_twice(const BendRequest& r) {
 Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequest& request,
                                  const std::string& pointer) {
   if (request.between.size() > 2)
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("a bend joins two plates, not {}", request.between.size()),
                 pointer + "/between");
   std::vector<int> rows;
   for (std::size_t i = 0; i < request.between.size(); ++i) {
     const auto row = row_of(structure, request.between[i],
                             fmt::format("{}/between/{}", pointer, i));
-    if (!row) return tl::unexpected(row.error());
+    if (!row) return pass_on(row);
     rows.push_back(*row);
   }
   if (rows.size() == 2 && rows[0] == rows[1])
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("a bend cannot join plate \"{}\" to itself", request.between[0]),
                 pointer + "/between");
   return rows;
@@ -100,7 +102,7 @@ Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequ
 Result<void> check_numbers(const BendRequest& request, const std::string& pointer) {
   for (const auto find : {wrong_size, wrong_surface, said_twice})
     if (const auto fault = find(request))
-      return fail(ErrorCode::invalid_input, fault->what, pointer + fault->key);
+      return fail(code::invalid_input, fault->what, pointer + fault->key);
   return {};
 }
 
@@ -111,12 +113,12 @@ Result<void> check_edges(const FitTask& task) {
     const std::string place = fmt::format("{}/edges/{}", task.pointer,
                                           escaped(task.request.between[side]));
     if (task.request.edges[side]->empty())
-      return fail(ErrorCode::invalid_input,
+      return fail(code::invalid_input,
                   "the list of edges is empty: leave it out to have them chosen", place);
     for (std::size_t i = 0; i < task.request.edges[side]->size(); ++i) {
       const int edge = (*task.request.edges[side])[i];
       if (edge >= 0 && edge < count) continue;
-      return fail(ErrorCode::unknown_edge,
+      return fail(code::unknown_edge,
                   fmt::format("plate \"{}\" has no edge {}: its edges are 0 to {}",
                               task.request.between[side], edge, count - 1),
                   fmt::format("{}/{}", place, i));

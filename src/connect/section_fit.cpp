@@ -1,6 +1,8 @@
 #include "bend_fit.hpp"
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,13 +33,13 @@ Result<Beginning> beginning(const FitTask& task) {
                      *task.request.length};
   const auto& edges = task.request.edges[0];
   if (!edges || edges->size() != 1)
-    return tl::unexpected(at(task, ErrorCode::invalid_input,
+    return tl::unexpected(at(task, code::invalid_input,
                              "a bend of one plate begins at one of its edges: name it in edges",
                              "/edges"));
   const int edge = edges->front();
   if (task.taken[0].count(edge) + task.taken_parts[0].count(edge) != 0)
     return tl::unexpected(
-        at(task, ErrorCode::unknown_edge,
+        at(task, code::unknown_edge,
            fmt::format("edge {} is used by another bend already: each edge carries one", edge),
            "/edges"));
   const EdgePlace place = plate->place_of(edge);
@@ -108,7 +110,7 @@ bool conical(const BendRequest& request) {
 Result<void> check(const FitTask& task) {
   const BendRequest& request = task.request;
   const auto missing = [&](const std::string& what, const std::string& key) {
-    return tl::unexpected(at(task, ErrorCode::invalid_input, what, key));
+    return tl::unexpected(at(task, code::invalid_input, what, key));
   };
   if (!request.angle) return missing("a section with a free end needs its angle", "/angle");
   const double angle = std::abs(request.angle->radians());
@@ -132,7 +134,7 @@ Result<void> check(const FitTask& task) {
                               : *request.inside_radius;
   if (smallest < kSmallestInsideRadius)
     return tl::unexpected(
-        at(task, ErrorCode::radius_too_small,
+        at(task, code::radius_too_small,
            fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
                        smallest, kSmallestInsideRadius),
            request.inside_radii ? "/inside_radii" : "/inside_radius"));
@@ -142,9 +144,9 @@ Result<void> check(const FitTask& task) {
 }  // namespace
 
 Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
-  if (auto sound = check(task); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check(task); !sound) return pass_on(sound);
   auto begin = beginning(task);
-  if (!begin) return tl::unexpected(begin.error());
+  if (!begin) return pass_on(begin);
   const BendRequest& request = task.request;
   const double half = 0.5 * task.thickness;
   const double sweep = std::min(std::abs(request.angle->radians()), kFullTurn);

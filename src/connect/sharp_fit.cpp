@@ -5,6 +5,8 @@
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/connect/codes.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -87,7 +89,7 @@ std::optional<double> crossing_at(const Segment& beside, double reach, double ne
 }
 
 Error no_room(double reach) {
-  return {ErrorCode::overlap,
+  return {code::overlap,
           fmt::format("the edges beside the fold leave no room to cut the plates back by {:.4g} "
                       "mm, to where their inner skins meet",
                       reach),
@@ -136,7 +138,7 @@ bool asks_for_fold(const BendRequest& request) {
 Result<BendFit> fit_fold(const FitTask& task, const ConnectOptions& options) {
   const auto common = longest_common(task, options);
   if (!common)
-    return fail(ErrorCode::no_bend_fits,
+    return fail(code::no_bend_fits,
                 "a fold of inside radius 0 needs an edge of both plates on the line where the "
                 "planes of their middle surfaces meet, side by side on some length: extend the "
                 "plates to that line, or give a radius",

@@ -2,6 +2,8 @@
 
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,7 +78,7 @@ bool touch(const Corners& corners, double extent) {
 Error too_sharp(const FitTask& task, const PairChoice& choice, const Corners& corners) {
   if (touch(corners, extent_of(task)))
     return {
-        ErrorCode::plates_touch,
+        code::plates_touch,
         fmt::format(
             "the plates touch where the bend would be; a bend needs a gap: move the plates so that "
             "their edges stay {:.4g} mm or more away from the line where their planes meet; plates "
@@ -87,7 +89,7 @@ Error too_sharp(const FitTask& task, const PairChoice& choice, const Corners& co
   for (const auto& side : corners)
     for (const Vec2& p : side)
       nearest = std::min(nearest, p.y());
-  return {ErrorCode::radius_too_small,
+  return {code::radius_too_small,
           fmt::format(
               "the largest radius that fits between the edges is {:.4g} mm on the mid-surface, the "
               "thickness of {:.4g} mm needs more than {:.4g} mm: move the edges {:.4g} mm away "
@@ -114,7 +116,7 @@ bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line
 }
 
 Error does_not_fit(std::string what, const std::string& key) {
-  return {ErrorCode::no_bend_fits, std::move(what), key};
+  return {code::no_bend_fits, std::move(what), key};
 }
 
 // A cone by its inside radii at the ends of the edges: the radius is linear in x.
@@ -181,7 +183,7 @@ Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice
 std::optional<Error> apex_within(const BendRequest& asked, const Corners& corners) {
   if (!asked.apex || *asked.apex <= low_x(corners) || *asked.apex >= high_x(corners))
     return std::nullopt;
-  return Error{ErrorCode::apex_in_span,
+  return Error{code::apex_in_span,
                fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} "
                            "to {:.6g} mm: it must "
                            "lie beyond one of its ends",
@@ -201,7 +203,7 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
   if (!fit) {
     if (!least_extension(corners, kind, {}, height))
       return tl::unexpected(too_sharp(task, choice, corners));
-    return tl::unexpected(fit.error());
+    return pass_on(fit);
   }
   if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
   // Below this slope a cone is a cylinder to the kernel and to the shop, even if requested.
@@ -344,7 +346,7 @@ Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice,
 }
 
 Error with_range(const FitTask& task, const ConnectOptions& options, const Error& error) {
-  if (error.code != ErrorCode::no_bend_fits) return error;
+  if (error.code != code::no_bend_fits) return error;
   const BendRequest& asked = task.request;
   if (!asked.inside_radius && !asked.slope && !asked.apex) return error;
   if (error.where == "/surface" ||

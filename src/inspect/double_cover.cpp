@@ -13,19 +13,19 @@ using namespace inspect_detail;
 namespace {
 
 /// Overlaps that meet, and are one place.
-struct Place {
+struct Cover {
   std::vector<std::string> parts;
   double area = 0.0;
   std::vector<Vec2> points;
   Box2 box;
 };
 
-void add_part(Place& place, const std::string& name) {
+void add_part(Cover& place, const std::string& name) {
   if (std::find(place.parts.begin(), place.parts.end(), name) == place.parts.end())
     place.parts.push_back(name);
 }
 
-void take(Place& place, const Place& other) {
+void take(Cover& place, const Cover& other) {
   for (const std::string& name : other.parts)
     add_part(place, name);
   place.area += other.area;
@@ -34,7 +34,7 @@ void take(Place& place, const Place& other) {
 }
 
 /// Boxes that come within `reach` of each other belong to one place.
-std::vector<Place> joined_places(std::vector<Place> places, double reach) {
+std::vector<Cover> joined_places(std::vector<Cover> places, double reach) {
   const auto meet = [reach](const Box2& a, const Box2& b) {
     return ((a.lo.array() - reach) <= b.hi.array()).all() &&
            ((b.lo.array() - reach) <= a.hi.array()).all();
@@ -49,7 +49,7 @@ std::vector<Place> joined_places(std::vector<Place> places, double reach) {
   return places;
 }
 
-DoubleCover cover_of(const Place& place) {
+DoubleCover cover_of(const Cover& place) {
   const EnclosingRectangle box = smallest_rectangle(place.points);
   DoubleCover cover;
   for (size_t i = 0; i < place.parts.size(); ++i)
@@ -73,10 +73,10 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
   PLANISH_ASSERT(layout.images.size() == sheet.faces.size());
   const double clearance = contact_clearance(pattern);
   const Regions regions = regions_of(sheet, layout, 0.25 * clearance);
-  std::vector<Place> places;
+  std::vector<Cover> places;
   for (const Shared& shared : shared_areas(regions, clearance))
     for (const auto& ring : shared.overlap.outline) {
-      Place& place = places.emplace_back();
+      Cover& place = places.emplace_back();
       add_part(place, part_name(pattern, shared.first));
       add_part(place, part_name(pattern, shared.second));
       place.area = std::abs(ring_area(ring));
@@ -86,7 +86,7 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
     }
   std::vector<DoubleCover> covers;
   // Each was shrunk by the clearance.
-  for (const Place& place : joined_places(std::move(places), 4.0 * clearance))
+  for (const Cover& place : joined_places(std::move(places), 4.0 * clearance))
     covers.push_back(cover_of(place));
   return covers;
 }

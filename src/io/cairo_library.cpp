@@ -1,5 +1,7 @@
 #include "cairo_library.hpp"
 
+#include <planish/io/codes.hpp>
+
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -28,7 +30,7 @@ class Symbols {
 Result<Cairo> load() {
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr)
-    return fail(ErrorCode::cannot_draw,
+    return fail(code::cannot_draw,
                 fmt::format("a PDF needs {}, which this machine does not have: install libcairo2",
                             kLibrary));
   Cairo cairo;
@@ -37,7 +39,7 @@ Result<Cairo> load() {
   PLANISH_CAIRO_FUNCTIONS(PLANISH_CAIRO_FIND)
 #undef PLANISH_CAIRO_FIND
   if (symbols.missing() != nullptr)
-    return fail(ErrorCode::cannot_draw,
+    return fail(code::cannot_draw,
                 fmt::format("{} of this machine has no {}: install a newer libcairo2", kLibrary,
                             symbols.missing()));
   return cairo;
@@ -47,7 +49,7 @@ Result<Cairo> load() {
 
 Result<const Cairo*> cairo() {
   static const Result<Cairo> loaded = load();
-  if (!loaded) return tl::unexpected(loaded.error());
+  if (!loaded) return pass_on(loaded);
   return &*loaded;
 }
 

@@ -200,8 +200,7 @@ FlatPattern pattern_in(const FlatJson& json) {
 }
 
 tl::unexpected<Error> unreadable(const std::string& why) {
-  return fail(ErrorCode::invalid_input,
-              fmt::format("the stored flat pattern cannot be read: {}", why));
+  return fail(code::invalid_input, fmt::format("the stored flat pattern cannot be read: {}", why));
 }
 
 }  // namespace

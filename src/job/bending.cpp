@@ -3,6 +3,7 @@
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
 
+#include <planish/brake/codes.hpp>
 #include <planish/brake/proposals.hpp>
 #include <planish/job/tools_json.hpp>
 
@@ -77,7 +78,7 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
       report.findings.push_back(
           {"cannot_bend", Severity::error, sentence, places_of(report, plan)});
     else
-      refusal = Error{ErrorCode::cannot_bend, sentence, {}};
+      refusal = Error{code::cannot_bend, sentence, {}};
   }
   if (plan.status == PlanStatus::gave_up)
     report.findings.push_back({"no_plan", Severity::warning, gave_up_sentence(plan), {}});
@@ -101,7 +102,7 @@ Result<std::vector<BendId>> bends_named(const Report& report,
       for (const FlatBend& bend : report.flat.bends)
         known.push_back(bend.id);
       return fail(
-          ErrorCode::bad_option,
+          code::bad_option,
           fmt::format("there is no bend \"{}\"; the bends are {}", name, fmt::join(known, ", ")),
           "fix");
     }

@@ -140,31 +140,18 @@ tl::expected<Texts, ChildEnd> ChildProcess::ask(const Texts& question,
   }
 }
 
-Texts texts_of(const Error& error) {
-  return {"error", std::string(code_name(error.code)), error.message, error.where};
-}
-
-std::optional<Error> error_in(const Texts& texts) {
-  constexpr std::size_t kOfError = 4;
-  if (texts.size() != kOfError || texts[0] != "error") return std::nullopt;
-  for (int i = 0; i <= static_cast<int>(ErrorCode::internal); ++i)
-    if (const auto code = static_cast<ErrorCode>(i); code_name(code) == texts[1])
-      return Error{code, texts[2], texts[3]};
-  return std::nullopt;
-}
-
 Error error_of(const ChildEnd& end, const std::string& input, const Limits& limits) {
   const std::string during = end.stage.empty() ? "" : fmt::format(" at \"{}\"", end.stage);
   switch (end.cause) {
     case Cause::cancelled:
-      return {ErrorCode::cancelled, "cancelled", {}};
+      return {code::cancelled, "cancelled", {}};
     case Cause::out_of_time:
-      return {ErrorCode::out_of_time,
+      return {code::out_of_time,
               fmt::format("{} was given up after {}{}: allow a longer time, or take a part of it",
                           input, words_of(limits.time), during),
               input};
     case Cause::out_of_memory:
-      return {ErrorCode::out_of_memory,
+      return {code::out_of_memory,
               fmt::format(
                   "{} needs more memory than {}{}: allow more, or take a part of it", input,
                   limits.memory > 0 ? "the " + words_of(limits.memory) + " allowed" : "there is",
@@ -174,7 +161,7 @@ Error error_of(const ChildEnd& end, const std::string& input, const Limits& limi
       break;
   }
   const bool ours = end.reason.starts_with("assertion failed");
-  return {ErrorCode::crashed,
+  return {code::crashed,
           fmt::format("the work on {} crashed{} ({}): {}", input, during, end.reason,
                       ours ? "a defect of Planish, please report it with the file"
                            : "damaged files make the CAD kernel do that, so check the file in a "

@@ -20,7 +20,7 @@ namespace planish::job {
 namespace {
 
 tl::unexpected<Error> not_started(int reason) {
-  return fail(ErrorCode::internal,
+  return fail(code::internal,
               fmt::format("no process could be started: {}", std::strerror(reason)));
 }
 

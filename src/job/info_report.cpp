@@ -20,7 +20,7 @@ Json size_json(const Vec3& size, const Units& units) {
 
 Json sheet_json(const SheetInfo& sheet, const Units& units) {
   Json json;
-  json["reason"] = reason_json(sheet.refusal);
+  json["reason"] = reason_json(sheet.refusal, units);
   if (sheet.refusal) return json;
   json["thickness"] = number_json(units.length(sheet.thickness));
   json["flanges"] = sheet.flanges;
@@ -103,7 +103,7 @@ std::string info_json(const InfoReport& report) {
   json["input"] = report.input;
   json["units"] = units.name();
   json["status"] = status_name(report.refusal ? Status::refused : Status::ok);
-  json["reason"] = reason_json(report.refusal);
+  json["reason"] = reason_json(report.refusal, units);
   json["schema"] = report.schema;
   json["cad_system"] = report.cad_system;
   json["file_units"] = report.file_unit;

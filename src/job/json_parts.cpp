@@ -22,15 +22,6 @@ Json space_point_json(const Vec3& p, const Units& units) {
                       number_json(units.length(p.z()))});
 }
 
-Json reason_json(const std::optional<Error>& error) {
-  if (!error) return nullptr;
-  Json reason;
-  reason["code"] = code_name(error->code);
-  reason["message"] = error->message;
-  reason["where"] = error->where;
-  return reason;
-}
-
 std::string text_of(const Json& document) {
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -23,8 +23,8 @@ Json number_json(double value);
 Json number_json(const std::optional<double>& value);
 Json point_json(const Vec2& p, const Units& units);
 Json space_point_json(const Vec3& p, const Units& units);
-/// formats.md#reason; null without an error.
-Json reason_json(const std::optional<Error>& error);
+/// formats.md#reason, its places in `units`; null without an error.
+Json reason_json(const std::optional<Error>& error, const Units& units);
 /// A whole report as defined in formats.md#report.
 Json report_value(const UnfoldReport& report);
 

@@ -53,11 +53,11 @@ void JsonReading::read_unit() {
 
 void JsonReading::parse(const std::string& text) {
   const auto no_json = [&](const std::string& why, const std::string& place) {
-    error_ = Error{ErrorCode::invalid_input, fmt::format("the {} is not JSON: {}", what_, why),
+    error_ = Error{code::invalid_input, fmt::format("the {} is not JSON: {}", what_, why),
                    name_ + place};
   };
   if (const auto byte = too_deep_at(text)) {
-    error_ = Error{ErrorCode::invalid_input,
+    error_ = Error{code::invalid_input,
                    fmt::format("the {} {}", what_, too_deep_sentence(text, *byte)),
                    name_ + ":" + line_and_column(text, *byte)};
     return;
@@ -78,12 +78,12 @@ void JsonReading::parse(const std::string& text) {
   }
   if (repeated.first()) {
     error_ = Error{
-        ErrorCode::invalid_input,
+        code::invalid_input,
         fmt::format("{}: the key \"{}\" appears twice in one object: keep only one of them", what_,
                     shortened(*repeated.first())),
         name_};
   } else if (!document_.is_object()) {
-    error_ = Error{ErrorCode::invalid_input, fmt::format("the {} must hold one JSON object", what_),
+    error_ = Error{code::invalid_input, fmt::format("the {} must hold one JSON object", what_),
                    name_};
   }
 }
@@ -91,7 +91,7 @@ void JsonReading::parse(const std::string& text) {
 void JsonReading::mistake(const std::string& pointer, const std::string& sentence) {
   constexpr std::size_t kShownPointer = 200;
   if (error_) return;
-  error_ = Error{ErrorCode::invalid_input,
+  error_ = Error{code::invalid_input,
                  fmt::format("{}: {} {}", what_, shortened(pointer, kShownPointer), sentence),
                  name_ + pointer};
 }

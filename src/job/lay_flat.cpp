@@ -9,6 +9,7 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -23,7 +24,7 @@ constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 // Bends from one table row may differ in the last digits; that still counts as one K.
 constexpr double kSameK = tolerance::kComputed;
 
-Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
+Error stopped() { return {code::cancelled, "cancelled", {}}; }
 
 void summarize_k(SheetSummary& summary, const FlatPattern& flat, const AllowanceRule& rule) {
   summary.k_factor.reset();
@@ -133,7 +134,7 @@ std::optional<Error> relieve(Report& report, const SheetToLay& given,
                                rules_of(given));
   if (!relieved) return relieved.error();
   if (mends && !overlaps.empty() && !contour_crossings(relieved->pattern).empty())
-    return Error{ErrorCode::overlap, "contours cross elsewhere", {}};
+    return Error{code::overlap, "contours cross elsewhere", {}};
   take_reliefs(report, std::move(*relieved));
   if (mends) overlaps.clear();
   return std::nullopt;
@@ -185,7 +186,7 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
                             const Progress& progress) {
   if (progress.should_stop()) return tl::unexpected(stopped());
   auto flat = flat_sheet(sheet, options);
-  if (!flat) return tl::unexpected(flat.error());
+  if (!flat) return pass_on(flat);
   Report report;
   const EdgeDistance unmeasured;
   const Request plain;

@@ -58,7 +58,7 @@ class SpecWork : public Work {
 
   static Result<std::unique_ptr<Work>> open(const InputFile& input, Parse parser, Make function) {
     auto file = parser(input);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return pass_on(file);
     return std::make_unique<SpecWork>(std::move(*file), parser, function);
   }
   SpecWork(File file, Parse parser, Make function)
@@ -66,7 +66,7 @@ class SpecWork : public Work {
 
   Result<void> edit(const InputFile& input) override {
     auto file = parse_(input);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return pass_on(file);
     file_ = std::move(*file);
     return {};
   }

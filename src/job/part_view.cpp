@@ -307,7 +307,7 @@ Result<PartView> read_view_json(std::string_view text) {
       return PartView{lines_in(json.at("edges")), lines_in(json.at("bends"))};
   } catch (const ViewJson::exception&) {
   }
-  return fail(ErrorCode::invalid_input, "the stored view cannot be read: it is damaged");
+  return fail(code::invalid_input, "the stored view cannot be read: it is damaged");
 }
 
 }  // namespace planish::job

@@ -3,6 +3,7 @@
 #include "units.hpp"
 
 #include <planish/inspect/missing_relief.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/cutout.hpp>
 #include <planish/sheet/one_piece.hpp>
 
@@ -32,7 +33,7 @@ Result<void> check_size(const DoubleCover& cover, const FlatPattern& pattern) {
   const double area = kLargest * t * t;
   const double depth = t + largest_radius(pattern);
   if (cover.area <= area && cover.size.y() <= depth) return {};
-  return fail(ErrorCode::overlap,
+  return fail(code::overlap,
               fmt::format("{} overlap by {:.4g} mm², {:.4g} mm deep; corners are mended up to "
                           "{:.4g} mm² and {:.4g} mm",
                           cover.who, cover.area, cover.size.y(), area, depth));
@@ -84,7 +85,7 @@ bool parts(const FlatPattern& before, const FlatPattern& after, const Cutout& cu
 /// Cuts one out, and checks the area against that of the faces within it.
 Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout) {
   auto left = without_cutout(relieved.pattern, cutout);
-  if (!left) return tl::unexpected(left.error());
+  if (!left) return pass_on(left);
   const double removed = relieved.pattern.area - left->area;
   const Loop outline = cutout.outline();
   // Polygons leave out or add a chord's height along each curve.
@@ -92,10 +93,10 @@ Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout
   const double within = area.within(outline, relieved.cutouts);
   if (!(std::abs(removed - within) <= slack))
     return fail(
-        ErrorCode::pattern_wrong,
+        code::pattern_wrong,
         fmt::format("a relief took {:.4g} mm² where the sheet has {:.4g} mm²", removed, within));
   if (parts(relieved.pattern, *left, cutout))
-    return fail(ErrorCode::unsupported_shape, "a relief parts the sheet");
+    return fail(code::unsupported_shape, "a relief parts the sheet");
   relieved.pattern = std::move(*left);
   relieved.removed += removed;
   relieved.cutouts.push_back(outline);
@@ -277,9 +278,9 @@ Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const Fl
   }
   const SheetArea area(sheet, layout, pattern);
   for (const DoubleCover& cover : covers) {
-    if (auto small = check_size(cover, pattern); !small) return tl::unexpected(small.error());
+    if (auto small = check_size(cover, pattern); !small) return pass_on(small);
     const Cutout cutout = cutout_at(cover, pattern, options);
-    if (auto done = cut(relieved, area, cutout); !done) return tl::unexpected(done.error());
+    if (auto done = cut(relieved, area, cutout); !done) return pass_on(done);
     relieved.findings.push_back(mended(cover, cutout, pattern, options.shape));
   }
   relieved.pattern = with_slits_drawn_once(std::move(relieved.pattern));

@@ -185,7 +185,7 @@ std::optional<Error> unchosen(const Request& request, const std::string& materia
                            "choose "
                            "one with `material`",
                            material, known);
-  return Error{ErrorCode::bad_option, sentence, "material"};
+  return Error{code::bad_option, sentence, "material"};
 }
 
 std::string material_names(const Shop& shop) {

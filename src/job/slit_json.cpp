@@ -325,9 +325,9 @@ SlitFile file_at(const JsonPlace& place) {
 
 Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& path, LengthUnit unit) {
   const auto text = read_text(path, "scan");
-  if (!text) return tl::unexpected(text.error());
+  if (!text) return pass_on(text);
   auto points = parse_points(*text, path.string(), millimetres_in(unit));
-  if (!points) return tl::unexpected(points.error());
+  if (!points) return pass_on(points);
   place.scan.points = std::move(*points);
   return std::move(place.scan);
 }
@@ -353,7 +353,7 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
       continue;
     }
     auto read = read_scan(scan, *folder / scan.file, file.units);
-    if (!read) return tl::unexpected(read.error());
+    if (!read) return pass_on(read);
     file.design.scans.push_back(std::move(*read));
   }
   return file;

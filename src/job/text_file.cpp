@@ -28,7 +28,7 @@ Result<std::string> read_text(const std::filesystem::path& name, const std::stri
   if (name == "-") return all_of(std::cin);
   std::error_code ignored;
   const auto refuse = [&](const std::string& why) {
-    return fail(ErrorCode::cannot_read,
+    return fail(code::cannot_read,
                 fmt::format("cannot read the {} {}: {}", what, name.string(), why), name.string());
   };
   if (std::filesystem::is_directory(name, ignored)) return refuse("it is a folder");

@@ -32,8 +32,8 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (constant) return ConstantK{constant->k, "constant"};
-    return fail(ErrorCode::bad_option,
-                "a transition has no inside radius, so its K is one number: `k`", "k");
+    return fail(code::bad_option, "a transition has no inside radius, so its K is one number: `k`",
+                "k");
   }
   if (request.shop && gauge_of(*request.shop, spec.thickness))
     return shop_k(*request.shop, spec.thickness);

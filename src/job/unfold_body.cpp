@@ -34,7 +34,7 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
                           const Request& request, const Progress& progress) {
   if (!found) {
     Error why = found.error();
-    if (why.code == ErrorCode::bad_option) why.where = "rip_edges";
+    if (why.code == code::bad_option) why.where = "rip_edges";
     return why;
   }
   report.summary = summary_of(found->sheet);

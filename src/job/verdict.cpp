@@ -3,6 +3,8 @@
 #include "facts.hpp"
 #include "units.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -62,7 +64,7 @@ constexpr auto
 constexpr auto kRefoldText = "the refolded contour leaves the solid's edge by";
 
 Error wrong(const std::string& what, const Vec2& at) {
-  return {ErrorCode::pattern_wrong, what + "; the pattern cannot be trusted and is not written",
+  return {code::pattern_wrong, what + "; the pattern cannot be trusted and is not written",
           place_text(at)};
 }
 
@@ -174,7 +176,7 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
   const double bound = measured ? bounds.volume_refusal : bounds.unmeasured_refusal;
   // The negated comparison also catches a ratio that is not a number.
   if (solid_volume > 0.0 && !(std::abs(ratio - 1.0) <= bound)) {
-    return Error{ErrorCode::pattern_wrong,
+    return Error{code::pattern_wrong,
                  fmt::format("flat area at K = ½ times thickness is {:.4f} of the solid's volume "
                              "(1 is right, {} is the most it may be off); the pattern cannot be "
                              "trusted and is not written",
@@ -201,7 +203,7 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
                            counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
   message += "; with `write_overlapping` the pattern is written anyway";
-  return Error{ErrorCode::overlap, std::move(message),
+  return Error{code::overlap, std::move(message),
                first.at.empty() ? std::string() : place_text(first.at.front())};
 }
 

@@ -6,6 +6,7 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/nest/nest.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -42,8 +43,8 @@ SheetSize size_of(const NestOptions& options) {
 
 Result<void> checked(const NestOptions& options) {
   const auto wrong = [](const char* name, double value, const std::string& range) {
-    return fail(ErrorCode::bad_option,
-                fmt::format("the {} is {} mm; it must be {}", name, value, range), name);
+    return fail(code::bad_option, fmt::format("the {} is {} mm; it must be {}", name, value, range),
+                name);
   };
   const std::string size = fmt::format("above 0 and at most {} mm", kLargest);
   const auto is_size = [](double value) { return value > 0.0 && value <= kLargest; };
@@ -63,13 +64,13 @@ Result<void> checked(const std::vector<NestPart>& parts) {
     PLANISH_ASSERT(parts[i].flat);
     const std::string where = fmt::format("part {}", i + 1);
     if (parts[i].quantity < 1)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("{} is wanted {} times; 1 is the least", where, parts[i].quantity),
                   where);
     if (auto sound = check(*parts[i].flat); !sound)
-      return fail(ErrorCode::invalid_sheet, sound.error().message, where);
+      return fail(code::invalid_sheet, sound.error().message, where);
     if (parts[i].flat->outer.loop.empty())
-      return fail(ErrorCode::invalid_sheet, fmt::format("{} has no outer contour", where), where);
+      return fail(code::invalid_sheet, fmt::format("{} has no outer contour", where), where);
   }
   return {};
 }
@@ -208,10 +209,10 @@ Result<void> verified(const Sheets& sheets, const Job& job) {
       outlines.push_back(std::move(outline));
     }
     if (!overlaps(outlines, kMicrometre, 0.0).empty())
-      return fail(ErrorCode::internal, "two parts of the nesting overlap");
+      return fail(code::internal, "two parts of the nesting overlap");
   }
   if (std::ranges::any_of(missing, [](int count) { return count != 0; }))
-    return fail(ErrorCode::internal, "the nesting has not every part in its quantity");
+    return fail(code::internal, "the nesting has not every part in its quantity");
   return {};
 }
 
@@ -219,8 +220,8 @@ Result<void> verified(const Sheets& sheets, const Job& job) {
 
 Result<Nesting> nest(const std::vector<NestPart>& parts, const NestOptions& options,
                      const Progress& progress) {
-  if (auto good = checked(options); !good) return tl::unexpected(good.error());
-  if (auto good = checked(parts); !good) return tl::unexpected(good.error());
+  if (auto good = checked(options); !good) return pass_on(good);
+  if (auto good = checked(parts); !good) return pass_on(good);
   const SheetSize size = size_of(options);
   Job job = job_of(parts, options, size);
   const Room room{in_units(size.length - 2.0 * size.inset) + 2 * kEase,
@@ -230,8 +231,8 @@ Result<Nesting> nest(const std::vector<NestPart>& parts, const NestOptions& opti
   for (const Block& block : blocks)
     shapes.push_back(block.shape);
   const Sheets sheets = members(lay_out(shapes, room, progress), blocks);
-  if (progress.should_stop()) return fail(ErrorCode::cancelled, "Nesting was cancelled.");
-  if (auto good = verified(sheets, job); !good) return tl::unexpected(good.error());
+  if (progress.should_stop()) return fail(code::cancelled, "Nesting was cancelled.");
+  if (auto good = verified(sheets, job); !good) return pass_on(good);
 
   Nesting nesting;
   nesting.too_large = std::move(job.too_large);

@@ -43,7 +43,7 @@ Result<void> Folder::add(const std::string& name, const std::string& bytes) {
   if (auto made = make_folder(target.parent_path()); !made) return made;
   if (known_.insert(name).second) record_ << name << '\n' << std::flush;
   if (!record_)
-    return fail(ErrorCode::cannot_write, fmt::format("cannot write {}", record_file().string()),
+    return fail(code::cannot_write, fmt::format("cannot write {}", record_file().string()),
                 record_file().string());
   if (auto written = write_file(target, bytes); !written) return written;
   files_.emplace_back(name);

@@ -166,7 +166,7 @@ class Collecting {
                          std::size_t piece) {
     auto flat = read_flat_json(from.shapes[piece]);
     if (!flat)
-      return fail(ErrorCode::cannot_read,
+      return fail(code::cannot_read,
                   fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
     const bool alone = from.shapes.size() == 1;
     PackPart part;
@@ -235,7 +235,7 @@ Result<PartList> part_list(const std::filesystem::path& batch, const Materials& 
   Collecting collecting(materials);
   const auto taken = batch::for_each_part(
       batch, [&](const batch::BatchPart& part) { return collecting.add(part); });
-  if (!taken) return tl::unexpected(taken.error());
+  if (!taken) return pass_on(taken);
   return std::move(collecting).finish();
 }
 

@@ -1,5 +1,7 @@
 #include "crew.hpp"
 
+#include <planish/base/packed_error.hpp>
+
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -18,7 +20,7 @@ class ServeWorker {
     if (child_ && child_->is_alive()) return {};
     auto child = job::ChildProcess::program({"serve-worker", std::to_string(limits_.memory)},
                                             std::filesystem::current_path());
-    if (!child) return tl::unexpected(child.error());
+    if (!child) return pass_on(child);
     child_ = std::move(*child);
     done_ = 0;
     return {};
@@ -26,7 +28,7 @@ class ServeWorker {
 
   Result<WorkDone> work_on(const Ticket& ticket, const std::atomic<bool>& ends) {
     for (;;) {
-      if (const auto begun = begin(); !begun) return tl::unexpected(begun.error());
+      if (const auto begun = begin(); !begun) return pass_on(begun);
       job::Limits limits = limits_;
       limits.time = ticket.time;
       std::string input = "the input";
@@ -44,7 +46,7 @@ class ServeWorker {
         return tl::unexpected(error_of(answer.error(), input, limits));
       }
       ++done_;
-      if (auto error = job::error_in(*answer)) return tl::unexpected(std::move(*error));
+      if (auto error = unpacked(*answer)) return tl::unexpected(std::move(*error));
       if (auto done = done_in(*answer)) return std::move(*done);
       child_.reset();
       return tl::unexpected(
@@ -63,7 +65,7 @@ Result<WorkDone> tried(ServeWorker& worker, const Ticket& ticket, const std::ato
   try {
     return worker.work_on(ticket, ends);
   } catch (const std::exception& defect) {
-    return fail(ErrorCode::internal, defect.what());
+    return fail(code::internal, defect.what());
   }
 }
 
@@ -112,7 +114,7 @@ void Crew::work(bool at_once) {
   // A process is there before it is needed, where one will be.
   if (at_once) (void)worker.begin();
   while (const auto ticket = next()) {
-    ticket->done(ticket->cancelled ? fail(ErrorCode::cancelled, "cancelled")
+    ticket->done(ticket->cancelled ? fail(code::cancelled, "cancelled")
                                    : tried(worker, *ticket, ends_));
     if (!ends_) (void)worker.begin();
     const std::lock_guard lock(mutex_);

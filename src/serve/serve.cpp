@@ -1,5 +1,6 @@
 #include "conversation.hpp"
 
+#include <planish/base/packed_error.hpp>
 #include <planish/serve/serve.hpp>
 
 #include <csignal>
@@ -67,7 +68,7 @@ int run_serve_worker(const std::string& parent, std::uint64_t memory,
     const auto task = task_in(question);
     if (!task) return job::Texts{};
     const auto done = work_on(*task, catalogue, asking);
-    return done ? texts_of(*done) : job::texts_of(done.error());
+    return done ? texts_of(*done) : packed(done.error());
   };
   const auto give_back = [] {
 #if defined(__GLIBC__)

@@ -82,7 +82,7 @@ Result<void> check_writes(const WorkTask& task, const Json& request,
 /// Standard input carries the requests.
 Result<void> check_no_standard_input(const Json& request) {
   const auto fails = [](const std::string& pointer) {
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("{} must be the path of a file or its content: standard input carries "
                             "the requests",
                             pointer),
@@ -172,9 +172,8 @@ Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
   Json request = Json::parse(task.request, nullptr, false);
   const auto input = path_in(request.value("input", Json()));
   if (input) parent.note({*input});
-  if (auto fine = check_no_standard_input(request); !fine) return tl::unexpected(fine.error());
-  if (auto fine = check_writes(task, request, catalogue); !fine)
-    return tl::unexpected(fine.error());
+  if (auto fine = check_no_standard_input(request); !fine) return pass_on(fine);
+  if (auto fine = check_writes(task, request, catalogue); !fine) return pass_on(fine);
   const bool writes = !task.writes.empty();
   const std::size_t asked = writes ? ask_for_writes(request, task) : 0;
   auto made = job::run(writes ? text_of(request) : task.request, parent.progress, catalogue);

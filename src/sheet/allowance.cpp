@@ -153,10 +153,10 @@ std::string deduction_text(const BendTable& table, const std::set<int>& rows) {
 Result<SourcedK> k_of(const BendTable& table, const BendSize& bend) {
   const std::string name = table.name.empty() ? "bend table" : "table " + table.name;
   if (table.rows.empty())
-    return fail(ErrorCode::bad_option, fmt::format("The {} has no rows.", name), table.name);
+    return fail(code::bad_option, fmt::format("The {} has no rows.", name), table.name);
   if (table.by_ratio && table.value != BendTable::Value::k_factor) {
     return fail(
-        ErrorCode::bad_option,
+        code::bad_option,
         fmt::format("The {} gives lengths by R/T, which has no unit; give R and T instead.", name),
         table.name);
   }
@@ -182,7 +182,7 @@ Result<SourcedK> k_of(const Din6935&, const BendSize& bend) {
 }
 
 Result<SourcedK> k_of(const MaterialCurves& material, const BendSize& bend) {
-  if (auto fine = check(material); !fine) return tl::unexpected(fine.error());
+  if (auto fine = check(material); !fine) return pass_on(fine);
   const double ratio = bend.radius / bend.thickness;
   const double k = plastic_k(material, ratio);
   const BendStrains strains = bend_strains(k, ratio);
@@ -197,7 +197,7 @@ Result<SourcedK> k_of(const MaterialCurves& material, const BendSize& bend) {
 }
 
 tl::unexpected<Error> bad_size(const char* what, double value, const char* unit) {
-  return fail(ErrorCode::bad_option, fmt::format("A bend's {}; it is {} {}.", what, value, unit));
+  return fail(code::bad_option, fmt::format("A bend's {}; it is {} {}.", what, value, unit));
 }
 
 }  // namespace
@@ -214,10 +214,10 @@ Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness
 
   const BendSize bend{thickness, inside_radius, angle};
   const auto found = std::visit([&](const auto& r) { return k_of(r, bend); }, rule);
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   if (!(found->k >= -kBeyond && found->k <= 1.0 + kBeyond)) {
     return fail(
-        ErrorCode::bad_option,
+        code::bad_option,
         fmt::format(
             "K-factor {:.4g} ({}) is outside [0, 1] for a bend of inside radius {:.4g} mm, "
             "thickness "

@@ -58,7 +58,7 @@ Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
   IdVector<BendId, BendAllowance> allowances;
   for (const BendId id : sheet.bends.ids()) {
     auto allowance = allowance_of(sheet, id, options);
-    if (!allowance) return tl::unexpected(allowance.error());
+    if (!allowance) return pass_on(allowance);
     if (sheet[id].faces.empty() && sheet.reference_depth > 0.0)
       settle_hinge(sheet, sheet[id], *allowance);
     allowances.push_back(std::move(*allowance));
@@ -77,7 +77,7 @@ Result<IdVector<BendId, std::optional<Development>>> developments_of(
     const auto& surface = std::get<Developable>(face.surface);
     const double offset = -face.sense * neutral_depth(sheet, bend, allowances[id].k_factor);
     if (!has_radius(sheet, bend, offset))
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("Bend B{} has an inside radius of {:.3g} mm, so with K = {:.3g} its "
                               "neutral surface has no radius; give it a larger K-factor.",
                               index_of(id) + 1, bend.inside_radius, allowances[id].k_factor),

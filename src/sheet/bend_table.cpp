@@ -141,20 +141,20 @@ BendTable::Value value_of(Column column) {
 
 Result<BendTable> parse_bend_table(const std::string& csv, const std::string& name) {
   const auto records = split_csv(csv, name);
-  if (!records) return tl::unexpected(records.error());
+  if (!records) return pass_on(records);
   if (records->empty())
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 "The bend table is empty; it needs a header row such as \"R/T,K\".", name);
   const CsvRecord& header = records->front();
   const auto shape = TableShape::from(header, name);
-  if (!shape) return tl::unexpected(shape.error());
+  if (!shape) return pass_on(shape);
 
   BendTable table{value_of(shape->value()), shape->by_ratio(), shape->has(Column::angle), {}, name};
   std::vector<int> lines;
   for (auto record = records->begin() + 1; record != records->end(); ++record) {
     if (auto error = too_many_fields(header, *record, name)) return tl::unexpected(*error);
     const auto row = parse_row(*shape, *record, name);
-    if (!row) return tl::unexpected(row.error());
+    if (!row) return pass_on(row);
     table.rows.push_back(*row);
     lines.push_back(record->line);
   }

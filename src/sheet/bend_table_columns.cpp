@@ -144,7 +144,7 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
     for (const UnitName& unit : kUnits)
       if (unit.text == unit_text && has_unit(spelling->column, unit))
         return heading(*spelling, unit.scale, field);
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("column \"{}\" has a unit that is not known here; lengths are in mm or "
                             "inch, angles in deg "
                             "or rad, R/T and K have none",
@@ -164,7 +164,7 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
 }  // namespace
 
 Error table_error(const std::string& name, int line, const std::string& message) {
-  return {ErrorCode::invalid_input, fmt::format("Line {}: {}.", line, message),
+  return {code::invalid_input, fmt::format("Line {}: {}.", line, message),
           fmt::format("{}:{}", name, line)};
 }
 

@@ -1,5 +1,6 @@
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/sheet.hpp>
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 using Fault = std::optional<Error>;
 
 Error fault(std::string rule, std::string where) {
-  return {ErrorCode::invalid_sheet, std::move(rule), std::move(where)};
+  return {code::invalid_sheet, std::move(rule), std::move(where)};
 }
 
 std::string name_of(FaceId id) { return fmt::format("face {}", index_of(id)); }

@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace {
 using PatternFault = std::optional<Error>;
 
 PatternFault pattern_fault(std::string rule, std::string where) {
-  return Error{ErrorCode::invalid_sheet, std::move(rule), std::move(where)};
+  return Error{code::invalid_sheet, std::move(rule), std::move(where)};
 }
 
 bool are_regular(const std::vector<Segment>& lines) {

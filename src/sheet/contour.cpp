@@ -1,6 +1,7 @@
 #include "contour.hpp"
 
 #include <planish/geometry/fit.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/topology.hpp>
 
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ std::optional<FeatureId> feature_of(const Sheet& sheet, const RawContour& contou
 /// Why there is no pattern where a feature reaches the outer contour: what its maker says.
 Error refusal_at_rim(const FormedFeature& feature) {
   if (!feature.at_rim.message.empty()) return feature.at_rim;
-  return {ErrorCode::unsupported_shape,
+  return {code::unsupported_shape,
           fmt::format("A feature ({}) reaches the outer contour; a flat pattern cannot show it.",
                       feature.kind),
           {}};
@@ -91,7 +92,7 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
     }
   }
   if (outer_area <= 0)
-    return fail(ErrorCode::closed_loop,
+    return fail(code::closed_loop,
                 "The sheet has no outer contour: its bends close on themselves.");
   return contours;
 }

@@ -165,7 +165,7 @@ Loop along_outline(const Loop& outline, double from, double to) {
 }
 
 tl::unexpected<Error> covered_twice(const Cutout& cutout) {
-  return fail(ErrorCode::unsupported_shape,
+  return fail(code::unsupported_shape,
               fmt::format("the relief at ({:.6g}, {:.6g}) does not part the material there",
                           cutout.middle.x(), cutout.middle.y()));
 }
@@ -299,7 +299,7 @@ Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout, do
     take(opening);
   if (!paths.empty()) {
     auto made = joined_along(std::move(paths), cutout, outline);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return pass_on(made);
     for (const Contour& contour : *made)
       kept.push_back(joined_contour(contour, tolerance));
   } else if (in_material(kept, cutout)) {

@@ -3,6 +3,7 @@
 #include "unplaced.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 #include <planish/sheet/topology.hpp>
 
@@ -18,19 +19,19 @@ using namespace sheet_detail;
 
 Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
   if (options.root && !sheet.faces.has(*options.root))
-    return fail(ErrorCode::no_such_face,
+    return fail(code::no_such_face,
                 fmt::format("The sheet has faces 0 to {}; face {}, named as the root, is none of "
                             "them.",
                             sheet.faces.size() - 1, index_of(*options.root)));
   for (const auto& [bend, k] : options.bend_k)
     if (!sheet.bends.has(bend))
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("A K-factor is given for bend {}; the sheet has {}.",
                               index_of(bend) + 1, sheet.bends.size()));
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!positive(options.curve_tolerance) || !positive(options.merge_tolerance) ||
       !positive(options.closure_tolerance))
-    return fail(ErrorCode::bad_option, "The tolerances of a flat pattern are numbers above 0.");
+    return fail(code::bad_option, "The tolerances of a flat pattern are numbers above 0.");
   return {};
 }
 
@@ -80,7 +81,7 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
 }
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
-  return {ErrorCode::closed_loop,
+  return {code::closed_loop,
           fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses "
                       "by {:.3g} mm).",
                       closure),
@@ -145,16 +146,16 @@ std::string between_faces(const Sheet& sheet, const Joint& joint) {
 }
 
 Result<Layout> unplaced(const Sheet& sheet, const FlattenOptions& options) {
-  if (auto right = check(sheet); !right) return tl::unexpected(right.error());
-  if (auto right = check_options(sheet, options); !right) return tl::unexpected(right.error());
+  if (auto right = check(sheet); !right) return pass_on(right);
+  if (auto right = check_options(sheet, options); !right) return pass_on(right);
   auto allowances = allowances_of(sheet, options);
-  if (!allowances) return tl::unexpected(allowances.error());
+  if (!allowances) return pass_on(allowances);
 
   Layout layout;
   layout.root = options.root.value_or(largest_flange_face(sheet));
   layout.allowance = std::move(*allowances);
   auto developments = developments_of(sheet, layout.allowance);
-  if (!developments) return tl::unexpected(developments.error());
+  if (!developments) return pass_on(developments);
   layout.development = std::move(*developments);
   layout.neutral_offset = neutral_offsets_of(sheet, layout.allowance);
   return layout;
@@ -166,11 +167,11 @@ Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
   auto layout = unplaced(sheet, options);
   if (!layout) return layout;
   auto placed = placed_over(longest_first(sheet), sheet, Topology(sheet), *layout);
-  if (!placed) return tl::unexpected(placed.error());
+  if (!placed) return pass_on(placed);
   layout->tree = std::move(placed->tree);
   layout->placement = std::move(placed->placement);
   const auto closure = closure_of(sheet, *layout, options.closure_tolerance);
-  if (!closure) return tl::unexpected(closure.error());
+  if (!closure) return pass_on(closure);
   layout->closure = *closure;
   for (const FaceId id : sheet.faces.ids())
     layout->images.push_back(images_of(sheet, id, *layout, options));

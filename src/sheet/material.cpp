@@ -58,7 +58,7 @@ Result<void> check(const MaterialCurves& material) {
   for (const StressStrain* curve : {&material.tension, &material.compression})
     if (!std::visit([](const auto& c) { return is_regular(c); }, *curve))
       return fail(
-          ErrorCode::bad_option,
+          code::bad_option,
           fmt::format("The curve of {} for {} must have ascending strains and stresses of "
                       "at least 0, not all of them 0; a power law, a strength above 0 and "
                       "an exponent from 0 to 1.",

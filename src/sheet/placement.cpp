@@ -1,5 +1,7 @@
 #include "placement.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -155,8 +157,7 @@ Result<Placed> placed_over(const std::vector<JointRank>& ranks, const Sheet& she
   for (const FaceId id : sheet.faces.ids()) {
     const auto& node = nodes[topology.node_of(id)];
     if (!node)
-      return fail(ErrorCode::not_a_sheet,
-                  "The flanges of the sheet are not all connected by bends.");
+      return fail(code::not_a_sheet, "The flanges of the sheet are not all connected by bends.");
     placed.placement.push_back(*node * mirror_of(sheet[id]));
   }
   return placed;

@@ -2,6 +2,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -168,7 +169,7 @@ Result<Stated> stated_allowances(const Sheet& sheet, const FlatPattern& pattern)
   Stated stated;
   for (const BendId id : sheet.bends.ids()) {
     if (!found[id])
-      return fail(ErrorCode::pattern_wrong,
+      return fail(code::pattern_wrong,
                   fmt::format("The flat pattern leaves out bend B{}.", index_of(id) + 1));
     stated.push_back(*found[id]);
   }
@@ -205,8 +206,7 @@ Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern, const Stat
   for (const FaceId id : sheet.faces.ids()) {
     const auto& motion = motions[topology.node_of(id)];
     if (!motion)
-      return fail(ErrorCode::not_a_sheet,
-                  "The flanges of the sheet are not all connected by bends.");
+      return fail(code::not_a_sheet, "The flanges of the sheet are not all connected by bends.");
     laid.placement.push_back(whole * *motion * seen_from_outside(sheet[id]));
   }
   return laid;

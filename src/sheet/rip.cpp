@@ -30,12 +30,12 @@ Result<void> check_edge(const Sheet& sheet, int edge) {
   const auto joint = std::ranges::find_if(sheet.joints,
                                           [&](const Joint& j) { return is_at(sheet, j, edge); });
   if (joint == sheet.joints.end())
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("No two faces of the skin that is unfolded meet at edge {}; a rip runs "
                             "along an edge at which they do.",
                             edge));
   if (!sheet_detail::can_be_ripped(sheet, *joint))
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("At edge {} walls meet by their outside; a rip there would leave both "
                             "of them in the corner.",
                             edge));
@@ -129,7 +129,7 @@ bool can_be_ripped(const Sheet& sheet, const Joint& joint) {
 Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
   if (edges.empty()) return sheet;
   for (const int edge : edges)
-    if (auto fit = check_edge(sheet, edge); !fit) return tl::unexpected(fit.error());
+    if (auto fit = check_edge(sheet, edge); !fit) return pass_on(fit);
   const auto is_ripped = [&](const Joint& joint) {
     return std::ranges::any_of(edges, [&](int edge) { return is_at(sheet, joint, edge); });
   };
@@ -151,7 +151,7 @@ Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
   const std::set<BendId> idle = idle_bends(sheet);
   sheet = without_bends(std::move(sheet), idle);
   if (!Topology(sheet).is_connected())
-    return fail(ErrorCode::bad_option, "The rips cut the sheet into several parts; leave one out.");
+    return fail(code::bad_option, "The rips cut the sheet into several parts; leave one out.");
   return sheet;
 }
 

@@ -4,6 +4,7 @@
 #include "unplaced.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
 
@@ -110,7 +111,7 @@ int parts_of(const Sheet& sheet) {
   return parts.count();
 }
 
-tl::unexpected<Error> no_rips() { return fail(ErrorCode::closed_loop, "No rips open the sheet."); }
+tl::unexpected<Error> no_rips() { return fail(code::closed_loop, "No rips open the sheet."); }
 
 /// The rips of one way to choose what is kept, if what they open passes.
 Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOptions options,
@@ -132,7 +133,7 @@ Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOpti
     if (!cut || parts_of(*cut) > parts_of(sheet)) return no_rips();
     const auto passed = passes(*cut);
     if (passed) return edges;
-    if (passed.error().code != ErrorCode::closed_loop) return tl::unexpected(passed.error());
+    if (passed.error().code != code::closed_loop) return pass_on(passed);
     open = std::move(*cut);
     options.bend_k.clear();  // by number, of which rips may have taken some
   }
@@ -154,7 +155,7 @@ Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& 
   for (const Keep keep : {Keep::smooth, Keep::longest, Keep::near_root}) {
     auto rips = rips_keeping(keep, sheet, options, passes);
     if (rips) return rips;
-    if (best.error().code == ErrorCode::closed_loop) best = std::move(rips);
+    if (best.error().code == code::closed_loop) best = std::move(rips);
   }
   return best;
 }
@@ -162,15 +163,15 @@ Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& 
 Error loop_refusal(const Sheet& sheet, const Error& closed, const FlattenOptions& options,
                    const SheetCheck& passes) {
   const auto rips = rips_to_open(sheet, options, passes);
-  if (!rips) switch (rips.error().code) {
-      case ErrorCode::closed_loop:
-      case ErrorCode::unsupported_shape:  // corners without room are mostly closed all around
-        return continued(closed, ", and no rips along its edges open it.");
-      case ErrorCode::overlap:
-        return continued(closed, ", and rips along its edges leave a pattern that covers itself.");
-      default:
-        return rips.error();
-    }
+  if (!rips) {
+    const ErrorCode& why = rips.error().code;
+    // Corners without room are mostly closed all around.
+    if (why == code::closed_loop || why == code::unsupported_shape)
+      return continued(closed, ", and no rips along its edges open it.");
+    if (why == code::overlap)
+      return continued(closed, ", and rips along its edges leave a pattern that covers itself.");
+    return rips.error();
+  }
   const int edge = rips->front();
   const auto first = std::ranges::find_if(
       sheet.joints, [&](const Joint& joint) { return sheet[joint.a].edge == edge; });

@@ -91,7 +91,7 @@ Result<Sheet> with_setback(const Sheet& sheet) {
       if (flat && moved_inwards(face.loops[ref.loop], ref.border, setback)) continue;
       const std::string name = fmt::format("{}", face.source_face.value_or(index_of(ref.face)));
       return fail(
-          ErrorCode::unsupported_shape,
+          code::unsupported_shape,
           fmt::format("Face {} has no room for the setback of {:.4g} mm that its sharp bend "
                       "of {:.1f}° needs; model the bend with a radius.",
                       name, setback, 2 * half_turn * 180 / std::numbers::pi),

@@ -73,7 +73,7 @@ MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_s
 
 tl::unexpected<Error> no_room(const Slot& slot) {
   return fail(
-      ErrorCode::bad_option,
+      code::bad_option,
       fmt::format(
           "the kerf of {:.6g} mm is too wide where the slit leaves the sheet at ({:.6g}, {:.6g})",
           2.0 * slot.half_width, slot.axis.a.x(), slot.axis.a.y()),
@@ -155,7 +155,7 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
              *going = std::get_if<Segment>(&contour.loop[next]);
   if (coming == nullptr || going == nullptr || before == next)
     return fail(
-        ErrorCode::unsupported_shape,
+        code::unsupported_shape,
         fmt::format("the slit that leaves the sheet at ({:.6g}, {:.6g}) meets a curve there",
                     slot.axis.a.x(), slot.axis.a.y()));
   const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();

@@ -20,17 +20,17 @@ using namespace sheet_detail;
 Result<void> check_options(const SlotOptions& options) {
   const auto check = [](double value, const char* what, const char* where) -> Result<void> {
     if (std::isfinite(value) && value >= 0.0) return {};
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("the {} is {} mm; it must be 0 or above", what, value), where);
   };
   if (auto sound = check(options.kerf, "kerf", "/kerf"); !sound) return sound;
   if (auto sound = check(options.stop_hole, "stop hole's diameter", "/stop_hole"); !sound)
     return sound;
   if (!(std::isfinite(options.tolerance) && options.tolerance > 0.0))
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("the tolerance is {} mm; it must be above 0", options.tolerance));
   if (options.stop_hole > 0.0 && options.stop_hole < options.kerf)
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("the stop holes have a diameter of {} mm, less than the kerf of {} mm; "
                             "make them at least as wide",
                             options.stop_hole, options.kerf),
@@ -91,7 +91,7 @@ Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const std::vector
                b = corners_at(pattern, slit.b, options.tolerance);
     if (a.size() + b.size() > 1)
       return fail(
-          ErrorCode::unsupported_shape,
+          code::unsupported_shape,
           fmt::format(
               "the slit from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is open in more than one place",
               slit.a.x(), slit.a.y(), slit.b.x(), slit.b.y()));
@@ -105,7 +105,7 @@ Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const std::vector
 }
 
 tl::unexpected<Error> too_wide(const Slot& slot, double room) {
-  return fail(ErrorCode::bad_option,
+  return fail(code::bad_option,
               fmt::format("the slot from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) runs into what is "
                           "{:.6g} mm beside it; choose a smaller kerf or stop hole",
                           slot.axis.a.x(), slot.axis.a.y(), slot.axis.b.x(), slot.axis.b.y(), room),
@@ -164,7 +164,7 @@ Result<void> open_slots(FlatPattern& pattern, std::vector<Slot> slots, double to
   for (const Slot& slot : slots) {
     Contour& contour = *contours[slot.opens_at->contour];
     auto opened = with_open_slot(contour, slot, tolerance);
-    if (!opened) return tl::unexpected(opened.error());
+    if (!opened) return pass_on(opened);
     contour = std::move(*opened);
   }
   return {};
@@ -199,7 +199,7 @@ Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) 
 }  // namespace
 
 Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
-  if (auto sound = check_options(options); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_options(options); !sound) return pass_on(sound);
   for (Contour* contour : contours_of(pattern))
     contour->origins.resize(contour->loop.size());
   std::vector<Segment> slits = straight_slits(pattern);
@@ -207,17 +207,16 @@ Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
     slits.push_back(slit);
   if (slits.empty()) return pattern;
   auto slots = slots_of(pattern, slits, options);
-  if (!slots) return tl::unexpected(slots.error());
-  if (auto room = check_room_between(*slots); !room) return tl::unexpected(room.error());
+  if (!slots) return pass_on(slots);
+  if (auto room = check_room_between(*slots); !room) return pass_on(room);
   for (const Slot& slot : *slots)
-    if (auto room = check_room_to_contours(pattern, slot); !room)
-      return tl::unexpected(room.error());
+    if (auto room = check_room_to_contours(pattern, slot); !room) return pass_on(room);
   if (options.kerf > 0.0) {
     if (auto opened = open_slots(pattern, *slots, options.tolerance); !opened)
-      return tl::unexpected(opened.error());
+      return pass_on(opened);
     add_closed_slots(pattern, *slots);
   } else if (auto cut = cut_as_lines(pattern, *slots); !cut) {
-    return tl::unexpected(cut.error());
+    return pass_on(cut);
   }
   for (FlatBend& bend : pattern.bends)
     trim_bend(bend, [&](const Segment& line) { return outside(line, *slots); });

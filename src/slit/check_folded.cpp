@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace planish {
 namespace {
 
 std::optional<Error> folded_fault(const char* rule, std::string where) {
-  return Error{ErrorCode::invalid_sheet, rule, std::move(where)};
+  return Error{code::invalid_sheet, rule, std::move(where)};
 }
 
 bool is_finite(const Frame& frame) {

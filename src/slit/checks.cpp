@@ -3,6 +3,7 @@
 #include "panel.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/slit/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ constexpr double kLargest = 1e7;   // mm, of lengths and coordinates: 10 km
 constexpr double kHeaviest = 1e4;  // of weights: a larger one would swamp the others
 
 tl::unexpected<Error> invalid(std::string message, std::string where) {
-  return fail(ErrorCode::invalid_input, std::move(message), std::move(where));
+  return fail(code::invalid_input, std::move(message), std::move(where));
 }
 
 Result<void> check_length(double value, const char* what, std::string where) {
@@ -95,7 +96,7 @@ Result<void> check_radius(const SlitDesign& design, const BezierCurve& curve,
   const TightestBend tightest = tightest_bend(curve);
   if (tightest.radius >= design.sheet.min_radius()) return {};
   const Vec2 at = bezier_at(curve, tightest.t).point;
-  return fail(ErrorCode::radius_too_small,
+  return fail(code::radius_too_small,
               fmt::format("the leg curve bends with a radius of {:.4g} mm at (x, z) = ({:.4g}, "
                           "{:.4g}) mm; the sheet, {:.4g} mm thick, needs at least "
                           "{:.4g} mm at its mid-surface",
@@ -122,16 +123,14 @@ Result<void> check_lean(Angle lean, const BezierCurve& curve, const std::string&
 /// The leg curve of a panel, scaled to the sheet if that is asked for.
 Result<BezierCurve> checked_curve(const SlitDesign& design, const BezierCurve& curve, bool fit,
                                   Angle lean, const std::string& where) {
-  if (auto sound = check_curve(curve, "the leg curve", where); !sound)
-    return tl::unexpected(sound.error());
-  if (auto sound = check_lean(lean, curve, where); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_curve(curve, "the leg curve", where); !sound) return pass_on(sound);
+  if (auto sound = check_lean(lean, curve, where); !sound) return pass_on(sound);
   auto scaled = fit ? fitted(design.sheet, curve, where) : curve;
   if (!scaled) return scaled;
   if (fit)
     if (auto sound = check_curve(*scaled, "the leg curve as scaled", where); !sound)
-      return tl::unexpected(sound.error());
-  if (auto sound = check_radius(design, *scaled, where); !sound)
-    return tl::unexpected(sound.error());
+      return pass_on(sound);
+  if (auto sound = check_radius(design, *scaled, where); !sound) return pass_on(sound);
   return scaled;
 }
 
@@ -156,7 +155,7 @@ const PanelFacet& facet_of(const std::vector<PanelFacet>& panel, int strip) {
 Result<void> check_strip_number(const SlitDesign& design, int strip, const std::string& where) {
   const int count = static_cast<int>(design.sheet.strips.size());
   if (strip >= 0 && strip < count) return {};
-  return fail(ErrorCode::unknown_strip,
+  return fail(code::unknown_strip,
               fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, count - 1),
               where);
 }
@@ -185,7 +184,7 @@ Result<void> check_seat_curve(const SlitDesign& design) {
   for (const SlitStrip& strip : design.sheet.strips)
     width += strip.width;
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
-    return fail(ErrorCode::curve_too_short,
+    return fail(code::curve_too_short,
                 fmt::format("the seat curve is {:.6g} mm long; the ends of the strips are {:.6g} "
                             "mm wide together and would overlap",
                             long_is, width),
@@ -199,7 +198,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
   const std::string where = fmt::format("/anchors/{}", anchor);
   if (auto sound = check_strip_number(design, wish.strip, where + "/strip"); !sound) return sound;
   if (wish.ridge < 0 || wish.ridge > design.ridges)
-    return fail(ErrorCode::unknown_ridge,
+    return fail(code::unknown_ridge,
                 fmt::format("strip {} has no ridge {}; it has ridges 0 to {}", wish.strip,
                             wish.ridge, design.ridges),
                 where + "/ridge");
@@ -212,7 +211,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
   const double needed = (wish.at - from).norm() +
                         (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
   if (needed <= available + tolerance::kComputed * design.sheet.reach()) return {};
-  return fail(ErrorCode::out_of_reach,
+  return fail(code::out_of_reach,
               fmt::format("the anchor at ({:.4g}, {:.4g}, {:.4g}) mm is {:.4g} mm out of reach: "
                           "the way there from the panel{} is {:.4g} mm, but strip {} is only "
                           "{:.4g} mm long",
@@ -242,7 +241,7 @@ Result<void> check_second_panel(const SlitDesign& design, const Panels& panels) 
     const auto [needed, available] = way_to(design, facet_of(panels.first, facet.strip),
                                             facet.strip, end);
     if (needed <= available) continue;
-    return fail(ErrorCode::out_of_reach,
+    return fail(code::out_of_reach,
                 fmt::format("the second panel is {:.4g} mm out of reach of strip {}: its edge is "
                             "{:.4g} mm from that of the first panel, but the strip is only {:.4g} "
                             "mm long",
@@ -259,12 +258,12 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
   if (auto sound = check_strip_number(design, strip, where); !sound) return sound;
   if (design.sheet.symmetric)
     return fail(
-        ErrorCode::bad_option,
+        code::bad_option,
         "strips of a symmetric sheet end in its symmetry plane; their ends cannot be placed",
         where);
   if (design.second_panel)
-    return fail(ErrorCode::bad_option,
-                "the strips end at the second panel; their ends cannot be placed", where);
+    return fail(code::bad_option, "the strips end at the second panel; their ends cannot be placed",
+                where);
   for (const auto& [direction, key] :
        {std::pair{end.direction, "/direction"}, std::pair{end.across, "/across"}})
     if (direction && !(direction->allFinite() && direction->norm() > 0.0))
@@ -283,7 +282,7 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
   if (auto sound = check_place(*end.position, "an end", where + "/position"); !sound) return sound;
   const auto [needed, available] = way_to(design, facet_of(panel, strip), strip, *end.position);
   if (needed <= available) return {};
-  return fail(ErrorCode::out_of_reach,
+  return fail(code::out_of_reach,
               fmt::format("the end of strip {} is {:.4g} mm out of reach: it is {:.4g} mm from the "
                           "panel's edge, but the strip is only {:.4g} mm long",
                           strip, needed - available, needed, available),
@@ -296,12 +295,12 @@ Result<void> check_scan(const SlitDesign& design, int index) {
   const std::string where = fmt::format("/scan/{}", index);
   if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
   if (points.size() > kMostPoints)
-    return fail(ErrorCode::scan_too_large,
+    return fail(code::scan_too_large,
                 fmt::format("the scan of strip {} has {} points; thin it out to at most {}", strip,
                             points.size(), kMostPoints),
                 where + "/points");
   if (points.empty())
-    return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", strip),
+    return fail(code::empty_scan, fmt::format("the scan of strip {} has no points", strip),
                 where + "/points");
   const auto bad = std::find_if(points.begin(), points.end(),
                                 [](const Vec3& p) { return !in_range(p); });
@@ -370,25 +369,25 @@ Result<void> check_sheet(const SlitDesign& design) {
 
 Result<SlitDesign> with_fitted_curves(SlitDesign design) {
   auto curve = checked_curve(design, design.leg_curve, design.fit, design.lean, "/leg_curve");
-  if (!curve) return tl::unexpected(curve.error());
+  if (!curve) return pass_on(curve);
   design.leg_curve = std::move(*curve);
   if (!design.second_panel) return design;
   SecondPanel& second = *design.second_panel;
   auto far_curve = checked_curve(design, second.leg_curve, second.fit, second.lean,
                                  "/second_panel/leg_curve");
-  if (!far_curve) return tl::unexpected(far_curve.error());
+  if (!far_curve) return pass_on(far_curve);
   second.leg_curve = std::move(*far_curve);
   return design;
 }
 
 Result<Panels> checked_panels(const SlitDesign& design) {
   auto first = panel_of(design.sheet, design.leg_curve, design.lean);
-  if (!first) return tl::unexpected(first.error());
+  if (!first) return pass_on(first);
   if (design.sheet.symmetric)
-    if (auto sound = check_side_of_plane(*first); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_side_of_plane(*first); !sound) return pass_on(sound);
   if (!design.second_panel) return Panels{std::move(*first), {}};
   auto second = second_panel_of(design.sheet, *design.second_panel);
-  if (!second) return tl::unexpected(second.error());
+  if (!second) return pass_on(second);
   return Panels{std::move(*first), std::move(*second)};
 }
 
@@ -407,7 +406,7 @@ Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design)
   std::vector<std::vector<Vec3>> points(design.sheet.strips.size());
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
     const SlitScan& scan = design.scans[i];
-    if (auto sound = check_scan(design, i); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_scan(design, i); !sound) return pass_on(sound);
     auto& all = points[scan.strip];
     all.insert(all.end(), scan.points.begin(), scan.points.end());
   }

@@ -102,26 +102,26 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
                      ? -1.0
                      : 1.0;
   if (options.up && !(options.up->allFinite() && options.up->norm() > 0.0))
-    return fail(ErrorCode::bad_option,
-                "the direction in which the sheet is lifted off has no length", "/mould/up");
+    return fail(code::bad_option, "the direction in which the sheet is lifted off has no length",
+                "/mould/up");
   setting.up = options.up ? Vec3(options.up->normalized())
                : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY())
                                                                              : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
   if (!options.inset) setting.most_share = kNarrowest;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("the mould's inset is {} mm; it must be at least 0", setting.inset),
                 "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
     return fail(
-        ErrorCode::bad_option,
+        code::bad_option,
         fmt::format("the mould's base is {} mm below its lowest point; it must be more than 0",
                     options.base),
         "/mould/base");
   const double draft = options.draft.radians();
   if (!(draft > 0.0) || !(draft < 1.5))
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("the mould's draft is {}°; it must be above 0 and below 86",
                             options.draft.degrees()),
                 "/mould/draft");
@@ -146,7 +146,7 @@ Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, in
   const double share = std::min(
       std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose "
                             "ridge is {:.6g} mm long",
                             setting.inset, number, (right - left).norm()),
@@ -162,13 +162,13 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
   std::array<Vec3, 2> near{};
   for (int at = first; at <= last + 1; ++at) {
     const auto far = working_ridge(strip, first, last, at, setting, number);
-    if (!far) return tl::unexpected(far.error());
+    if (!far) return pass_on(far);
     if (at > first) {
       const auto& from = strip.ridges[at - 1];
       const auto& to = strip.ridges[at];
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
-          return fail(ErrorCode::radius_too_small,
+          return fail(code::radius_too_small,
                       fmt::format("{} is folded so tightly that its side towards the mould has no "
                                   "length between the ridges",
                                   place(number, strip.first + at - 1)),
@@ -197,7 +197,7 @@ Result<void> add_ribs(const WholeStrip& strip, int number, const Setting& settin
     while (last + 1 < count && carried(last + 1))
       ++last;
     auto rib = rib_under(strip, quad, last, setting, number);
-    if (!rib) return tl::unexpected(rib.error());
+    if (!rib) return pass_on(rib);
     rib->first_quad = strip.first + quad;
     mould.ribs.push_back(std::move(*rib));
     quad = last + 1;
@@ -298,7 +298,7 @@ Result<void> add_all_ribs(Mould& mould, const FoldedSlitSheet& folded, const Set
       if (auto added = add_ribs(strip, number, setting, walls, mould); !added) return added;
   }
   if (!mould.ribs.empty()) return {};
-  return fail(ErrorCode::unsupported_shape,
+  return fail(code::unsupported_shape,
               "no part of the strips faces the direction in which the sheet is lifted off; choose "
               "another direction (mould.up) or the other side (mould.side)");
 }
@@ -326,7 +326,7 @@ Result<void> make_solids(Mould& mould, const Setting& setting, double base) {
   if (setting.form == MouldForm::ribs) return {};
   constexpr double kPlate = 0.5;  // of the base
   auto body = body_of(mould, kPlate * base, base);
-  if (!body) return tl::unexpected(body.error());
+  if (!body) return pass_on(body);
   mould.volume = volume_of(*body);
   mould.body = std::move(*body);
   return {};
@@ -339,20 +339,18 @@ Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& settin
   const WallSetting upright{base_frame(0.0, setting.up), setting.sign, setting.offset, base};
   if (setting.form == MouldForm::body) {
     auto walls = walls_of(folded, upright);
-    if (!walls) return tl::unexpected(walls.error());
+    if (!walls) return pass_on(walls);
     mould.walls = std::move(*walls);
   }
   std::vector<std::vector<WholeStrip>> strips;
   if (auto added = add_all_ribs(mould, folded, setting, upright, strips); !added)
-    return tl::unexpected(added.error());
-  if (auto raised = raise(mould.walls, strips, upright); !raised)
-    return tl::unexpected(raised.error());
+    return pass_on(added);
+  if (auto raised = raise(mould.walls, strips, upright); !raised) return pass_on(raised);
   mould.base = base_frame(lowest_point(mould, folded, setting) - base, setting.up);
   for (MouldRib& rib : mould.ribs)
     rib.footprint = footprint_of(rib, mould.base);
-  if (auto clear = check_clear(mould, strips, setting.offset); !clear)
-    return tl::unexpected(clear.error());
-  if (auto made = make_solids(mould, setting, base); !made) return tl::unexpected(made.error());
+  if (auto clear = check_clear(mould, strips, setting.offset); !clear) return pass_on(clear);
+  if (auto made = make_solids(mould, setting, base); !made) return pass_on(made);
   return mould;
 }
 
@@ -394,15 +392,15 @@ std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
 }  // namespace
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
-  if (auto sound = check(folded); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check(folded); !sound) return pass_on(sound);
   const auto given = setting_of(folded, options);
-  if (!given) return tl::unexpected(given.error());
+  if (!given) return pass_on(given);
   std::optional<Error> first_error;
   for (const Setting& setting : tries(*given, folded, options)) {
     auto mould = upright_mould(folded, setting, options.base);
     if (mould) return mould;
     if (!first_error) first_error = mould.error();
-    if (mould.error().code != ErrorCode::unsupported_shape) break;
+    if (mould.error().code != code::unsupported_shape) break;
   }
   return tl::unexpected(*first_error);
 }

@@ -81,7 +81,7 @@ Result<MouldWall> wall_behind(const Standing& panel, const WallSetting& setting)
   wall.bottom = panel.bottom;
   wall.top = panel.top;
   if (self_crossings(wall.footprint).empty() && self_crossings(wall.room).empty()) return wall;
-  return fail(ErrorCode::unsupported_shape,
+  return fail(code::unsupported_shape,
               fmt::format("the mould's wall behind a panel, {:.4g} mm deep, would run through "
                           "itself where the leg curve is bent most; choose a smaller mould.base, "
                           "whose depth it has, or mould.form \"ribs\"",
@@ -254,7 +254,7 @@ std::optional<Triangles> triangles_around(const std::vector<Vec2>& rim,
 }
 
 tl::unexpected<Error> touching() {
-  return fail(ErrorCode::unsupported_shape,
+  return fail(code::unsupported_shape,
               "ribs or walls of the mould touch each other, so it would not be one body; choose a "
               "larger inset (mould.inset) or mould.form \"ribs\"");
 }
@@ -270,7 +270,7 @@ Result<std::vector<MouldWall>> walls_of(const FoldedSlitSheet& folded, const Wal
   for (const Standing& panel : panels) {
     if (!is_upright(panel, setting.plan.z)) continue;
     auto wall = wall_behind(panel, setting);
-    if (!wall) return tl::unexpected(wall.error());
+    if (!wall) return pass_on(wall);
     walls.push_back(std::move(*wall));
   }
   return walls;
@@ -298,7 +298,7 @@ Result<void> raise(std::vector<MouldWall>& walls,
           if (const auto lowest = lowest_over(wall.footprint, strip, quad, setting))
             wall.top = std::min(wall.top, *lowest);
     if (wall.top - wall.bottom < kLeast * height)
-      return fail(ErrorCode::unsupported_shape,
+      return fail(code::unsupported_shape,
                   fmt::format("strips come down to {:.4g} mm above the free edge of a panel {:.4g} "
                               "mm high, so the mould's wall has no room behind it; choose "
                               "mould.form \"ribs\"",

@@ -27,7 +27,7 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<Mo
   double smallest = std::numeric_limits<double>::infinity();
   for (const MouldRib& rib : ribs) {
     if (!self_crossings(rib.footprint).empty())
-      return fail(ErrorCode::unsupported_shape,
+      return fail(code::unsupported_shape,
                   fmt::format("strip {} overhangs itself, so its rib would pass through itself; "
                               "choose another direction for the mould (mould.up)",
                               rib.strip),
@@ -51,7 +51,7 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<Mo
   };
   for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest))
     return fail(
-        ErrorCode::unsupported_shape,
+        code::unsupported_shape,
         fmt::format("the mould's {} and its {} would overlap by {:.4g} mm²; {}",
                     name_of(overlap.first), name_of(overlap.second), overlap.area, kChoose),
         overlap.first < std::ssize(ribs) ? fmt::format("strip {}", ribs[overlap.first].strip) : "");
@@ -121,7 +121,7 @@ class View {
         for (const Vec2& p : ring)
           if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
             return fail(
-                ErrorCode::unsupported_shape,
+                code::unsupported_shape,
                 fmt::format("the mould's rib under strip {} would pass through {}; {}", rib->strip,
                             rib->strip == strip->strip ? "another part of that strip"
                                                        : fmt::format("strip {}", strip->strip),

@@ -1,6 +1,7 @@
 #include "panel.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/slit/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -119,7 +120,7 @@ Frame upright(const Vec2& from, const Vec2& to, const Vec2& flat_from, const Vec
 
 tl::unexpected<Error> too_short(const BezierCurve& curve, double missing, double width,
                                 const std::string& where) {
-  return fail(ErrorCode::curve_too_short,
+  return fail(code::curve_too_short,
               fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too short for the chords of "
                           "a sheet {:.6g} mm wide; make it longer or the "
                           "sheet narrower, or set \"fit\": true to have it scaled",
@@ -129,7 +130,7 @@ tl::unexpected<Error> too_short(const BezierCurve& curve, double missing, double
 
 tl::unexpected<Error> too_long(const BezierCurve& curve, double rest, double width,
                                const std::string& where) {
-  return fail(ErrorCode::curve_too_long,
+  return fail(code::curve_too_long,
               fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too long for the chords of "
                           "a sheet {:.6g} mm wide; make it shorter or the "
                           "sheet wider, or set \"fit\": true to have it scaled",
@@ -210,7 +211,7 @@ Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve,
     (fits(facets, curve, middle) ? low : high) = middle;
   }
   if (!(low > 0.0))
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 "the leg curve cannot be scaled to the sheet: at no size do the strips' chords "
                 "end where it ends",
                 where);

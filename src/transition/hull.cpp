@@ -3,6 +3,7 @@
 #include "roots.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/transition/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -117,7 +118,7 @@ Result<std::vector<Event>> unwrapped(std::vector<Event> events, double n) {
     last = event.to[1];
   }
   if (last > start + n + kBack)
-    return fail(ErrorCode::profile_hidden,
+    return fail(code::profile_hidden,
                 "the planes that touch both profiles do not follow each other once round: a part "
                 "of one profile is hidden behind the other");
   return events;
@@ -253,15 +254,15 @@ Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double
     }
   if (low > kTouching * size) return {};
   if (high <= kTouching * size)
-    return fail(ErrorCode::profiles_meet, "both profiles lie in one plane: set their frames apart",
+    return fail(code::profiles_meet, "both profiles lie in one plane: set their frames apart",
                 "/to/frame");
   const char* whose = from ? "second" : "first";
   if (low >= -kTouching * size)
     return fail(
-        ErrorCode::profiles_meet,
+        code::profiles_meet,
         fmt::format("the {} profile touches the plane of the other: move them apart", whose),
         "/to/frame");
-  return fail(ErrorCode::profile_hidden,
+  return fail(code::profile_hidden,
               fmt::format("the {} profile lies on both sides of the plane of the other, by {:.4g} "
                           "and {:.4g} mm, so that a part of it would be "
                           "hidden inside the transition: move or turn one of them",
@@ -276,13 +277,11 @@ double ahead(const SpaceCurvePoint& p, const SpaceCurvePoint& q) {
 }
 
 Result<Hull> lateral_hull(Boundary first, Boundary second, double size) {
-  if (auto apart = check_apart(first, second, 1.0, size, true); !apart)
-    return tl::unexpected(apart.error());
-  if (auto apart = check_apart(second, first, -1.0, size, false); !apart)
-    return tl::unexpected(apart.error());
+  if (auto apart = check_apart(first, second, 1.0, size, true); !apart) return pass_on(apart);
+  if (auto apart = check_apart(second, first, -1.0, size, false); !apart) return pass_on(apart);
   Hull hull{{std::move(first), std::move(second)}, {}};
   const auto events = events_of(hull.boundaries, kInPlane * size);
-  if (!events) return tl::unexpected(events.error());
+  if (!events) return pass_on(events);
   for (std::size_t i = 0; i < events->size(); ++i) {
     const Event& here = (*events)[i];
     const bool last = i + 1 == events->size();

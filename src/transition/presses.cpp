@@ -43,7 +43,7 @@ Result<void> check_presses(const Ring& ring, const std::vector<std::vector<Patch
       if (const double lines = wanted_presses(patch, part.from, part.to, pressing);
           lines > kMostLines)
         return fail(
-            ErrorCode::invalid_input,
+            code::invalid_input,
             fmt::format("a bend would be pressed on {:.4g} lines; at most {:.0f} are possible: "
                         "give a smaller count, or a larger angle or chord",
                         lines, kMostLines),

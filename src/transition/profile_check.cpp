@@ -2,6 +2,7 @@
 
 #include <planish/base/angle.hpp>
 #include <planish/geometry/region.hpp>
+#include <planish/transition/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ Result<void> check_apart(const std::vector<Vec2>& corners, double size, const st
   for (int i = 0; i < n; ++i) {
     const int next = (i + 1) % n;
     if ((corners[i] - corners[next]).norm() > kNoCorner * size) continue;
-    return fail(ErrorCode::repeated_corner,
+    return fail(code::repeated_corner,
                 fmt::format("points {} and {} lie at the same place, ({:.6g}, {:.6g})", i, next,
                             corners[i].x(), corners[i].y()),
                 fmt::format("{}/{}", place, next));
@@ -31,14 +32,14 @@ Result<void> check_apart(const std::vector<Vec2>& corners, double size, const st
 Result<void> check_sizes(std::initializer_list<double> sizes, const std::string& place) {
   for (const double size : sizes)
     if (!(size > 0.0) || !std::isfinite(size))
-      return fail(ErrorCode::invalid_input,
-                  fmt::format("a size is {:.6g} mm; it must be above 0", size), place);
+      return fail(code::invalid_input, fmt::format("a size is {:.6g} mm; it must be above 0", size),
+                  place);
   return {};
 }
 
 Result<void> check_radius(double tightest, double outwards, const std::string& place) {
   if (tightest + outwards > kNoCorner * tightest) return {};
-  return fail(ErrorCode::radius_too_small,
+  return fail(code::radius_too_small,
               fmt::format("the thickness is too large: the neutral surface lies {:.4g} mm within "
                           "the profile that is given, whose smallest radius is {:.4g} mm",
                           -outwards, tightest),
@@ -48,23 +49,23 @@ Result<void> check_radius(double tightest, double outwards, const std::string& p
 Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place) {
   if (corners.size() < 3)
     return fail(
-        ErrorCode::too_few_corners,
+        code::too_few_corners,
         fmt::format("a profile needs at least three points; this one has {}", corners.size()),
         place);
   double size = 0.0;
   for (const Vec2& p : corners) {
     if (!p.allFinite())
-      return fail(ErrorCode::invalid_input, "a coordinate is not a finite number", place);
+      return fail(code::invalid_input, "a coordinate is not a finite number", place);
     size = std::max(size, (p - corners.front()).norm());
   }
   if (auto apart = check_apart(corners, size, place); !apart) return apart;
   if (const auto at = self_crossings(corners); !at.empty())
-    return fail(ErrorCode::self_crossing,
+    return fail(code::self_crossing,
                 fmt::format("the profile crosses itself at ({:.6g}, {:.6g})", at.front().x(),
                             at.front().y()),
                 place);
   if (std::abs(ring_area(corners)) <= kNoCorner * size * size)
-    return fail(ErrorCode::invalid_input, "the profile encloses no area", place);
+    return fail(code::invalid_input, "the profile encloses no area", place);
   return {};
 }
 
@@ -81,7 +82,7 @@ Result<void> check_convex(const std::vector<Vec2>& corners, const std::function<
     const double along = turn.in.dot(turn.out);
     if (turn.sine() >= -kNoCorner && along > -1.0 + kNoCorner) continue;
     return fail(
-        ErrorCode::profile_not_convex,
+        code::profile_not_convex,
         fmt::format("the profile is not convex at corner {}, ({:.6g}, {:.6g}), where it turns "
                     "inwards by {:.4g}°: divide it into convex ones",
                     given(i), corners[i].x(), corners[i].y(),
@@ -102,7 +103,7 @@ Result<void> check_convex(const PeriodicSpline& spline, double outwards, const s
         if (turning / (speed * speed * speed) * -outwards < 1.0 - kNoCorner) continue;
         return check_radius(speed * speed * speed / turning, outwards, place);
       }
-      return fail(ErrorCode::profile_not_convex,
+      return fail(code::profile_not_convex,
                   fmt::format("the spline is not convex at ({:.6g}, {:.6g}), between points {} and "
                               "{}: move or add points",
                               at.point.x(), at.point.y(), k, (k + 1) % (knots.size() - 1)),

@@ -9,11 +9,11 @@ namespace {
 
 Result<void> check_numbers(const TransitionSpec& spec) {
   if (!(spec.thickness > 0.0) || !std::isfinite(spec.thickness))
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("the thickness is {} mm; it must be above 0", spec.thickness),
                 "/thickness");
   if (!(spec.k_factor >= 0.0 && spec.k_factor <= 1.0))
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("the K-factor is {}; it must be from 0 to 1", spec.k_factor),
                 "/k_factor");
   const auto* count = std::get_if<PressCount>(&spec.pressing);
@@ -21,16 +21,15 @@ Result<void> check_numbers(const TransitionSpec& spec) {
   const auto* chord = std::get_if<PressChord>(&spec.pressing);
   if ((count && count->count < 1) || (angle && !(angle->largest > Angle())) ||
       (chord && !(chord->largest > 0.0)))
-    return fail(ErrorCode::invalid_input,
-                "press lines need a count, a largest angle or a chord above 0", "/press_lines");
+    return fail(code::invalid_input, "press lines need a count, a largest angle or a chord above 0",
+                "/press_lines");
   return {};
 }
 
 Result<void> check_frame(const Frame& frame, const char* where) {
   for (const Vec3& v : {frame.origin, frame.x, frame.y, frame.z})
     if (!v.allFinite())
-      return fail(ErrorCode::invalid_input, "a coordinate of the frame is not a finite number",
-                  where);
+      return fail(code::invalid_input, "a coordinate of the frame is not a finite number", where);
   return {};
 }
 

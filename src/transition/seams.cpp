@@ -2,6 +2,8 @@
 
 #include "roots.hpp"
 
+#include <planish/transition/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +35,7 @@ class Cutter {
     for (const GivenEdge& edge : boundary_.edges)
       if (edge.number == seam.edge) return at_share(edge.element, 0.5 * (edge.from + edge.to));
     return fail(
-        ErrorCode::unknown_seam,
+        code::unknown_seam,
         fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edges)),
         "/seam/edge");
   }
@@ -45,14 +47,14 @@ class Cutter {
       if (corner.number == seam.corner)
         return corner.at == 0.0 ? at_start_of(corner.element) : at_share(corner.element, corner.at);
     return fail(
-        ErrorCode::unknown_seam,
+        code::unknown_seam,
         fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corners)),
         "/seam/corner");
   }
 
   Result<Cut> at(const SeamParameter& seam) const {
     if (!(seam.parameter >= 0.0 && seam.parameter <= 1.0))
-      return fail(ErrorCode::unknown_seam,
+      return fail(code::unknown_seam,
                   fmt::format("the parameter is {:.6g}; it must be from 0 to 1", seam.parameter),
                   "/seam/parameter");
     const double whole = perimeter();
@@ -135,7 +137,7 @@ class Cutter {
       round = 0.0;
     }
     if (edges && cuts.size() > 1) return cuts;
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 "the first profile has no sides, so there is no piece for each: give 1 or 2 pieces",
                 "/pieces");
   }
@@ -296,7 +298,7 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
     const Result<Cut> first = seam ? std::visit([&](const auto& given) { return cutter.at(given); },
                                                 *seam)
                                    : Result<Cut>(cutter.shortest());
-    if (!first) return tl::unexpected(first.error());
+    if (!first) return pass_on(first);
     cuts = {*first};
     if (pieces == Division::two)
       cuts.push_back(cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter()));

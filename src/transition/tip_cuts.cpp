@@ -162,7 +162,7 @@ Result<void> TipCuts::leave_room(const RuledPatch& patch, double from, double to
     const auto [p, q] = patch.ruling(ruling);
     const double length = (q - p).norm();
     if (cuts[0] + cuts[1] <= kMostOfRuling * length) return {};
-    return fail(ErrorCode::radius_too_small,
+    return fail(code::radius_too_small,
                 fmt::format("a sheet of {:.4g} mm is too thick to be folded there: where bends "
                             "meet in a corner they need {:.4g} mm of a line that is {:.4g} mm long",
                             thickness_, cuts[0] + cuts[1], length),

@@ -1,5 +1,7 @@
 #include "brake/hemming_tools.hpp"
 
+#include <planish/brake/codes.hpp>
+
 #include <gtest/gtest.h>
 
 namespace planish::test {
@@ -35,7 +37,7 @@ TEST(Hem, NeedsFlatTools) {
   tools.dies.pop_back();
   const auto plan = plan_of_hem(hem(), tools);
   ASSERT_FALSE(plan);
-  EXPECT_EQ(plan.error().code, ErrorCode::no_tool);
+  EXPECT_EQ(plan.error().code, code::no_tool);
   EXPECT_NE(plan.error().message.find("flat"), std::string::npos);
 }
 

@@ -217,7 +217,7 @@ TEST(CheckOrder, EndsWhenItIsStopped) {
   stopped.cancelled = [] { return true; };
   const auto checked = part.checker->check(one_by_one({0, 1}), stopped);
   ASSERT_FALSE(checked);
-  EXPECT_EQ(checked.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(checked.error().code, code::cancelled);
 }
 
 /// A place of the pattern's inside skin in the machine, at a moment, if it hangs on the held body.

@@ -1,5 +1,7 @@
 #include "brake/stroke_room.hpp"
 
+#include <planish/brake/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -132,7 +134,7 @@ TEST(PlanBending, SendsARollToAnotherMachine) {
   const Sheet rolled = strip({Straight{50}, turn_up(250), Straight{50}}, 40, 1.5);
   const auto plan = plan_of(rolled, plain_tools());
   ASSERT_FALSE(plan);
-  EXPECT_EQ(plan.error().code, ErrorCode::no_tool);
+  EXPECT_EQ(plan.error().code, code::no_tool);
   EXPECT_NE(plan.error().message.find("there is no tool that bends by 180° or more"),
             std::string::npos)
       << plan.error().message;

@@ -585,13 +585,13 @@ TEST(SearchStrokes, StopsWhenItIsCancelled) {
   const Progress progress{.report = {}, .cancelled = [&] { return ++asked > 10; }};
   const auto found = search_strokes(chain(40), {}, {}, progress);
   ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(found.error().code, code::cancelled);
 }
 
 TEST(SearchStrokes, RefusesNegativeWeights) {
   const auto found = search_strokes(chain(2), {.rotate = -1.0});
   ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(found.error().code, code::bad_option);
 }
 
 TEST(SearchStrokes, TakesMoreLinesThanAWordHasBits) {

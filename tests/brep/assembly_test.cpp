@@ -2,6 +2,7 @@
 
 #include "recognised.hpp"
 
+#include <planish/brep/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
@@ -117,7 +118,7 @@ TEST(AssembleSheet, RefusesFacesThatMeetSmoothlyAlongACurve) {
   seen.groups = group_faces(seen.model, seen.outlines, seen.skins, Skin::first);
   const auto sheet = assemble_sheet(seen.view());
   ASSERT_FALSE(sheet);
-  EXPECT_EQ(sheet.error().code, ErrorCode::doubly_curved);
+  EXPECT_EQ(sheet.error().code, code::doubly_curved);
   EXPECT_EQ(sheet.error().where, "faces 1 and 2");
 }
 

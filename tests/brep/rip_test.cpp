@@ -3,6 +3,7 @@
 
 #include <planish/brep/step.hpp>
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -55,7 +56,7 @@ std::vector<int> rips_asked_for(const TopoDS_Shape& shape) {
     left.push_back(found ? 0 : promised(found.error()));
     EXPECT_EQ(left.back() + guard, left.front());
     if (found) return edges;
-    EXPECT_EQ(found.error().code, ErrorCode::closed_loop) << found.error().message;
+    EXPECT_EQ(found.error().code, code::closed_loop) << found.error().message;
     std::smatch named;
     if (!std::regex_search(found.error().where, named, std::regex("edge (\\d+)"))) break;
     edges.push_back(std::stoi(named[1]));
@@ -69,7 +70,7 @@ void expect_no_rips(const TopoDS_Shape& shape) {
   const auto found = recognised_with(shape, {});
   ASSERT_FALSE(found);
   const Error& error = found.error();
-  EXPECT_EQ(error.code, ErrorCode::closed_loop) << error.message;
+  EXPECT_EQ(error.code, code::closed_loop) << error.message;
   EXPECT_TRUE(error.message.ends_with(", and no rips along its edges open it.")) << error.message;
   EXPECT_TRUE(std::regex_match(error.where, std::regex("between face \\d+ and face \\d+")))
       << error.where;
@@ -187,7 +188,7 @@ TEST(Ripped, ElbowOfTwoPipesIsNotOnePart) {
 
 TEST(Ripped, EdgesAreThoseOfTheSheet) {
   const TopoDS_Shape tube = tube_of(BRepPrimAPI_MakeBox(40, 30, 120).Shape(), 40, 30, 120);
-  EXPECT_EQ(recognised_with(tube, {999}).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(recognised_with(tube, {999}).error().code, code::bad_option);
   const auto open = recognised_with(tube, rips_asked_for(tube));
   ASSERT_TRUE(open);
   // A second rip takes a wall away.
@@ -195,7 +196,7 @@ TEST(Ripped, EdgesAreThoseOfTheSheet) {
   two.push_back(*open->sheet[open->sheet.joints.front().a].edge);
   const auto apart = recognised_with(tube, two);
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(apart.error().code, code::bad_option);
   EXPECT_NE(apart.error().message.find("several parts"), std::string::npos);
 }
 

@@ -4,6 +4,7 @@
 #include "fuzz/readers.hpp"
 
 #include <planish/job/child_process.hpp>
+#include <planish/job/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -98,7 +99,7 @@ job::Texts answered(const job::Texts& question, const job::Parent& parent) {
 /// One sentence, and an exit status that an input may bring about.
 std::string broken_form(const Error& error) {
   const int status = exit_status(error.code);
-  const bool chosen = error.code == ErrorCode::no_such_body || error.code == ErrorCode::bad_option;
+  const bool chosen = error.code == code::no_such_body || error.code == code::bad_option;
   if (status != 3 && status != 4 && !chosen)
     return fmt::format("exit status {}: {}", status, error.message);
   if (error.message.empty()) return "no sentence";

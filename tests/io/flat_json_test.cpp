@@ -114,7 +114,7 @@ TEST(FlatJson, RefusesTextThatIsCutOff) {
   for (std::size_t length = 0; length < text.size(); ++length) {
     const auto read = read_flat_json(text.substr(0, length));
     ASSERT_FALSE(read) << length;
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(read.error().code, code::invalid_input);
   }
 }
 
@@ -125,7 +125,7 @@ TEST(FlatJson, RefusesTextWithAnyByteChanged) {
     damaged[at] = damaged[at] == '1' ? '2' : '1';
     const auto read = read_flat_json(damaged);
     ASSERT_FALSE(read) << damaged.substr(at > 20 ? at - 20 : 0, 40);
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(read.error().code, code::invalid_input);
   }
 }
 

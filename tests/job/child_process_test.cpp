@@ -1,5 +1,6 @@
 // What a child may do to itself, and what whoever asked learns of it.
 #include <planish/base/assert.hpp>
+#include <planish/brep/codes.hpp>
 #include <planish/job/child_process.hpp>
 
 #include <fcntl.h>
@@ -264,7 +265,7 @@ TEST(ChildProcess, KeepsNoOtherDescriptors) {
 TEST(ErrorOfAChild, NamesInputStageAndLimit) {
   const Limits limits{1500ms, std::uint64_t{512} << 20};
   const Error crash = error_of({Cause::crashed, "segmentation fault", "reading"}, "a.step", limits);
-  EXPECT_EQ(crash.code, ErrorCode::crashed);
+  EXPECT_EQ(crash.code, code::crashed);
   EXPECT_EQ(exit_status(crash.code), 3);
   for (const char* part : {"a.step", "\"reading\"", "(segmentation fault)", "export it again"})
     EXPECT_THAT(crash.message, HasSubstr(part));
@@ -277,7 +278,7 @@ TEST(ErrorOfAChild, NamesInputStageAndLimit) {
 }
 
 TEST(ErrorOfAChild, IsSentAndReadAgain) {
-  const Error error{ErrorCode::no_solid, "with\nlines", "a.step"};
+  const Error error{code::no_solid, "with\nlines", "a.step"};
   const auto again = error_in(texts_of(error));
   ASSERT_TRUE(again);
   EXPECT_EQ(again->code, error.code);

@@ -48,7 +48,7 @@ TEST(MaterialJson, SaysWhereACurveIsWrong) {
   EXPECT_EQ(refused(R"({"power_law": {"strength": 500}})").where,
             "m.json/tension/power_law/exponent");
   EXPECT_EQ(refused("{}").where, "m.json/tension");
-  EXPECT_EQ(parse_material("{}", "m.json").error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(parse_material("{}", "m.json").error().code, code::invalid_input);
 }
 
 TEST(OptionValues, ApplyRulesToTheProcessWhateverComesFirst) {

@@ -2,6 +2,7 @@
 
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,7 @@ void follow(const ClosedPart& part, const fs::path& file) {
     }
     const Error& refusal = *report->refusal;
     std::smatch named;
-    const bool names = refusal.code == ErrorCode::closed_loop &&
+    const bool names = refusal.code == code::closed_loop &&
                        std::regex_search(refusal.where, named, std::regex("^edge (\\d+) "));
     if (part.rips == 0) {
       EXPECT_FALSE(names) << refusal.message;

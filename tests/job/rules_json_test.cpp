@@ -59,7 +59,7 @@ TEST(RulesJson, IsStrictUnlessItSaysOtherwise) {
 
 TEST(RulesJson, NamesAnUnknownKeyByItsPointer) {
   const Error error = refusal_of(R"({"flange_heigth_t": 2})");
-  EXPECT_EQ(error.code, ErrorCode::invalid_input);
+  EXPECT_EQ(error.code, code::invalid_input);
   EXPECT_THAT(error.message, HasSubstr("/flange_heigth_t"));
   EXPECT_THAT(error.message, HasSubstr("flange_height_t"));
   EXPECT_EQ(error.where, "r.json/flange_heigth_t");
@@ -69,7 +69,7 @@ TEST(RulesJson, NamesAnUnknownKeyByItsPointer) {
 TEST(RulesJson, RefusesValuesThatAreNoThreshold) {
   for (const char* value : {"-1", "\"2\"", "null", "true", "[1]", "{}"}) {
     const Error error = refusal_of(std::string("{\"hem_diameter_t\": ") + value + "}");
-    EXPECT_EQ(error.code, ErrorCode::invalid_input) << value;
+    EXPECT_EQ(error.code, code::invalid_input) << value;
     EXPECT_THAT(error.message, HasSubstr("/hem_diameter_t must be a number")) << value;
   }
   EXPECT_THAT(refusal_of(R"({"enabled": 1})").message, HasSubstr("/enabled must be true or false"));
@@ -83,10 +83,10 @@ TEST(RulesJson, RefusesOtherFormatsAndVersions) {
 
 TEST(RulesJson, FindsTheLineAndColumnOfAMistake) {
   const Error error = refusal_of("{\n  \"k_low\": 0.1,\n  \"k_high\" 0.6\n}");
-  EXPECT_EQ(error.code, ErrorCode::invalid_input);
+  EXPECT_EQ(error.code, code::invalid_input);
   EXPECT_THAT(error.where, HasSubstr("r.json:3:"));
   for (const char* text : {"", "[]", "3", "{", "{\"k_low\": 1e999}", "\xff"}) {
-    EXPECT_EQ(refusal_of(text).code, ErrorCode::invalid_input) << text;
+    EXPECT_EQ(refusal_of(text).code, code::invalid_input) << text;
   }
 }
 

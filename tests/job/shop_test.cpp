@@ -146,7 +146,7 @@ TEST(ParseShop, SaysWhatIsWrongAndWhere) {
   };
   for (const auto& row : rows) {
     const Error error = error_of(row.json);
-    EXPECT_EQ(error.code, ErrorCode::invalid_input) << row.json;
+    EXPECT_EQ(error.code, code::invalid_input) << row.json;
     EXPECT_THAT(error.where, HasSubstr(row.where)) << error.message;
     EXPECT_THAT(error.message, HasSubstr(row.message)) << error.where;
   }

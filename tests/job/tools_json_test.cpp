@@ -1,3 +1,4 @@
+#include <planish/brake/codes.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/job/tools_json.hpp>
 
@@ -126,7 +127,7 @@ TEST(ToolsJson, NamesWhatIsMissing) {
            {"dies", {"id", "profile", "opening", "shoulder_radius", "angle", "segments"}}})
     for (const std::string& key : keys) {
       const Error error = refusal_of([&](json& t) { t[kind][0].erase(key); });
-      EXPECT_EQ(error.code, ErrorCode::invalid_input);
+      EXPECT_EQ(error.code, code::invalid_input);
       EXPECT_THAT(error.where, HasSubstr("t.json/" + kind + "/0"));
       EXPECT_THAT(error.message, HasSubstr(key));
     }
@@ -161,12 +162,12 @@ TEST(ToolsJson, NamesWhatCannotBeByItsPointer) {
     for (json& corner : t["punches"][0]["profile"])
       corner[1] = corner[1].get<double>() + 1.0;
   });
-  EXPECT_EQ(tip.code, ErrorCode::bad_tools);
+  EXPECT_EQ(tip.code, code::bad_tools);
   EXPECT_EQ(tip.where, "t.json/punches/0/profile");
   EXPECT_EQ(tip.message,
             "tools file: the profile of punch \"P88\" has no corner at (0, 0), where the tip is");
   const Error opening = refusal_of([](json& t) { t["dies"][0]["opening"] = 12; });
-  EXPECT_EQ(opening.code, ErrorCode::bad_tools);
+  EXPECT_EQ(opening.code, code::bad_tools);
   EXPECT_EQ(opening.where, "t.json/dies/0/opening");
   const Error twice = refusal_of([](json& t) { t["dies"].push_back(t["dies"][0]); });
   EXPECT_EQ(twice.where, "t.json/dies/1/id");

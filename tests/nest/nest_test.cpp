@@ -1,6 +1,7 @@
 #include "support/nesting_check.hpp"
 
 #include <planish/nest/nest.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -244,7 +245,7 @@ TEST(Nest, RefusesWhatCannotBe) {
   EXPECT_THAT(error({{&part, 1}}, {.gap = 1000}).message, HasSubstr("750 mm, half the sheet"));
   EXPECT_THAT(error({{&part, 1}}, {.margin = 800}).message, HasSubstr("the margin is 800 mm"));
   EXPECT_THAT(error({{&part, 1}, {&part, 0}}, {}).message, HasSubstr("part 2 is wanted 0 times"));
-  EXPECT_EQ(error({{&empty, 1}}, {}).code, ErrorCode::invalid_sheet);
+  EXPECT_EQ(error({{&empty, 1}}, {}).code, code::invalid_sheet);
 }
 
 TEST(Nest, OfNothingHasNoSheets) { EXPECT_TRUE(nested({}, {}).sheets.empty()); }
@@ -255,7 +256,7 @@ TEST(Nest, EndsWhenCancelled) {
   const Progress progress{{}, [&asked] { return ++asked > 10; }};
   const auto nesting = nest({{&part, 150}}, {}, progress);
   ASSERT_FALSE(nesting);
-  EXPECT_EQ(nesting.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(nesting.error().code, code::cancelled);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string refusal(const std::string& csv, const std::string& where) {
   const auto table = parse_bend_table(csv, "table.csv");
   EXPECT_FALSE(table.has_value()) << csv;
   if (table) return {};
-  EXPECT_EQ(table.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(table.error().code, code::invalid_input);
   EXPECT_EQ(table.error().where, where);
   return table.error().message;
 }

@@ -1,6 +1,7 @@
 #include "support/sheets.hpp"
 
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/facets.hpp>
 #include <planish/sheet/topology.hpp>
 
@@ -66,7 +67,7 @@ TEST(CheckPattern, NamesTheRuleAndTheRow) {
     damage.inflict(pattern);
     const auto result = check(pattern);
     ASSERT_FALSE(result) << damage.rule;
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_sheet);
+    EXPECT_EQ(result.error().code, code::invalid_sheet);
     EXPECT_NE(result.error().message.find(damage.rule), std::string::npos)
         << result.error().message << " instead of: " << damage.rule;
     EXPECT_EQ(result.error().where, damage.where);
@@ -80,8 +81,8 @@ TEST(CheckPattern, StandsBeforeTheCertificate) {
     damage.inflict(pattern);
     const auto result = certify(u_channel(), pattern, none);
     ASSERT_FALSE(result) << damage.rule;
-    EXPECT_TRUE(result.error().code == ErrorCode::invalid_sheet ||
-                result.error().code == ErrorCode::pattern_wrong)
+    EXPECT_TRUE(result.error().code == code::invalid_sheet ||
+                result.error().code == code::pattern_wrong)
         << damage.rule;
   }
 }
@@ -90,9 +91,9 @@ TEST(Certify, RefusesARootOrAToleranceThatMeansNothing) {
   const EdgeDistance none = [](int, const Vec3&) { return 0.0; };
   FlatPattern pattern = sound();
   for (const double tolerance : {0.0, -1.0, std::nan("")})
-    EXPECT_EQ(certify(u_channel(), pattern, none, tolerance).error().code, ErrorCode::bad_option);
+    EXPECT_EQ(certify(u_channel(), pattern, none, tolerance).error().code, code::bad_option);
   pattern.root = FaceId{99};
-  EXPECT_EQ(certify(u_channel(), pattern, none).error().code, ErrorCode::pattern_wrong);
+  EXPECT_EQ(certify(u_channel(), pattern, none).error().code, code::pattern_wrong);
 }
 
 TEST(RequireValid, StopsWithTheRuleAndTheRow) {

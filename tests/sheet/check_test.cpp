@@ -1,5 +1,6 @@
 #include "support/damaged_sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ TEST(CheckSheet, NamesTheRuleAndTheRow) {
     damage.inflict(sheet);
     const auto result = check(sheet);
     ASSERT_FALSE(result) << damage.rule;
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_sheet);
+    EXPECT_EQ(result.error().code, code::invalid_sheet);
     EXPECT_NE(result.error().message.find(damage.rule), std::string::npos)
         << result.error().message << " instead of: " << damage.rule;
     EXPECT_EQ(result.error().where, damage.where) << damage.rule;
@@ -35,7 +36,7 @@ TEST(CheckSheet, StandsBeforeEveryLayout) {
     damage.inflict(sheet);
     for (const auto& error :
          {lay_out(sheet).error(), flat_sheet(sheet).error(), flatten(sheet).error()})
-      EXPECT_EQ(error.code, ErrorCode::invalid_sheet) << damage.rule;
+      EXPECT_EQ(error.code, code::invalid_sheet) << damage.rule;
   }
 }
 
@@ -43,7 +44,7 @@ TEST(LayOut, RefusesARootThatTheSheetDoesNotHave) {
   for (const int face : {-1, 5, 1000}) {
     const auto result = flatten(u_channel(), {.root = FaceId{face}});
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::no_such_face);
+    EXPECT_EQ(result.error().code, code::no_such_face);
     EXPECT_NE(result.error().message.find(std::to_string(face)), std::string::npos);
   }
 }
@@ -56,7 +57,7 @@ TEST(LayOut, RefusesOptionsThatMeanNothing) {
         FlattenOptions{.closure_tolerance = -1.0}}) {
     const auto result = flatten(u_channel(), options);
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
   }
 }
 
@@ -68,7 +69,7 @@ TEST(LayOut, RefusesAKThatLeavesASharpInsideNoNeutralSurface) {
        {AllowanceRule(ConstantK{0.0, "test"}), AllowanceRule(Din6935{})}) {
     const auto result = flatten(sheet, {.allowance = rule});
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
     EXPECT_EQ(result.error().where, "B1");
   }
   EXPECT_TRUE(flatten(sheet, {.allowance = ConstantK{0.01, "test"}}));

@@ -1,8 +1,10 @@
 #include "support/sheets.hpp"
 #include "support/trihedron.hpp"
 
+#include <planish/brep/codes.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/rip.hpp>
 
 #include <gtest/gtest.h>
@@ -58,7 +60,7 @@ TEST(FlattenStrip, TakesTheKOfSingleBendsBeforeTheRule) {
   EXPECT_EQ(pattern->bends[1].allowance.k_factor, 0.3);
   const auto refused = flatten(sheet, {.bend_k = {{BendId{0}, 1.5}}});
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(refused.error().code, code::bad_option);
 }
 
 TEST(FlattenStrip, HasTheClosedFormLengthForTwoBendsOf270Degrees) {
@@ -194,7 +196,7 @@ Sheet closed_channel() {
 TEST(FlattenLoop, IsRefusedWhereItDoesNotClose) {
   const auto pattern = flatten(closed_channel());
   ASSERT_FALSE(pattern);
-  EXPECT_EQ(pattern.error().code, ErrorCode::closed_loop);
+  EXPECT_EQ(pattern.error().code, code::closed_loop);
   EXPECT_EQ(pattern.error().where, "between face 0 and face 1");
 }
 
@@ -208,7 +210,7 @@ TEST(FlattenLoop, IsOpenedByOneRip) {
   for (const Joint& joint : sheet.joints)
     sheet[joint.a].edge.reset();
   // Without an edge in a solid there is nothing to name.
-  EXPECT_EQ(rips_to_open(sheet, {}, lies_flat).error().code, ErrorCode::closed_loop);
+  EXPECT_EQ(rips_to_open(sheet, {}, lies_flat).error().code, code::closed_loop);
   const Error none = loop_refusal(sheet, closed, {}, lies_flat);
   EXPECT_TRUE(none.message.ends_with(", and no rips along its edges open it.")) << none.message;
   EXPECT_EQ(none.where, closed.where);
@@ -225,7 +227,7 @@ TEST(FlattenLoop, IsOpenedByOneRip) {
   EXPECT_EQ(named.where.find("edge " + std::to_string(rips->front()) + " between face"), 0u);
   // What refuses the sheet after the rips is the reason.
   const auto thick = [](const Sheet&) -> Result<void> {
-    return fail(ErrorCode::thickness_not_constant, "too thick");
+    return fail(code::thickness_not_constant, "too thick");
   };
   EXPECT_EQ(loop_refusal(sheet, closed, {}, thick).message, "too thick");
 }

@@ -26,10 +26,9 @@ Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, Do
   std::error_code error;
   fs::create_directories(document->attachments(), error);
   if (error)
-    return fail(ErrorCode::cannot_write, fmt::format("cannot make the folder {}: {}",
-                                                     document->folder_.string(), error.message()));
-  if (auto written = write_file(document->file(), bytes); !written)
-    return tl::unexpected(written.error());
+    return fail(code::cannot_write, fmt::format("cannot make the folder {}: {}",
+                                                document->folder_.string(), error.message()));
+  if (auto written = write_file(document->file(), bytes); !written) return pass_on(written);
   return document;
 }
 

@@ -56,10 +56,6 @@ Error error_of(const ChildEnd& end, const std::string& input, const Limits& limi
 /// Why a child is taken for crashed whose answer nobody understands: a `reason`.
 inline constexpr auto kDamagedAnswer = "its answer is damaged";
 
-/// An error as it is sent, and read again; empty for texts that are none.
-Texts texts_of(const Error& error);
-std::optional<Error> error_in(const Texts& texts);
-
 /// A process of its own for work that may crash, hang or need any amount of memory: whatever it
 /// does, whoever asks gets an answer or learns how it ended. It ends with this object, or with the
 /// process that made it, whichever is first. Its standard output leads nowhere. Linux alone.
