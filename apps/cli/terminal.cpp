@@ -10,7 +10,11 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
 
 namespace planish::cli {
 namespace {
@@ -31,11 +35,21 @@ std::string spelled_place(const std::string& where) {
   return option ? flag_of(option->name) : where;
 }
 
+/// A sentence after a colon begins small, unless with a name: "STEP", "Cairo", "K-factor".
+std::string continued(std::string text) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const bool is_name = text.starts_with("Cairo") || text.starts_with("Planish");
+  const bool is_word = text.size() > 1 && (is_small(text[1]) || text[1] == ' ');
+  if (is_word && !is_name && text[0] >= 'A' && text[0] <= 'Z')
+    text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  return text;
+}
+
 std::string sentence(const Error& error) {
   std::string text = "planish: ";
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == code::internal) text += "internal error, please report it: ";
-  text += spelled(error.message);
+  text += continued(spelled(error.message));
   if (text.back() == '.') text.pop_back();  // the sentence continues
   if (error.code == code::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
@@ -45,10 +59,57 @@ std::string sentence(const Error& error) {
   return text;
 }
 
+/// A word as a shell reads it back.
+std::string quoted(const std::string& word) {
+  constexpr auto
+      kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word)
+    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The words that this program was called with, as the system keeps them.
+std::vector<std::string> own_command() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');)
+    words.push_back(word);
+  if (!words.empty()) words.front() = "planish";
+  return words;
+}
+
+/// The command once more, with the option that helps in place of its value so far.
+std::string command_with(const Remedy& remedy) {
+  const job::Option* option = job::option_at(remedy.option);
+  const std::string flag = flag_of(remedy.option);
+  const bool is_flag = option && option->kind == job::OptionKind::flag;
+  std::vector<std::string> words = own_command();
+  for (std::size_t i = 0; i < words.size();) {
+    const bool both = words[i] == flag && !is_flag && i + 1 < words.size();
+    if (words[i] != flag && !words[i].starts_with(flag + "=")) {
+      ++i;
+      continue;
+    }
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                words.begin() + static_cast<std::ptrdiff_t>(i + (both ? 2 : 1)));
+  }
+  words.push_back(flag);
+  if (!is_flag) words.push_back(remedy.value);
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : " ") + quoted(word);
+  return text;
+}
+
 }  // namespace
 
 int complain(const Error& error) {
   fmt::print(stderr, "{}\n", job::printable(sentence(error)));
+  for (const Remedy& remedy : error.remedies)
+    if (!remedy.option.empty())
+      fmt::print(stderr, "try: {}\n", job::printable(command_with(remedy)));
   return exit_status(error.code);
 }
 

@@ -15,6 +15,7 @@ namespace planish {
 namespace {
 
 constexpr std::string_view kMark = "error";
+constexpr long long kMostWhole = 2147483647;
 
 /// The string of a set that never loses one.
 std::string_view kept(std::string_view text) {
@@ -41,6 +42,9 @@ class Packing {
     whole(std::ssize(place.at));
     for (const double x : place.at)
       number(x);
+    whole(std::ssize(place.faces));
+    for (const int face : place.faces)
+      whole(face);
   }
 
   std::vector<std::string> take() { return std::move(texts_); }
@@ -75,10 +79,9 @@ class Unpacking {
     return value;
   }
   Place::Id id() {
-    constexpr long long kMost = 2147483647;
     switch (whole(0, 2)) {
       case 1:
-        return static_cast<int>(whole(-kMost, kMost));
+        return static_cast<int>(whole(-kMostWhole, kMostWhole));
       case 2:
         return text();
       default:
@@ -91,6 +94,8 @@ class Unpacking {
     place.id = id();
     for (std::size_t left = count(); left > 0 && fine_; --left)
       place.at.push_back(number());
+    for (std::size_t left = count(); left > 0 && fine_; --left)
+      place.faces.push_back(static_cast<int>(whole(0, kMostWhole)));
     return place;
   }
 

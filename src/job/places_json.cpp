@@ -65,6 +65,7 @@ Json place_json(const Place& place, const Units& units) {
   json["kind"] = kind_name(place.kind);
   if (const int* number = std::get_if<int>(&place.id)) json["id"] = *number;
   if (const std::string* name = std::get_if<std::string>(&place.id)) json["id"] = *name;
+  if (!place.faces.empty()) json["faces"] = place.faces;
   if (!place.at.empty()) json["at"] = coordinates_json(place.at, units);
   return json;
 }
@@ -136,6 +137,7 @@ std::vector<Field> place_fields() {
   coordinates.most = 3;
   return {required("kind", values(std::move(kinds), "a kind of place")),
           optional("id", any_of({whole(), any_text()}, "a number or a name")),
+          optional("faces", list(whole(1)).said("that meet at an edge")),
           optional("at", std::move(coordinates))};
 }
 
