@@ -156,6 +156,12 @@ class Citations(unittest.TestCase):
         problems = Checker(SOURCE).run()
         self.assertEqual(problems, [], "\n" + "\n".join(problems))
 
+    def test_the_index_leads_to_every_page(self):
+        index = (SOURCE / "docs" / "README.md").read_text(encoding="utf-8")
+        linked = {link.partition("#")[0] for pair in LINK.findall(index) for link in pair}
+        pages = {path.name for path in (SOURCE / "docs").glob("*.md")} - {"README.md"}
+        self.assertEqual(pages - linked, set())
+
     def test_the_repository_cites_its_mathematics(self):
         """So that the test above cannot pass because nothing was found."""
         cited = sum(len(re.findall(r"\bmath\.md#[\w-]+", path.read_text(encoding="utf-8")))
