@@ -1,4 +1,4 @@
-"""Runs what docs/python.md and docs/README.md tell people to write."""
+"""Runs what docs/python.md and the README tell people to write."""
 
 import html
 import json
@@ -48,9 +48,9 @@ class Tutorial(unittest.TestCase):
             self.assertIn(line, page, "tools/make_notebook.sh makes the page again")
         self.assertGreaterEqual(page.count("<svg"), 3)
 
-    def test_the_lines_of_the_index(self):
-        said, files = self.run_blocks("docs/README.md")
-        self.assertEqual(len(blocks_of("docs/README.md")[0].splitlines()), 5)
+    def test_the_lines_of_the_readme(self):
+        said, files = self.run_blocks("README.md")
+        self.assertEqual(len(blocks_of("README.md")[0].splitlines()), 5)
         self.assertIn("part.dxf", files)
         self.assertRegex(said, r"\d")
 
