@@ -3,7 +3,7 @@
 #include "option_parts.hpp"
 
 #include <planish/job/options.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -48,7 +48,7 @@ std::string sentence(const Error& error) {
 }  // namespace
 
 int complain(const Error& error) {
-  fmt::print(stderr, "{}\n", job::printable(sentence(error)));
+  fmt::print(stderr, "{}\n", schema::printable(sentence(error)));
   return exit_status(error.code);
 }
 
@@ -80,7 +80,7 @@ Progress ProgressLine::progress() {
 
 void ProgressLine::show(std::string_view stage, double share) {
   if (std::chrono::steady_clock::now() - start_ < kPatience) return;
-  fmt::print(stderr, "{}{:3.0f} %  {}", kClearLine, 100.0 * share, job::printable(stage));
+  fmt::print(stderr, "{}{:3.0f} %  {}", kClearLine, 100.0 * share, schema::printable(stage));
   std::fflush(stderr);
   shown_ = true;
 }

@@ -4,7 +4,7 @@
 #include "proposal_report.hpp"
 
 #include <planish/brake/proposals.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +13,7 @@
 #include <set>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 constexpr int kCannotStatus = 4;  // formats.md#exit-status

@@ -1,8 +1,7 @@
 #include "input.hpp"
 
-#include "units.hpp"
-
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include <vector>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr int kListedBodies = 12;  // in a message

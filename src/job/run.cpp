@@ -6,7 +6,10 @@
 #include <shared_mutex>
 
 namespace planish::job {
+using namespace process;
 namespace {
+
+using process::texts_of;
 
 /// Held by those who work in this process; by who copies it, alone: the copy would find every lock
 /// taken for ever that a thread of this process holds.
@@ -58,7 +61,7 @@ constexpr std::size_t kOfResult = 4, kOfRefusal = 4, kOfFile = 4;
 Texts texts_of(const RunResult& result) {
   Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report,
               result.summary};
-  const Texts refusal = result.refusal ? job::texts_of(*result.refusal) : Texts(kOfRefusal);
+  const Texts refusal = result.refusal ? process::texts_of(*result.refusal) : Texts(kOfRefusal);
   texts.insert(texts.end(), refusal.begin(), refusal.end());
   for (const ArtifactFile& file : result.artifacts)
     texts.insert(texts.end(), {file.artifact, file.name, file.media_type, file.bytes});

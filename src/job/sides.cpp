@@ -1,6 +1,6 @@
 #include "sides.hpp"
 
-#include "schema.hpp"
+#include <planish/schema/schema.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using FaceTest = std::function<bool(const Face&)>;
