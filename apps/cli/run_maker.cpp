@@ -96,7 +96,7 @@ class OnePart : public Command {
   OnePart(const job::Catalogue& catalogue, const Arguments& arguments)
       : catalogue_(catalogue), arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
@@ -142,7 +142,7 @@ class AllParts : public Command {
   AllParts(const job::Catalogue& catalogue, const Arguments& arguments)
       : catalogue_(catalogue), arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     const auto begins = [&](int body) { parent.note({std::to_string(body)}); };
@@ -161,7 +161,7 @@ class AllParts : public Command {
     return failed_outcome(arguments_, begun(arguments_), error);
   }
 
-  void hear(const job::Texts& note) override {
+  void hear(const process::Texts& note) override {
     body_ = note.empty() ? std::nullopt : std::optional(std::atoi(note.front().c_str()));
   }
 

@@ -3,7 +3,7 @@
 #include "option_parts.hpp"
 
 #include <planish/job/options.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -106,10 +106,10 @@ std::string command_with(const Remedy& remedy) {
 }  // namespace
 
 int complain(const Error& error) {
-  fmt::print(stderr, "{}\n", job::printable(sentence(error)));
+  fmt::print(stderr, "{}\n", schema::printable(sentence(error)));
   for (const Remedy& remedy : error.remedies)
     if (!remedy.option.empty())
-      fmt::print(stderr, "try: {}\n", job::printable(command_with(remedy)));
+      fmt::print(stderr, "try: {}\n", schema::printable(command_with(remedy)));
   return exit_status(error.code);
 }
 
@@ -141,7 +141,7 @@ Progress ProgressLine::progress() {
 
 void ProgressLine::show(std::string_view stage, double share) {
   if (std::chrono::steady_clock::now() - start_ < kPatience) return;
-  fmt::print(stderr, "{}{:3.0f} %  {}", kClearLine, 100.0 * share, job::printable(stage));
+  fmt::print(stderr, "{}{:3.0f} %  {}", kClearLine, 100.0 * share, schema::printable(stage));
   std::fflush(stderr);
   shown_ = true;
 }

@@ -1,5 +1,7 @@
 #include <planish/base/text.hpp>
 
+#include <fmt/format.h>
+
 namespace planish {
 
 std::string shortened(std::string_view text, std::size_t most) {
@@ -10,6 +12,18 @@ std::string shortened(std::string_view text, std::size_t most) {
   while (most > 0 && continues(most))
     --most;
   return std::string(text.substr(0, most)) + "…";
+}
+
+std::string trimmed_number(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string counted(int n, std::string_view singular) {
+  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
 }
 
 }  // namespace planish

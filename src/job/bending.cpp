@@ -5,7 +5,7 @@
 
 #include <planish/brake/codes.hpp>
 #include <planish/brake/proposals.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +14,7 @@
 #include <set>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 constexpr int kCannotStatus = 4;  // formats.md#exit-status

@@ -9,6 +9,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json coordinates_json(const std::vector<double>& at, const Units& units) {

@@ -1,8 +1,7 @@
 #include "reliefs.hpp"
 
-#include "units.hpp"
-
 #include <planish/inspect/missing_relief.hpp>
+#include <planish/schema/units.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/cutout.hpp>
 #include <planish/sheet/one_piece.hpp>

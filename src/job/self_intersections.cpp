@@ -14,6 +14,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 /// Of the triangles from the solid, mm.

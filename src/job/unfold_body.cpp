@@ -1,7 +1,7 @@
 #include "found_sheet.hpp"
 #include "lay_flat.hpp"
-#include "shop_checks.hpp"
 #include "sides.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>

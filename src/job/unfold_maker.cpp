@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:

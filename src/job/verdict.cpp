@@ -1,8 +1,8 @@
 #include "verdict.hpp"
 
 #include "facts.hpp"
-#include "units.hpp"
 
+#include <planish/schema/units.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
@@ -126,19 +126,6 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
 }
 
 }  // namespace
-
-std::string forms_text(const FlatPattern& flat) {
-  std::map<std::pair<std::string, FormSide>, int> count;
-  for (const FlatFeature& feature : flat.features)
-    if (feature.kind != "contact") ++count[{feature.kind, feature.side}];
-  std::vector<std::string> words;
-  for (const auto& [form, n] : count) {
-    const auto& [kind, side] = form;
-    words.push_back(counted(n, kind == "formed" ? "formed feature" : kind));
-    if (side != FormSide::both) words.back() += fmt::format(" {}", side_name(side));
-  }
-  return fmt::format("{}", fmt::join(words, ", "));
-}
 
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
