@@ -10,7 +10,7 @@ At most 60 lines."""
 import re
 import sys
 
-LINES, WIDTH, NAMED = 55, 200, 25
+LINES, WIDTH, NAMED = 55, 200, 16
 RESULT = re.compile(r"^ *\d+/\d+ +Test +#\d+: (.+?) \.*(?: *(\w[\w ]*?))? *(?:Passed|\*{3}(.+?)) +[\d.]+ sec")
 START = re.compile(r"^ +Start +\d+: (.*)$")
 UNITTEST = re.compile(r"^(?:FAIL|ERROR): (\w+)")
@@ -86,8 +86,10 @@ def reasons(output):
 
 def shortened(parts, most):
     """At most so many lines: of each part as many as of the others."""
-    if len(parts) > max(1, most // 2):
-        kept = max(1, (most - 1) // 2)
+    if most < 3 or len(parts) == 1:
+        return parts[0][:most]
+    if len(parts) > most // 2:
+        kept = (most - 1) // 2
         return [*shortened(parts[:kept], 2 * kept), f"... and {len(parts) - kept} more"]
     counts = shares([len(part) for part in parts], most)
     return [line for part, count in zip(parts, counts) for line in part[:count]]

@@ -82,7 +82,7 @@ class WhyFailed(unittest.TestCase):
     def test_many_failures_fit(self):
         said = self.said_of({f"test{number}": UNITTEST for number in range(40)})
         self.assertIn("40 tests failed:", said)
-        self.assertIn("15 more, the last ", said)
+        self.assertIn("24 more, the last ", said)
 
     def test_a_killed_run_names_what_was_running(self):
         said = self.said_of({"fails": "raise SystemExit('in vain')", "sleeps": "import time; time.sleep(60)"}, end_after=3)
