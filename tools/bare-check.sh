@@ -34,7 +34,7 @@ why=$(unshare --mount --pid --fork --kill-child true 2>&1) || cannot "namespaces
 # In a folder on a disk: /tmp may be in memory.
 folder=$(mktemp -d "${PLANISH_BARE_DIR:-/var/tmp}/planish-bare.XXXXXX")
 root="$folder/root"
-running= ender=TERM  # what runs, and the signal that ends it: unshare ignores others than KILL
+running="" ender=TERM  # what runs, and the signal that ends it: unshare ignores others than KILL
 
 # Mounts are in the namespace of what runs there, and gone with it.
 clean() {
@@ -136,10 +136,10 @@ exit $?
 # Runs a command in the clone: fails where it does, or takes longer than it may.
 #   inside <name> <minutes> <command>...
 inside() {
-  local name=$1 minutes=$2 log="$logs/$1.log" began=$SECONDS status=0 took out writer
+  local name=$1 minutes=$2 log="$logs/${1//[!a-z]/}.log" began=$SECONDS status=0 took out writer
   shift 2
   say ""
-  say "#### $* (bare Debian 12, at most $minutes min)"
+  say "#### $name (bare Debian 12, at most $minutes min)"
   exec {out}> >(tee "$log")
   writer=$!
   # Told to end, ./test still says what it was at.
@@ -149,16 +149,16 @@ inside() {
     </dev/null >&"$out" 2>&1 &
   running=$! ender=KILL
   wait "$running" || status=$?
-  running=
+  running=""
   exec {out}>&-
   wait "$writer"
   took="$(((SECONDS - began) / 60)) min $(((SECONDS - began) % 60)) s"
   if [ "$status" -eq 0 ]; then
-    say "#### $* took $took"
+    say "#### $name took $took"
   elif [ $((SECONDS - began)) -ge $((60 * minutes)) ]; then
-    fail "$* takes longer than the $minutes min that it may, and was ended after $took. Its log: $log"
+    fail "$name takes longer than the $minutes min that it may, and was ended after $took. Its log: $log"
   else
-    fail "$* ended with $status after $took, in a bare Debian 12. Its log: $log"
+    fail "$name ended with $status after $took, in a bare Debian 12. Its log: $log"
   fi
 }
 
@@ -179,12 +179,13 @@ export root
 timeout --kill-after=30 "${root_minutes}m" bash -c 'set -euo pipefail; make_root' >"$logs/root.log" 2>&1 &
 running=$!
 wait "$running" || { tail -n 20 "$logs/root.log" >&2; cannot "mmdebstrap failed. Its log: $logs/root.log"; }
-running=
+running=""
 let_reach_network
 clone
 [ -z "$(git -c "safe.directory=$top" -C "$top" status --porcelain)" ] \
   || say "What is changed here and not committed is not checked."
 say "#### made in $((SECONDS - began)) s, with commit $(git -C "$root/src/planish" log -1 --format='%h %s')"
 
-inside quickstart "$quickstart_minutes" ./quickstart
-inside test "$test_minutes" ./test "$@"
+inside ./quickstart "$quickstart_minutes" ./quickstart
+inside 'import planish' 1 env PYTHONPATH=build/release/python python3 -c "$(sed -n '/^```python$/,/^```$/{//!p}' "$top/README.md")"
+inside ./test "$test_minutes" ./test "$@"
