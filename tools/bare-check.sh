@@ -116,6 +116,10 @@ shift
 mount --bind "$root" "$root"
 mount -t proc proc "$root/proc"
 mount -t sysfs -o ro sysfs "$root/sys"
+if [ -d /sys/fs/cgroup ]; then  # which Slurm looks at
+  mount --rbind /sys/fs/cgroup "$root/sys/fs/cgroup"
+  for name in $(findmnt -rno TARGET -R "$root/sys/fs/cgroup"); do mount -o remount,bind,ro "$name"; done
+fi
 mount -t tmpfs -o mode=755 dev "$root/dev"
 cp -a /dev/{null,zero,full,random,urandom,tty} "$root/dev/"
 ln -s /proc/self/fd "$root/dev/fd"

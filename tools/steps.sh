@@ -71,8 +71,8 @@ time_left() {
   [ -f "$plan" ] || plan=/dev/null
   awk -v seconds="$2" '
     function weight(step) {
-      if (step !~ /Building CXX/) return 1
-      return step ~ /_headers\.dir/ ? 3 : 20
+      if (step !~ /Building CXX/) return 0.2
+      return step ~ /_headers\.dir/ ? 6 : 20
     }
     FILENAME != ARGV[2] { if (/^\[[0-9]+\/[0-9]+\]/) all += weight($0); next }
     /^\[[0-9]+\/[0-9]+\]/ { done += weight($0) }
