@@ -190,6 +190,7 @@ clone
   || say "What is changed here and not committed is not checked."
 say "#### made in $((SECONDS - began)) s, with commit $(git -C "$root/src/planish" log -1 --format='%h %s')"
 
+example=$(cd "$root/src/planish" && sed -n '/^```python$/,/^```$/{//!p}' README.md)
 inside ./quickstart "$quickstart_minutes" ./quickstart
-inside 'import planish' 1 env PYTHONPATH=build/release/python python3 -c "$(sed -n '/^```python$/,/^```$/{//!p}' "$top/README.md")"
+inside 'import planish' 1 env PYTHONPATH=build/release/python python3 -c "$example"
 inside ./test "$test_minutes" ./test "$@"
