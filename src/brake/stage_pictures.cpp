@@ -1,7 +1,7 @@
 #include "closed_hem.hpp"
 #include "fits.hpp"
 #include "line_set.hpp"
-#include "made_model.hpp"
+#include "prepared.hpp"
 #include "stage_pose.hpp"
 #include "tool_shape.hpp"
 

@@ -58,14 +58,16 @@ TEST(Hem, IsClosedBesideAWallIfThePunchHasRoom) {
                                            {1.0, brake_detail::angle_before_closing(tools, {})});
     ASSERT_TRUE(work);
     ASSERT_EQ(work->lines.size(), 3u);  // the hem, the wall, closing the hem
-    brake_detail::StrokeModel model(std::move(*work), tools, {});
+    const auto inputs = brake_detail::stroke_inputs(std::move(*work), tools, {});
+    brake_detail::StageCache cache(inputs);
     for (const bool with_wall : {false, true}) {
       LineSet formed = brake_detail::no_lines(3);
       brake_detail::insert(formed, 0);
       if (with_wall) brake_detail::insert(formed, 1);
       bool closes = false;
-      for (const StrokeChoice& choice : model.choices(formed))
-        if (brake_detail::holds(choice.lines, 2)) closes |= model.check(formed, choice).feasible;
+      for (const StrokeChoice& choice : brake_detail::choices(cache, formed))
+        if (brake_detail::holds(choice.lines, 2))
+          closes |= brake_detail::check(cache, formed, choice).feasible;
       EXPECT_EQ(closes, !with_wall || step > 0.0) << step;
     }
   }

@@ -86,9 +86,9 @@ void compare_all_orders(Sheet sheet, const BrakeTools& tools) {
   do {
     StrokeProblem problem;
     problem.lines = static_cast<int>(bends.size());
-    problem.choices = [&](const LineSet& formed) { return room.model().choices(formed); };
+    problem.choices = [&](const LineSet& formed) { return choices(room.cache(), formed); };
     problem.check = [&](const LineSet& formed, const StrokeChoice& choice) {
-      return room.model().check(formed, choice);
+      return check(room.cache(), formed, choice);
     };
     for (const int bend : bends)
       problem.begin_with.push_back(room.line_of(bend + 1));

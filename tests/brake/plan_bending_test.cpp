@@ -76,7 +76,7 @@ TEST(PlanBending, ProvesThatALegHitsThePunch) {
   EXPECT_EQ(plan->unformed.size(), 1u);
   ASSERT_FALSE(plan->notes.empty());
   Room room(sheet, plain_tools());
-  const BlockedBend blocked = room.model().blocked(room.lines({1}), room.line_of(2));
+  const BlockedBend blocked = brake_detail::blocked(room.cache(), room.lines({1}), room.line_of(2));
   EXPECT_EQ(blocked.hits, "punch P");
   EXPECT_EQ(blocked.with, FlangeId(0));
   EXPECT_NEAR(blocked.depth, 0.05 + beyond * kSine45, 0.01);

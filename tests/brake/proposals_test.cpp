@@ -157,7 +157,7 @@ double area_of(const brake_detail::Body& body) {
 /// comes as much nearer.
 TEST(ChangedWork, TakesAStripOutOfAFlange) {
   Room room(channel_of(40.0), plain_tools());
-  const brake_detail::Workpiece& work = room.model().work();
+  const brake_detail::Workpiece& work = room.work();
   const int first = room.line_of(1), second = room.line_of(2);
   const auto shared = [&](int body) {
     return std::ranges::count(work.lines[first].bodies, body) +
@@ -181,7 +181,7 @@ TEST(ChangedWork, TakesAStripOutOfAFlange) {
 
 TEST(ChangedWork, SplitsInTwo) {
   Room room(channel_of(40.0), plain_tools());
-  const auto& work = room.model().work();
+  const auto& work = room.work();
   const auto halves = brake_detail::split_at(work, room.line_of(1));
   EXPECT_EQ(halves[0].bodies.size() + halves[1].bodies.size(), 3u);
   EXPECT_EQ(halves[0].lines.size() + halves[1].lines.size(), 1u);

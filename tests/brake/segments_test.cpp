@@ -101,11 +101,11 @@ TEST(StrokeModel, PressesBendsOnOneLineTogether) {
   Room room(builder.finish(), plain_tools());
   const LineSet flat = room.lines({});
   bool together = false, alone = false;
-  for (const StrokeChoice& choice : room.model().choices(flat)) {
-    EXPECT_TRUE(room.model().check(flat, choice).feasible);
+  for (const StrokeChoice& choice : choices(room.cache(), flat)) {
+    EXPECT_TRUE(check(room.cache(), flat, choice).feasible);
     if (count(choice.lines) == 2) {
       together = true;
-      const Stroke stroke = room.model().stroke(flat, choice);
+      const Stroke stroke = describe(room.cache(), flat, choice);
       EXPECT_EQ(stroke.bends.size(), 2u);
       // 80 mm of line under a V of 12: 1.42 · 450 / 12 N/mm.
       EXPECT_NEAR(stroke.force, 80.0 * 1.42 * 450.0 / 12.0 / 1000.0, 1e-9);
@@ -117,7 +117,7 @@ TEST(StrokeModel, PressesBendsOnOneLineTogether) {
     alone |= count(choice.lines) == 1;
   }
   EXPECT_TRUE(together && alone);
-  EXPECT_EQ(room.model().choices(room.lines({1})).size(), 2u);
+  EXPECT_EQ(choices(room.cache(), room.lines({1})).size(), 2u);
 }
 
 /// Seen from the other side of the machine, segments stand the other way round.
@@ -129,7 +129,7 @@ TEST(StrokeModel, TellsRowsAsTheOperatorSeesThem) {
   const LineSet flat = room.lines({});
   std::vector<Stroke> both;
   for (const StrokeChoice& choice : room.ways(1, {}))
-    both.push_back(room.model().stroke(flat, choice));
+    both.push_back(describe(room.cache(), flat, choice));
   ASSERT_EQ(both.size(), 2u);
   ASSERT_EQ(both[0].punch_rows.size(), 1u);
   ASSERT_EQ(both[1].punch_rows.size(), 1u);
@@ -154,13 +154,13 @@ TEST(Gauge, TouchesTheBorderBehindTheBend) {
   Room room(sheet, gauged_tools());
   const LineSet flat = room.lines({});
   std::vector<double> distances;
-  for (const StrokeChoice& choice : room.model().choices(flat)) {
+  for (const StrokeChoice& choice : choices(room.cache(), flat)) {
     EXPECT_TRUE(choice.gauged);
-    const Stroke stroke = room.model().stroke(flat, choice);
+    const Stroke stroke = describe(room.cache(), flat, choice);
     ASSERT_TRUE(stroke.gauge);
     distances.push_back(stroke.gauge->distance);
     // The edge lies that far from the bend line in the direction of the gauge.
-    const BrakeLine& line = room.model().work().lines[0];
+    const BrakeLine& line = room.work().lines[0];
     for (const Vec2& p : {stroke.gauge->edge.a, stroke.gauge->edge.b})
       EXPECT_NEAR(stroke.gauge_direction.dot(p - line.origin), stroke.gauge->distance, 1e-9);
     EXPECT_NEAR((stroke.gauge->edge.b - stroke.gauge->edge.a).norm(), 80.0, 1e-9);
@@ -178,7 +178,7 @@ TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
               width, 1.5),
         gauged_tools());
     int ways = 0;
-    for (const StrokeChoice& choice : room.model().choices(room.lines({})))
+    for (const StrokeChoice& choice : choices(room.cache(), room.lines({})))
       ways += choice.gauged;
     return ways;
   };
@@ -198,7 +198,7 @@ TEST(Gauge, TouchesOnlyWhatLiesInThePlane) {
                     80, 1.5),
               gauged_tools());
     int gauged = 0, ways = 0;
-    for (const StrokeChoice& choice : room.model().choices(room.lines({2}))) {
+    for (const StrokeChoice& choice : choices(room.cache(), room.lines({2}))) {
       ++ways;
       gauged += choice.gauged;
     }

@@ -1,3 +1,5 @@
+#include "sweep.hpp"
+
 #include "brake/stroke_room.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "made_model.hpp"
+#include "prepared.hpp"
 
 #include <planish/brake/codes.hpp>
 
@@ -34,11 +34,11 @@ std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options
 
 std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
 
-std::optional<Error> line_without_tool(const StrokeModel& model) {
-  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
-    const FittingTools& fitting = model.fitting(i);
+std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
+  for (int i = 0; i < std::ssize(inputs.work.lines); ++i) {
+    const FittingTools& fitting = inputs.fitting[i];
     if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
-    const BrakeLine& line = model.work().lines[i];
+    const BrakeLine& line = inputs.work.lines[i];
     const std::string name = name_of(line.bends.front());
     return Error{code::no_tool,
                  fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
@@ -50,16 +50,15 @@ std::optional<Error> line_without_tool(const StrokeModel& model) {
   return std::nullopt;
 }
 
-Result<std::unique_ptr<StrokeModel>> stroke_model(const Sheet& sheet, const Layout& layout,
-                                                  const BrakeTools& tools,
-                                                  const PlanOptions& options) {
+Result<StrokeInputs> prepared(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                              const PlanOptions& options) {
   if (const auto right = check(tools); !right) return pass_on(right);
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
   auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
   if (!work) return pass_on(work);
-  auto model = std::make_unique<StrokeModel>(std::move(*work), tools, options);
-  if (const auto error = line_without_tool(*model)) return tl::unexpected(*error);
-  return model;
+  StrokeInputs inputs = stroke_inputs(std::move(*work), tools, options);
+  if (const auto error = line_without_tool(inputs)) return tl::unexpected(*error);
+  return inputs;
 }
 
 LineSet lines_of(const Workpiece& work, const OrderedStroke& stroke) {

@@ -1,4 +1,10 @@
-#include "stroke_model.hpp"
+// Where the back gauge touches. Straight borders of what lies in the plane of the sheet that face
+// the gauge, neighbours on one line as one, are tried from the longest on; at each the finger's
+// section is swept over all parts, and the edge must be clear over a finger's width
+// (math.md#gauging).
+#include "gauge.hpp"
+
+#include "sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,22 +68,20 @@ bool has_room(const Interval& along, std::vector<Interval> blocked, double width
   return along.hi - from >= width;
 }
 
-}  // namespace
-
-/// The longest edge that a finger reaches and touches along its width.
-std::optional<GaugeStop> StrokeModel::gauge(const Setting& stroke) {
-  if (!tools_.machine.gauge) return std::nullopt;
-  const BackGauge& gauge = *tools_.machine.gauge;
-  const PartTree& tree = room(stroke.line).tree;
-  const std::vector<Known*>& parts = parts_in(stroke);
+/// The edges of all flat parts that the gauge reaches and that are long enough, the longest first.
+std::vector<GaugeEdge> edges_in_reach(StageCache& cache, const Setting& stroke,
+                                      const BackGauge& gauge) {
+  const Workpiece& work = cache.inputs().work;
+  const PartTree& tree = cache.tree(stroke.line);
+  const std::vector<const PlacedPart*>& parts = cache.parts(stroke);
   const bool left = stroke.direction > 0;
   std::vector<GaugeEdge> edges;
-  const Eigen::Isometry3d frame = line_frame(work_.lines[stroke.line]);
+  const Eigen::Isometry3d frame = line_frame(work.lines[stroke.line]);
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
-    if (parts[part]->placed.flat) {
+    if (parts[part]->flat) {
       const PartTree::Part& at = tree.parts()[part];
-      add_gauge_edges(at.is_zone ? work_.zones[at.index].edges : work_.bodies[at.index].edges,
-                      frame, left, edges);
+      add_gauge_edges(at.is_zone ? work.zones[at.index].edges : work.bodies[at.index].edges, frame,
+                      left, edges);
     }
   edges = joined_edges(std::move(edges));
   std::erase_if(edges, [&](const GaugeEdge& edge) {
@@ -87,15 +91,26 @@ std::optional<GaugeStop> StrokeModel::gauge(const Setting& stroke) {
   std::stable_sort(edges.begin(), edges.end(), [](const GaugeEdge& a, const GaugeEdge& b) {
     return a.along.hi - a.along.lo > b.along.hi - b.along.lo + kOneEdge;
   });
+  return edges;
+}
+
+}  // namespace
+
+std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
+  const StrokeInputs& inputs = cache.inputs();
+  if (!inputs.tools.machine.gauge) return std::nullopt;
+  const BackGauge& gauge = *inputs.tools.machine.gauge;
+  const std::vector<GaugeEdge> edges = edges_in_reach(cache, stroke, gauge);
   if (edges.empty()) return std::nullopt;
-  const PressMotion lying = motion(stroke);
-  const Obstacle& finger = room_of_tools_->finger();
+  const bool left = stroke.direction > 0;
+  const PressMotion lying = motion(inputs, stroke);
+  const Obstacle& finger = cache.tools().finger();
   for (const GaugeEdge& edge : edges) {
     const Obstacle here = moved(finger, {edge.away, 0.0}), there = mirrored(here);
     std::vector<Interval> blocked;
-    for (const Known* known : parts) {
-      const auto walls = blocked_along(lying, known->placed, left ? here : there,
-                                       left ? there : here, 0.0, edge.along);
+    for (const PlacedPart* part : cache.parts(stroke)) {
+      const auto walls = blocked_along(lying, *part, left ? here : there, left ? there : here, 0.0,
+                                       edge.along);
       blocked.insert(blocked.end(), walls.begin(), walls.end());
     }
     if (has_room(edge.along, std::move(blocked), gauge.finger_width))
