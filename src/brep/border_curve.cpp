@@ -215,4 +215,16 @@ Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, c
   return plane_curve(fit_path(path, breaks_of(face, border), tolerance));
 }
 
+Handle(Geom2d_Curve)
+    curve_in_own_face(const Sheet& sheet, const SheetCorners& corners, BorderId border,
+                      const BorderCurve& leading, double tolerance) {
+  const auto face_of = [&](BorderId id) -> const Face& {
+    return sheet[corners.topology()[id].face];
+  };
+  if (std::holds_alternative<Frame>(face_of(border).surface)) return {};
+  if (corners.leads(border)) return leading.uv;
+  return across_joint(face_of(corners.leader(border)), leading, face_of(border),
+                      reversed(sheet[corners.topology()[border]].curve), tolerance);
+}
+
 }  // namespace planish::brep

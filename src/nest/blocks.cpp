@@ -8,10 +8,6 @@
 namespace planish::nest_detail {
 namespace {
 
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
-
 struct Extent {
   IntPoint low, high;
   cInt length() const { return high.X - low.X; }

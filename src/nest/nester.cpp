@@ -63,10 +63,6 @@ struct OptimizerSubclass<Method::L_SUBPLEX> {
 namespace planish::nest_detail {
 namespace {
 
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
-using ClipperLib::Paths;
 using libnest2d::Item;
 using libnest2d::PolygonImpl;
 

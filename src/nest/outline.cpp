@@ -11,10 +11,6 @@
 namespace planish::nest_detail {
 namespace {
 
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
-using ClipperLib::Paths;
 using Ring = std::vector<Vec2>;
 
 double distance_to(const Segment& line, const Vec2& p) {

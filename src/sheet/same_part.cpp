@@ -95,6 +95,21 @@ std::vector<Mark> marks_of(const FlatPattern& pattern) {
   return marks;
 }
 
+/// Whether each of `a` has one of `b` of its own that is the same.
+template <typename T, typename Same>
+bool one_to_one(const std::vector<T>& a, const std::vector<T>& b, Same same) {
+  std::vector<const T*> others;
+  for (const T& one : b)
+    others.push_back(&one);
+  return a.size() == b.size() && std::ranges::all_of(a, [&](const T& one) {
+           const auto other = std::ranges::find_if(others,
+                                                   [&](const T* row) { return same(one, *row); });
+           if (other == others.end()) return false;
+           others.erase(other);
+           return true;
+         });
+}
+
 /// The other pattern as it lies once it has been moved, compared with one piece by piece.
 class Comparison {
  public:
@@ -235,17 +250,8 @@ class Comparison {
   }
 
   bool same_bends() const {
-    std::vector<const FlatBend*> others;
-    for (const FlatBend& bend : b_.bends)
-      others.push_back(&bend);
-    return a_.bends.size() == others.size() &&
-           std::ranges::all_of(a_.bends, [&](const FlatBend& bend) {
-             const auto other = std::ranges::find_if(
-                 others, [&](const FlatBend* one) { return same_bend(bend, *one); });
-             if (other == others.end()) return false;
-             others.erase(other);
-             return true;
-           });
+    return one_to_one(a_.bends, b_.bends,
+                      [&](const FlatBend& a, const FlatBend& b) { return same_bend(a, b); });
   }
 
   bool same_feature(const FlatFeature& a, const FlatFeature& b) const {
@@ -264,17 +270,9 @@ class Comparison {
   }
 
   bool same_features() const {
-    std::vector<const FlatFeature*> others;
-    for (const FlatFeature& feature : b_.features)
-      others.push_back(&feature);
-    return a_.features.size() == others.size() &&
-           std::ranges::all_of(a_.features, [&](const FlatFeature& feature) {
-             const auto other = std::ranges::find_if(
-                 others, [&](const FlatFeature* one) { return same_feature(feature, *one); });
-             if (other == others.end()) return false;
-             others.erase(other);
-             return true;
-           });
+    return one_to_one(a_.features, b_.features, [&](const FlatFeature& a, const FlatFeature& b) {
+      return same_feature(a, b);
+    });
   }
 
   const FlatPattern& a_;
