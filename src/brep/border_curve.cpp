@@ -17,6 +17,12 @@
 #include <algorithm>
 #include <cmath>
 
+// A border of a face, run over one parameter in (u, v) and in space alike: the kernel requires an
+// edge's curves to agree at equal parameters. Lines and circles stay exact where the surface has
+// them; others are fitted in space, with a knot wherever the border or the surface below it is not
+// smooth. Across a joint the neighbour's own border is used if its points agree, else the leading
+// one is projected onto the neighbour.
+
 namespace planish::brep {
 namespace {
 

@@ -17,6 +17,11 @@
 #include <utility>
 #include <vector>
 
+// The reference surface of a sheet as an open shell. Corners that joints unite become one vertex in
+// the middle of theirs, a joint one edge, led by one of its borders; nothing is sewn. Joints whose
+// ends gape by more than the tolerance are left open before, as they would tear the surface. Parts
+// that no joint connects are shells of their own.
+
 namespace planish::brep {
 namespace {
 

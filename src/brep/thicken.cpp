@@ -22,6 +22,12 @@
 #include <optional>
 #include <set>
 
+// The solid of a sheet, built and not sewn: faces on both skins, a wall along each free border,
+// edges shared by what the sheet says of its joints. Where a mitre at a fold that ends inside an
+// edge turns a wall over, its edges across the thickness cross; both are divided there, and the two
+// halves look opposite ways. The result must be valid to the kernel, closed, and of positive
+// volume.
+
 namespace planish::brep {
 namespace {
 

@@ -5,6 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+// Whether two patterns are the same part, perhaps turned or turned over. Marks at contours, bends
+// and features give the motions that could take one to the other; each is tried, and the whole must
+// agree under it, curve by curve, whichever curve a loop begins with. Groups compare first by
+// numbers that no motion changes, widened by what the tolerance can move them.
+
 namespace planish {
 namespace {
 
