@@ -37,15 +37,7 @@ std::string description(const Option& option, const OptionUse& use) {
 
 void add_used(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
   const Option& option = job::option(use.name);
-  if (!option.on_command_line) return;
-  const std::string said = description(option, use);
-  if (option.kind == OptionKind::flag) {
-    app.add_flag_callback(
-           flag_of(use.name), [&] { values.set(option, true); }, said)
-        ->group(std::string(option.group));
-    return;
-  }
-  add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
+  if (option.on_command_line) add_grouped(app, option, description(option, use), values);
 }
 
 void add_options(CLI::App& app, const Maker& maker, job::OptionValues& values, bool of_input) {

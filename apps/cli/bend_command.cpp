@@ -70,12 +70,7 @@ void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values
                                ? std::string(option.description)
                                : fmt::format("{}; default {}", option.description,
                                              option.otherwise);
-  if (option.kind == job::OptionKind::flag)
-    app.add_flag_callback(
-           flag_of(option.name), [&values, &option] { values.set(option, true); }, said)
-        ->group(std::string(option.group));
-  else
-    add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
+  add_grouped(app, option, said, values);
 }
 
 /// Errors of the command line, before any work.

@@ -56,8 +56,7 @@ class Info : public Command {
 
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App* command = app.add_subcommand("info", "say what is in a STEP file");
-  add_text(*command, "input", arguments.input, "FILE", "STEP file, or - for standard input")
-      ->required();
+  add_step_input(*command, arguments.input);
   const job::Option &body = job::option("body"), &units = job::option("units");
   add_option(*command, body, "only this body: its number or name", type_name(body),
              arguments.options);

@@ -90,11 +90,25 @@ Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
   return files;
 }
 
-/// One part, and its files.
-class OnePart : public Command {
+/// What makes sheets of an input, whether of one part or of all.
+class MakerCommand : public Command {
  public:
-  OnePart(const job::Catalogue& catalogue, const Arguments& arguments)
+  MakerCommand(const job::Catalogue& catalogue, const Arguments& arguments)
       : catalogue_(catalogue), arguments_(arguments) {}
+
+  Outcome failed(const Error& error) const override {
+    return failed_outcome(arguments_, begun(arguments_), error);
+  }
+
+ protected:
+  const job::Catalogue& catalogue_;
+  const Arguments& arguments_;
+};
+
+/// One part, and its files.
+class OnePart : public MakerCommand {
+ public:
+  using MakerCommand::MakerCommand;
 
   Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
@@ -106,10 +120,6 @@ class OnePart : public Command {
     if (!made) return failed_outcome(arguments_, plan->request, made.error());
     made_ = std::move(*made);
     return outcome_of(*made_, *plan);
-  }
-
-  Outcome failed(const Error& error) const override {
-    return failed_outcome(arguments_, begun(arguments_), error);
   }
 
  private:
@@ -129,18 +139,15 @@ class OnePart : public Command {
     return outcome;
   }
 
-  const job::Catalogue& catalogue_;
-  const Arguments& arguments_;
   // Kept: the process ends with its answer, and freeing them would only delay that.
   std::unique_ptr<job::Work> work_;
   std::unique_ptr<Made> made_;
 };
 
 /// Every body of a file. One that crashes the process is left out of the next.
-class AllParts : public Command {
+class AllParts : public MakerCommand {
  public:
-  AllParts(const job::Catalogue& catalogue, const Arguments& arguments)
-      : catalogue_(catalogue), arguments_(arguments) {}
+  using MakerCommand::MakerCommand;
 
   Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
@@ -155,10 +162,6 @@ class AllParts : public Command {
     add_report(outcome, arguments_, job::summary_json(*reports), job::summary_text(*reports));
     outcome.error = reason_of(*reports);
     return outcome;
-  }
-
-  Outcome failed(const Error& error) const override {
-    return failed_outcome(arguments_, begun(arguments_), error);
   }
 
   void hear(const process::Texts& note) override {
@@ -207,8 +210,6 @@ class AllParts : public Command {
     return none;
   }
 
-  const job::Catalogue& catalogue_;
-  const Arguments& arguments_;
   std::map<int, Error> given_up_;
   std::optional<int> body_;  ///< that is being tried, from 0
 };

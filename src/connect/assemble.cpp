@@ -15,6 +15,11 @@
 #include <map>
 #include <utility>
 
+// Plates and fits become a Sheet. The reference skin is the inner one of the folds wherever that
+// can be, since a fold's plates meet there in a line; from outside, a fold is found only if it
+// takes both edges from corner to corner. A further stretch of a bend is a further face of the same
+// bend. Borders are joined by the rows of the fits that share them, not by where they lie.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -14,6 +14,12 @@
 #include <cmath>
 #include <numbers>
 
+// One bend between two plates (math.md#bend-fitting): its frame and edges, then the tangent line of
+// least plate extension, the surface tangent to both planes along it, and at last its lateral
+// boundaries, within what neither plate's material forbids. Each step takes the one before as
+// given. A line that touches an edge already drawn along it is moved clear, so that no such edge is
+// cut by rounding.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -4,6 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+// An outline as chains of edges that can carry a bend. An edge's outward normal tells whether it
+// faces the intersection line or is averted from it; x grows along all edges of one kind, so a
+// chain ends where the kind changes and never closes a loop. Steep edges and edges that cross the
+// line carry none. The tolerances are shares of the extent, with steepness as of the sides of
+// reliefs, which no file draws exactly.
+
 namespace planish {
 namespace {
 

@@ -15,6 +15,11 @@
 #include <map>
 #include <utility>
 
+// All that a request leaves open is tried until a fit keeps to the checks: edges nearest and widest
+// first, lateral boundaries, cylinders nearer or farther, general bends at last, as these take a
+// hundred times longer. The first that holds is taken. If none holds, the first of all is, if it
+// keeps to what it must; otherwise the error is that of the choices that came farthest.
+
 namespace planish::connect_detail {
 namespace {
 

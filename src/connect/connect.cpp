@@ -13,6 +13,11 @@
 #include <cmath>
 #include <utility>
 
+// Plates in space become one sheet (math.md#bend-fitting). Plates are placed in their planes and
+// must be apart; bends are fitted as requested or along a tree of nearest pairs, stretches added,
+// the whole assembled and checked as any sheet is. Bends are numbered by the plates that they join,
+// so that one keeps its number when a plate moves.
+
 namespace planish {
 namespace {
 

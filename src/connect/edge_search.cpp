@@ -9,6 +9,12 @@
 #include <limits>
 #include <set>
 
+// The widest bend that is little longer than the shortest (math.md#widest-bend), exactly. The
+// reference bend of all pairs of chains is found first, and its length bounds what each pair is
+// worth; pairs come nearest first, so most are left out at one look. Within a pair runs are
+// searched by branch and bound (widest_bend.cpp). The result is that of the mixed-integer programs
+// [thesis 99, 114], but for their linearised arcs.
+
 namespace planish {
 namespace {
 

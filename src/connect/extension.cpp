@@ -9,6 +9,11 @@
 #include <cmath>
 #include <limits>
 
+// The tangent line of least plate extension (math.md#least-extension). The area between runs and a
+// line is linear in its slope and offset, so it is a linear program in two unknowns; for a slope
+// the best offset lies at a bound, and what remains is convex and piecewise linear. The same bounds
+// say which slopes and offsets are possible at all, for the messages.
+
 namespace planish {
 namespace {
 

@@ -17,6 +17,11 @@
 #include <algorithm>
 #include <optional>
 
+// What a bend must not do to its plates: cut into them, leave them no common width, come round
+// their back without room, or cover itself when laid flat. Each is measured on the finished outline
+// and sheet instead of being derived from the fit, so a mistake of the fit is found. A way through
+// a plate is found between its crossings of the outline, as between these it lies on one side.
+
 namespace planish::connect_detail {
 namespace {
 

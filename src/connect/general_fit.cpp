@@ -10,6 +10,12 @@
 #include <cmath>
 #include <limits>
 
+// A general cone: one apex on the intersection line, a slope for each side (math.md#general-cone).
+// For an apex the least extension of a side is its steepest line that does not cut it, so only
+// apexes where an edge's own extension meets the line need be tried. The arc is elliptic and leaves
+// both plates as their tangents do (math.md#corner-cone); by default it begins where it would be
+// circular. Offsets keep the rulings (math.md#neutral-surface).
+
 namespace planish::connect_detail {
 namespace {
 

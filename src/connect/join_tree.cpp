@@ -17,6 +17,11 @@
 #include <numeric>
 #include <queue>
 
+// Which plates to join: a minimum spanning tree by the ratio of span to width, grown nearest pair
+// first. An edge is used once, so a pair that comes up after its edges were taken is measured again
+// and put back. Bends with given edges are fitted first. Where a bend that uses whole edges would
+// leave another without an edge in front, bends take no more than they need.
+
 namespace planish::connect_detail {
 namespace {
 

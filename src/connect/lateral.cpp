@@ -11,6 +11,12 @@
 #include <cmath>
 #include <limits>
 
+// The sides of a bend (math.md#lateral-boundaries): straight in the flat between the plates'
+// corners, at the neutral surface, or along a circle of the surface. A straight one must meet
+// corner, ruling, other ruling and other corner in this order, and lean no more than 45°. The bend
+// may run over neither plate: sections of the tangent rulings beside which there is no material are
+// found from crossings of a line just below, after appendix 1 of bibliography.md#thesis.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -11,6 +11,11 @@
 #include <algorithm>
 #include <cmath>
 
+// The edges and the frame of one bend: all frames of the two plates are searched, and the one with
+// the shortest reference bend is taken (math.md#shortest-bend). What a request gives of the tangent
+// line takes part if it does not depend on the edges chosen. An inside radius that the edges miss
+// by a micrometre is reduced to what they allow, since files of real parts are rounded.
+
 namespace planish::connect_detail {
 namespace {
 

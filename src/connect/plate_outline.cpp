@@ -11,6 +11,11 @@
 
 #include <algorithm>
 
+// A plate's outline with its extensions (math.md#tangent-lines). From each end of a run the outline
+// goes on to the lateral boundary by the shortest path that does not cut the plate, the convex hull
+// of the corners between; then along the tangent ruling. An extension that runs back over an edge
+// becomes one with it, and an outline that crosses itself is refused.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -11,6 +11,11 @@
 #include <cmath>
 #include <limits>
 
+// Whether two plates pass through each other, or leave each other no room. Planes that cross share
+// their line only: plates intersect where both have material there on both of its sides. Each sheet
+// needs half its thickness, as far as it leans over the other; near a border a bend or a weld may
+// be intended, so only places farther in count.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -9,6 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
+// A plate in the axes of its own plane. The normal is Newell's: twice the vector area, robust for
+// corners nearly in one plane, from which each must be off by less than the planarity. Polygons may
+// not cross themselves, nor come within rounding of each other; boxes part most pairs of holes
+// first. Rings run as the frame sees them, and edge numbers remain those of the file.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -9,6 +9,11 @@
 #include <cmath>
 #include <numbers>
 
+// A curved section with a free end, at a plate or by itself (math.md#free-sections). All of it is
+// given: radius, or radii at both ends of the ruling, sweep and length. The frame is that whose
+// tangent ruling is where the section begins; a cone's apex lies where the radii would vanish, and
+// its azimuth runs back where it opens the other way.
+
 namespace planish::connect_detail {
 namespace {
 

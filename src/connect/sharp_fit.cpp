@@ -14,6 +14,11 @@
 #include <cmath>
 #include <numbers>
 
+// A fold of inside radius 0 along an edge that both plates have on the line where their planes
+// meet. The longest stretch of free edges there is taken. The drawn edge is on the line of the mid-
+// surfaces; inner skins meet before it, so the sheets are cut back, and the edge beside a corner
+// must be long enough for that.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -10,6 +10,11 @@
 #include <utility>
 #include <vector>
 
+// Whether two sheets in planes that cross share material. A section across the intersection line
+// turns each sheet into rectangles half the thickness to both sides, and two rectangles are apart
+// only if they are so along a side of one of them. Sections lie at even places and just beside
+// every corner, since between corners a section's ends move linearly.
+
 namespace planish::connect_detail {
 namespace {
 

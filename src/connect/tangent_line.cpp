@@ -10,6 +10,11 @@
 #include <cmath>
 #include <limits>
 
+// The tangent line on which a bend is built (math.md#least-extension), with all that a request may
+// give of it: slope, apex, radius at an end or in the middle, aperture. An inside radius above zero
+// is a least height, and the program is solved for corners moved down by that height. Where nothing
+// fits, the range that would is found by the same programs, for the message.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -2,6 +2,12 @@
 
 #include <numbers>
 
+// Lengths, areas, boxes and nearest points. Areas are exact: Green's integral of products of poles,
+// about a point nearby, since far from the origin rounding would swamp them. Lengths of spans are
+// Gauss–Legendre integrals, halved until they agree. The nearest point of a span is found by branch
+// and bound: |B|² in Bernstein form is at least its smallest coefficient, so halves that cannot
+// beat the best are left out, and where one minimum remains Newton finishes in a bracket.
+
 namespace planish {
 namespace {
 

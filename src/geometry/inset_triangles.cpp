@@ -6,6 +6,11 @@
 
 #include <cmath>
 
+// Triangles of a polygon shrunk by an inset, for blocks of collision tests. GEOS does the Boolean
+// work and the triangulation; it fails now and then where many corners are in line, so what is
+// found must have the area of what was asked for, and otherwise the polygon is turned and tried
+// again.
+
 namespace planish {
 
 using namespace geometry_detail;

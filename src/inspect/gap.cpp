@@ -6,6 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+// The least distance of two curves, with its places. Segments and full circles have closed forms;
+// otherwise one curve is sampled and the distance to the other, which is exact, refined by golden
+// section about the best sample. That can only miss a second place that is equally near. Loops
+// leave out curves whose boxes are farther than the best so far.
+
 namespace planish::inspect_detail {
 namespace {
 

@@ -1,5 +1,9 @@
 #include "ring_index.hpp"
 
+// Points and rays against many rings by a tree of their edges. The winding number counts edges that
+// a ray to one side crosses, up or down, half-open in y, so that a corner counts once; a ray's
+// first hit is sought only as far as it reaches.
+
 namespace planish::inspect_detail {
 namespace {
 

@@ -6,6 +6,10 @@
 #include <cstdint>
 #include <exception>
 
+// A flat pattern as text that reads back to the same doubles, so that files written from it are the
+// same to the byte. A curve is a row of numbers whose count tells its kind. A checksum shows
+// damage: what parses but was not written by this version is refused and never guessed.
+
 namespace planish {
 namespace {
 

@@ -13,6 +13,12 @@
 #include <utility>
 #include <vector>
 
+// Files whole or not at all. Bytes go to a file beside the target, in the same folder, since
+// renaming is atomic only within one file system; it takes the target's place once every byte is
+// written and the file closed, where a full disk may first show. Of several files none takes its
+// place before all are written. A write-protected target is found by opening it, as renaming would
+// replace it.
+
 namespace planish {
 namespace {
 

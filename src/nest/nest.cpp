@@ -16,6 +16,11 @@
 #include <map>
 #include <numbers>
 
+// Parts on sheets: outlines, blocks, the nester, and back (docs/decisions/0014). Parts lie along
+// their smallest rectangle, their outlines grown by half the gap, in integers that Clipper computes
+// with; the room is larger by half a micrometre, so that what fills the sheet exactly fits. The
+// nester is not trusted: afterwards each copy must be there, and no outline may cover another.
+
 namespace planish {
 
 using namespace nest_detail;

@@ -6,6 +6,11 @@
 
 #include <algorithm>
 
+// Bend lines clipped to the material. A line is the ruling in the middle of a bend, or those of its
+// presses; material along it is found by the even-odd crossings of the faces' loops, slightly
+// aside, as seams run exactly along rulings, and measured on the ruling itself where the answer is
+// the same. Intervals that touch are one, as faces of one bend share seams.
+
 namespace planish::sheet_detail {
 namespace {
 

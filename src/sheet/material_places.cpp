@@ -5,6 +5,11 @@
 #include <numbers>
 #include <variant>
 
+// Which material of the sheet lies near a point when folded: on each face the point's foot along
+// the normal, one for every turn of a bend, and if that is outside the face the nearest point
+// within its contours. A place counts by its distance in space, so a point between two skins finds
+// both.
+
 namespace planish {
 namespace {
 

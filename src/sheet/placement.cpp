@@ -6,6 +6,12 @@
 #include <cmath>
 #include <queue>
 
+// Places faces by border trihedrons (math.md#border-trihedron) over a tree of joints, highest rank
+// first: T = TC · R · TR with the child's border laid onto the parent's, reversed, as both keep
+// their face on the left. A border's direction comes from the surfaces, not from its end points,
+// whose rounding a short border would magnify. A sharp bend lies between its two borders with its
+// allowance.
+
 namespace planish::sheet_detail {
 namespace {
 

@@ -15,6 +15,11 @@
 #include <queue>
 #include <utility>
 
+// Where to rip a sheet that does not lie flat (math.md#rips). A layout keeps joints by rank: those
+// that cannot be ripped, then smooth or long ones, or what surrounds the root; joints that do not
+// fit then are the rips, corners first, then the worst, one round after another. Three ways to rank
+// are tried, and what they open must pass the same checks as any sheet.
+
 namespace planish {
 namespace {
 

@@ -10,6 +10,11 @@
 #include <numbers>
 #include <utility>
 
+// The shape of a slit as cut: banks half the kerf beside its axis, round ends or stop holes inside
+// the material. Where it opens into a contour its banks leave the contour's lines; a line that
+// leads away under a flat angle may meet the round end about the mouth first. Lines end where they
+// enter a disc or the band about the axis, both of which are convex, so each leaves one stretch.
+
 namespace planish::sheet_detail {
 namespace {
 

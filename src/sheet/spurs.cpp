@@ -6,6 +6,11 @@
 #include <optional>
 #include <utility>
 
+// Stretches that a contour runs there and back. The path is built curve by curve, and where it
+// reverses on its own line the common part is taken off both, starting at the tips: one pass finds
+// spurs on spurs. The last curve and the first follow each other too. Collinear stretches that
+// touch become one.
+
 namespace planish::sheet_detail {
 namespace {
 

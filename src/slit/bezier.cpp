@@ -7,6 +7,11 @@
 #include <cstddef>
 #include <limits>
 
+// Bézier curves of any degree: points by de Casteljau, stable for every degree, lengths by
+// Gauss–Legendre on halved intervals. The tightest bend is looked for among samples, 64 for each
+// degree, and refined by golden section between neighbours; a nearest point among samples, then by
+// Newton, as the best sample is near enough to it.
+
 namespace planish {
 namespace {
 

@@ -12,6 +12,11 @@
 #include <cstddef>
 #include <utility>
 
+// What a slit design must hold before anything is solved: numbers in their range, curves no tighter
+// than the material allows, anchors and ends within reach. Reach is measured from the panel's edge
+// where the strip begins: no strip bridges more than its length. Every refusal names the field as a
+// JSON pointer (formats.md#slits).
+
 namespace planish::slit_detail {
 namespace {
 

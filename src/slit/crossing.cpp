@@ -8,6 +8,12 @@
 #include <cstddef>
 #include <limits>
 
+// Whether strips go through each other, and planes that lead them apart (math.md#strip-conditions).
+// Two strips cross if an edge of one pierces the inside of a quad of the other, by more than a
+// margin, so that touching does not count. A plane stands at the neighbour's near border,
+// perpendicular to the neighbour, beside each near ridge end of the strip; ends farther away than
+// the strip is wide are free.
+
 namespace planish::slit_detail {
 namespace {
 

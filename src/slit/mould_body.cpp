@@ -14,6 +14,12 @@
 #include <set>
 #include <utility>
 
+// The mould as one body (math.md#mould): ribs, walls behind upright panels, a plate. Walls are
+// bands behind the panel as seen from above, as high as the panel or as strips over them allow. The
+// plate's top is the triangulation of what stands on it, and as a triangulation leaves out corners
+// between others on a line, those are divided in again: the body is closed because every part
+// shares its corners, and that is checked.
+
 namespace planish::slit_detail {
 namespace {
 

@@ -12,6 +12,11 @@
 #include <set>
 #include <utility>
 
+// Whether ribs stand apart and none comes up through the sheet (math.md#mould). Walls are upright,
+// so footprints that are apart suffice for the first; for the second, facets and the skins of quads
+// are laid over each other as seen from above, and where both are the facet must be lower. The
+// height between two planes is linear, so the corners of what they share decide.
+
 namespace planish::slit_detail {
 namespace {
 

@@ -10,6 +10,12 @@
 #include <cstddef>
 #include <optional>
 
+// The panel over its leg curve: the sheet's widths are stepped along the curve as chords, so each
+// facet is plane and exactly as wide as in the flat sheet (math.md#slit-model). The first point at
+// a chord's distance is bracketed by walking and found by bisection, and the chord is made exact
+// afterwards. `fit` bisects the scale at which the chords end with the curve; chords are shorter
+// than the curve, which bounds it.
+
 namespace planish::slit_detail {
 namespace {
 

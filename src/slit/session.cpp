@@ -17,6 +17,12 @@
 #include <utility>
 #include <vector>
 
+// A design under edit. A change makes a new snapshot, in which strips that it affects are open, and
+// replaces the old one only if all went well, so a refused change leaves the session as it was.
+// Solving works on open strips alone, from their present shape, then parts neighbours that cross.
+// Subdividing puts a ridge without a fold into each quad, which leaves the shape unchanged
+// (math.md#subdivision).
+
 namespace planish {
 
 using namespace slit_detail;

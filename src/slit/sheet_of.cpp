@@ -12,6 +12,11 @@
 #include <string>
 #include <utility>
 
+// Folded strips and panels as a Sheet. Plane regions are listed with the borders they share, half a
+// sheet first and then its mirror image; regions in one plane become one flange (a union of sets),
+// the others are joined by a bend or a fold of their angle. The panels come before the strips,
+// since the mesh takes a shared corner from the region that comes first.
+
 namespace planish {
 namespace {
 

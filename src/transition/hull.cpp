@@ -12,6 +12,12 @@
 #include <limits>
 #include <optional>
 
+// The lateral hull of two convex profiles (math.md#lateral-hull): planes that touch both. A plane
+// is carried over from the tangent line where an element of one begins or ends to the place of the
+// other where the slope over that line is largest. These events are sorted once round; between two
+// of them the plane touches one element of each side, and the patch there is a plane, a cone, or
+// ruled. Two that continue each other are one.
+
 namespace planish::transition_detail {
 namespace {
 

@@ -11,6 +11,11 @@
 #include <cmath>
 #include <numbers>
 
+// A profile in its plane, set outwards: polygons with mitred corners, curves as offsets of their
+// quarters, splines as they are. Each edge remembers which of the given edges and corners lie on
+// it, as shares of its length, so that a report speaks of what was given. Straight corners lie
+// within elements and are none.
+
 namespace planish::transition_detail {
 namespace {
 
