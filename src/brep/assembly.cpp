@@ -9,6 +9,8 @@
 #include "model_places.hpp"
 #include "refusals.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "unplaced.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/places.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
