@@ -1,11 +1,9 @@
 #include "ring_index.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 namespace planish::inspect_detail {
-namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-}  // namespace
+namespace {}  // namespace
 
 RingIndex::RingIndex(const std::vector<std::vector<Vec2>>& rings)
     : edges_(edges_of(rings)), index_(boxes_of(edges_)) {}

@@ -4,6 +4,7 @@
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/slots.hpp>
 
 #include <fmt/format.h>

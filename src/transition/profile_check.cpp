@@ -1,6 +1,7 @@
 #include "profile_check.hpp"
 
 #include <planish/base/angle.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -10,8 +11,6 @@
 
 namespace planish::transition_detail {
 namespace {
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Result<void> check_apart(const std::vector<Vec2>& corners, double size, const std::string& place) {
   const int n = static_cast<int>(corners.size());
@@ -97,7 +96,7 @@ Result<void> check_convex(const PeriodicSpline& spline, double outwards, const s
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
     for (int i = 0; i <= kSamples; ++i) {
       const PlanePoint at = spline(std::lerp(knots[k], knots[k + 1], i / double(kSamples)));
-      const double turning = cross2(at.first, at.second), speed = at.first.norm();
+      const double turning = cross(at.first, at.second), speed = at.first.norm();
       if (speed > 0.0 && turning > kNoCorner * speed * speed * speed / knots.back()) {
         if (turning / (speed * speed * speed) * -outwards < 1.0 - kNoCorner) continue;
         return check_radius(speed * speed * speed / turning, outwards, place);
