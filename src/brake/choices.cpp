@@ -1,3 +1,6 @@
+// The strokes that a stage offers, and those that may be offered at all. What must hold:
+// `possible` covers `choices` of every stage, as the search's bound is made of it
+// (StrokeProblem::possible).
 #include "choices.hpp"
 
 #include "gauge.hpp"

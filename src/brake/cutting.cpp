@@ -1,9 +1,14 @@
+// Cuts a sheet at its lines. Faces of flanges, and the regions of bends between their lines, are
+// nodes; what joins them without a line unites them to bodies; bends on one line between the same
+// two bodies become one line. What must hold: bodies and lines are a tree, else some bend closes a
+// loop and cannot be pressed alone (math.md#stages).
 #include "cutting.hpp"
 
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/brake/codes.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <fmt/format.h>
 
@@ -39,7 +44,7 @@ void give_radius(BrakeLine& line, double radius) {
 
 /// Whether b is the continuation of a: the same straight line, bent alike between the same bodies.
 bool continues(const BrakeLine& a, const BrakeLine& b) {
-  const double turned = a.along.x() * b.along.y() - a.along.y() * b.along.x();
+  const double turned = cross(a.along, b.along);
   const int same = a.along.dot(b.along) > 0.0 ? 0 : 1;
   return a.bodies[0] == b.bodies[same] && a.bodies[1] == b.bodies[1 - same] && a.up == b.up &&
          std::abs(turned) < kOneLine && std::abs(a.across().dot(b.origin - a.origin)) < kOneLine &&

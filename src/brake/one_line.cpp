@@ -3,6 +3,8 @@
 // direction, carried to the stage, agree within `kSameLine` (math.md#strokes-together).
 #include "one_line.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <cmath>
 
 namespace planish::brake_detail {
@@ -13,7 +15,7 @@ constexpr double kSameLine = 1e-3;  // mm, and radians: lines that are pressed t
 }  // namespace
 
 bool lie_on_one_line(const BrakeLine& a, const BrakeLine& b) {
-  const double turned = a.along.x() * b.along.y() - a.along.y() * b.along.x();
+  const double turned = cross(a.along, b.along);
   return a.reference_up == b.reference_up && !a.press_line && !b.press_line && !a.closes &&
          !b.closes && std::abs(turned) < kSameLine &&
          std::abs(a.across().dot(b.origin - a.origin)) < kSameLine &&

@@ -1,3 +1,7 @@
+// An order that is given. Its strokes are taken one after the other, each with all ways in which
+// it can be made, or the way that comes nearest; then the search for the cheapest plan chooses
+// among these ways. What must hold: stages after a stroke that cannot be made are what they would
+// be (math.md#bend-order).
 #include "check.hpp"
 #include "choices.hpp"
 #include "describe.hpp"

@@ -1,3 +1,6 @@
+// Orders of many lines: first those from the outside in, which are few and mostly contain a good
+// one, within a share of the time, then all. The cheaper plan counts; the bound is that of the
+// whole search (math.md#bend-order).
 #include "plan_search.hpp"
 
 #include "check.hpp"

@@ -7,6 +7,8 @@
 
 #include "one_line.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,9 +22,7 @@ constexpr double kTouchingParts = 1e-3;  // mm: neighbouring faces as they were 
 
 /// Middles of equal shares of the pieces' common length.
 std::vector<double> looks_along(const std::vector<Interval>& pieces) {
-  double length = 0.0;
-  for (const Interval& piece : pieces)
-    length += piece.hi - piece.lo;
+  const double length = total(pieces);
   std::vector<double> looks;
   double before = 0.0;
   for (const Interval& piece : pieces) {
@@ -59,9 +59,7 @@ double reach_at(const std::vector<const PlacedPart*>& flat, bool left, double x)
     for (size_t k = 0; k < part->blocks.size() && part->left == left; ++k) {
       const Convex cut = section(part->blocks[k], x, x);
       if (cut.empty()) continue;
-      Box2 box;
-      for (const Vec2& p : cut)
-        box.add(p);
+      const Box2 box = box_of(cut);
       material.push_back({box.lo.x(), box.hi.x()});
     }
   }

@@ -1,3 +1,6 @@
+// Among plans of one cost that with the tools a shop would take: for each run of strokes with one
+// pair of tools, other pairs are tried in the order of preference. What must hold: the cost
+// depends on which strokes share tools and not on which tools these are.
 #include "preferred_tools.hpp"
 
 #include "check.hpp"

@@ -1,8 +1,12 @@
+// Whether a polygon is the outline of a body. Edges are held against each other pairwise, which is
+// quick for the few corners of a tool; what is nearer than the digits in which profiles are
+// written counts as touching.
 #include "profile_check.hpp"
 
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -18,27 +22,8 @@ const Vec2& cyclic(const ToolProfile& profile, std::size_t i) {
   return profile[i % profile.size()];
 }
 
-double crossed(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double distance_to_edge(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - (a + t * along)).norm();
-}
-
-bool properly_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const auto sides = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-    return crossed(q - p, r - p) * crossed(q - p, s - p) < 0.0;
-  };
-  return sides(a, b, c, d) && sides(c, d, a, b);
-}
-
-/// Edges that do not follow one another.
-bool touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double near) {
-  return properly_cross(a, b, c, d) || distance_to_edge(a, c, d) < near ||
-         distance_to_edge(b, c, d) < near || distance_to_edge(c, a, b) < near ||
-         distance_to_edge(d, a, b) < near;
+Segment edge_at(const ToolProfile& profile, std::size_t i) {
+  return {cyclic(profile, i), cyclic(profile, i + 1)};
 }
 
 std::string row(std::size_t corner) { return "/" + std::to_string(corner); }
@@ -65,8 +50,8 @@ std::optional<ProfileFault> bad_corner(const ToolProfile& profile) {
 bool is_spike(const ToolProfile& profile, std::size_t i, double near) {
   const std::size_t n = profile.size();
   const Vec2 &before = cyclic(profile, i + n - 1), &after = cyclic(profile, i + 1);
-  return distance_to_edge(before, profile[i], after) < near ||
-         distance_to_edge(after, before, profile[i]) < near;
+  return distance(before, Segment{profile[i], after}) < near ||
+         distance(after, Segment{before, profile[i]}) < near;
 }
 
 std::optional<ProfileFault> bad_outline(const ToolProfile& profile) {
@@ -80,8 +65,7 @@ std::optional<ProfileFault> bad_outline(const ToolProfile& profile) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
       const bool neighbours = i == 0 && j + 1 == n;
-      if (!neighbours &&
-          touch(profile[i], profile[i + 1], profile[j], cyclic(profile, j + 1), near))
+      if (!neighbours && distance(edge_at(profile, i), edge_at(profile, j)) < near)
         return crossing(j);
     }
   return std::nullopt;
@@ -113,15 +97,14 @@ std::optional<std::size_t> corner_at(const ToolProfile& profile, const Vec2& pla
 
 bool on_outline(const ToolProfile& profile, const Vec2& place) {
   for (std::size_t i = 0; i < profile.size(); ++i)
-    if (distance_to_edge(place, profile[i], cyclic(profile, i + 1)) <= corner_tolerance(profile))
-      return true;
+    if (distance(place, edge_at(profile, i)) <= corner_tolerance(profile)) return true;
   return false;
 }
 
 double angle_within(const ToolProfile& profile, std::size_t corner) {
   const Vec2 in = profile[corner] - cyclic(profile, corner + profile.size() - 1);
   const Vec2 out = cyclic(profile, corner + 1) - profile[corner];
-  return std::numbers::pi - std::atan2(crossed(in, out), in.dot(out));
+  return std::numbers::pi - std::atan2(cross(in, out), in.dot(out));
 }
 
 std::optional<ProfileFault> fault_of_rounding(const ToolProfile& profile, std::size_t corner,

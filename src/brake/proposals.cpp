@@ -1,3 +1,7 @@
+// What would make an infeasible part possible. Each kind of change is tried within its share of
+// the time; the least that does is found by doubling and halving, which takes for granted that
+// more of a change helps no less, until it does harm elsewhere. Each is told only if it was
+// planned again (bend.md#proposals).
 #include "changed_work.hpp"
 #include "plan_search.hpp"
 #include "prepared.hpp"

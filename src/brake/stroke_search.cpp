@@ -1,3 +1,6 @@
+// The cheapest order of strokes: first any plan depth first, with growing patience, then A*, both
+// against a bound that is made again when more choices are known to be infeasible everywhere. A
+// plan as cheap as the bound is proven without a search (math.md#bend-order, bend.md#search).
 #include "refusals.hpp"
 #include "stroke_work.hpp"
 

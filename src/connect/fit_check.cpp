@@ -9,6 +9,7 @@
 
 #include <planish/connect/codes.hpp>
 #include <planish/geometry/curve.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
@@ -55,8 +56,8 @@ std::optional<Vec2> within(const PlacedPlate& plate, const Vec2& a, const Vec2& 
   std::vector<double> cuts{0.0, 1.0};
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 along = ring[(i + 1) % ring.size()] - ring[i], way = b - a, to = ring[i] - a;
-    const double across = way.x() * along.y() - way.y() * along.x();
-    const double share = (to.x() * along.y() - to.y() * along.x()) / across;
+    const double across = cross(way, along);
+    const double share = cross(to, along) / across;
     if (share > 0.0 && share < 1.0) cuts.push_back(share);
   }
   std::sort(cuts.begin(), cuts.end());

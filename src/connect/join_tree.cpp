@@ -7,6 +7,7 @@
 #include "refusals.hpp"
 #include "request_check.hpp"
 
+#include <planish/base/search.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
 #include <planish/connect/codes.hpp>
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <string>
 
 // Which plates to join: a minimum spanning tree by the ratio of span to width, grown nearest pair
@@ -133,7 +133,7 @@ struct LaterPair {
   }
 };
 
-using PairQueue = std::priority_queue<Pair, std::vector<Pair>, LaterPair>;
+using PairQueue = Frontier<Pair, LaterPair>;
 
 /// The input of the search for a tree.
 struct Problem {
@@ -182,7 +182,7 @@ Result<PairQueue> open_pairs(const Problem& problem, UnionFind& groups, const Ta
       if (groups.same(a, b)) continue;
       if (const auto pair = measured(problem, a, b, taken, any);
           pair && pair->span <= problem.largest_span(a, b))
-        pairs.push(*pair);
+        pairs.add(*pair);
     }
   }
   return pairs;
@@ -262,14 +262,13 @@ class Tree {
     if (!open) return pass_on(open);
     while (!open->empty() && parts_.fits.size() + 1 < problem_.plates.size()) {
       if (progress.should_stop()) return fail(refuse::cancelled);
-      const Pair pair = open->top();
-      open->pop();
+      const Pair pair = open->take();
       if (groups_.same(pair.a, pair.b)) continue;
       // Its edges may have been taken since.
       const auto now = measured(problem_, pair.a, pair.b, taken_, any);
       if (!now || now->span > problem_.largest_span(pair.a, pair.b)) continue;
       if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
-        open->push(*now);
+        open->add(*now);
         continue;
       }
       join(pair, fit);

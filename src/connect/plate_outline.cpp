@@ -6,6 +6,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/codes.hpp>
 
@@ -23,8 +24,6 @@ using Edge = ExtendedOutline::Edge;
 
 // Points closer than this share of the plate's extent are one.
 constexpr double kSame = tolerance::kComputed;
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Corners of the run in (v, h), in the order of the outline.
 std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
@@ -60,7 +59,7 @@ std::vector<Vec2> taut(const std::vector<Vec2>& corners, const Vec2& target) {
   const auto add = [&](const Vec2& p) {
     while (way.size() > 1) {
       const Vec2& a = way[way.size() - 2];
-      if (below * inward * cross2(way.back() - a, p - a) > 0.0) break;
+      if (below * inward * cross(way.back() - a, p - a) > 0.0) break;
       way.pop_back();
     }
     way.push_back(p);
@@ -137,7 +136,7 @@ void with_runs_joined(ExtendedOutline& outline, bool on_too, double same) {
     const std::size_t next = (i + 1) % edges.size();
     const Vec2 there = e.b - e.a, on = edges[next].b - edges[next].a;
     const bool along = !e.bend && !edges[next].bend && (on_too || there.dot(on) < 0.0) &&
-                       std::abs(cross2(there, on)) <= same * std::max(there.norm(), on.norm());
+                       std::abs(cross(there, on)) <= same * std::max(there.norm(), on.norm());
     if (!along) {
       ++i;
       continue;

@@ -4,6 +4,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -124,14 +125,12 @@ Result<void> check_planar(const PlateRing& polygon, const Frame& frame, double p
   return fail(refuse::corner_off_plane, facts);
 }
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 // A spike: two edges at one corner that run back over each other.
 std::optional<std::size_t> spike(const std::vector<Vec2>& ring, double same) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
-    if (in.dot(out) < 0.0 && std::abs(cross2(in, out)) <= same * std::max(in.norm(), out.norm()))
+    if (in.dot(out) < 0.0 && std::abs(cross(in, out)) <= same * std::max(in.norm(), out.norm()))
       return i;
   }
   return std::nullopt;
@@ -158,12 +157,6 @@ std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
   return corners;
 }
 
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * d).norm();
-}
-
 // A place where the borders of two polygons cross, or come within `same`.
 std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second,
                             double same) {
@@ -173,20 +166,13 @@ std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Ve
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < second.size(); ++j) {
       const Vec2 &a = first[i], &b = next(first, i), &c = second[j], &d = next(second, j);
-      if (distance(a, c, d) <= same) return a;
-      if (distance(c, a, b) <= same) return c;
-      const double ca = cross2(b - a, c - a), da = cross2(b - a, d - a), ac = cross2(d - c, a - c),
-                   bc = cross2(d - c, b - c);
+      if (distance(a, Segment{c, d}) <= same) return a;
+      if (distance(c, Segment{a, b}) <= same) return c;
+      const double ca = cross(b - a, c - a), da = cross(b - a, d - a), ac = cross(d - c, a - c),
+                   bc = cross(d - c, b - c);
       if (ca * da < 0.0 && ac * bc < 0.0) return Vec2(c + ca / (ca - da) * (d - c));
     }
   return std::nullopt;
-}
-
-Box2 box_of(const std::vector<Vec2>& ring) {
-  Box2 box;
-  for (const Vec2& p : ring)
-    box.add(p);
-  return box;
 }
 
 bool apart(const Box2& a, const Box2& b, double by) {

@@ -1,4 +1,5 @@
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/same_part.hpp>
 
 #include <algorithm>
@@ -59,8 +60,7 @@ Vec2 middle_of(const Loop& loop) {
     const auto along = [&](auto f) {
       return integral(curve, [&](const Vec2& p, const Vec2& d) { return f(Vec2(p - near), d); });
     };
-    area += along(
-        [](const Vec2& p, const Vec2& d) { return 0.5 * (p.x() * d.y() - p.y() * d.x()); });
+    area += along([](const Vec2& p, const Vec2& d) { return 0.5 * cross(p, d); });
     moments.x() += along([](const Vec2& p, const Vec2& d) { return 0.5 * p.x() * p.x() * d.y(); });
     moments.y() -= along([](const Vec2& p, const Vec2& d) { return 0.5 * p.y() * p.y() * d.x(); });
   }

@@ -5,6 +5,7 @@
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/slots.hpp>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -128,13 +129,6 @@ std::optional<double> lowest_over(const std::vector<Vec2>& footprint, const Whol
   return lowest;
 }
 
-Box2 box_around(const std::vector<Vec2>& ring) {
-  Box2 box;
-  for (const Vec2& p : ring)
-    box.add(p);
-  return box;
-}
-
 /// Points of the plate by their place, as a triangulation gives them back.
 class PlateCorners {
  public:
@@ -240,7 +234,7 @@ std::optional<Triangles> triangles_around(const std::vector<Vec2>& rim,
       t[i] = *found;
     }
     const Vec2 u = triangle[1] - triangle[0], v = triangle[2] - triangle[0];
-    if (u.x() * v.y() - u.y() * v.x() < 0.0) std::swap(t[1], t[2]);
+    if (planish::cross(u, v) < 0.0) std::swap(t[1], t[2]);
     triangles.push_back(t);
   }
   for (const auto& footprint : standing) {
@@ -278,9 +272,9 @@ bool is_over(const std::vector<MouldWall>& walls, const WholeStrip& strip, int q
              const WallSetting& setting) {
   const Polygon own{seen(strip.ridges[quad], strip.ridges[quad + 1], setting.plan), {}};
   const double smallest = kTouching * std::abs(ring_area(own.outer));
-  const Box2 box = box_around(own.outer);
+  const Box2 box = box_of(own.outer);
   return std::ranges::any_of(walls, [&](const MouldWall& wall) {
-    return box.overlaps(box_around(wall.room)) &&
+    return box.overlaps(box_of(wall.room)) &&
            !overlaps({{wall.room, {}}, own}, 0.0, smallest).empty();
   });
 }

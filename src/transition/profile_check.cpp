@@ -3,6 +3,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/angle.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/transition/codes.hpp>
 
@@ -12,8 +13,6 @@
 
 namespace planish::transition_detail {
 namespace {
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A point of a profile in the request.
 Place point_pointer(const std::string& place, int i) {
@@ -103,7 +102,7 @@ Result<void> check_convex(const PeriodicSpline& spline, double outwards, const s
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
     for (int i = 0; i <= kSamples; ++i) {
       const PlanePoint at = spline(std::lerp(knots[k], knots[k + 1], i / double(kSamples)));
-      const double turning = cross2(at.first, at.second), speed = at.first.norm();
+      const double turning = cross(at.first, at.second), speed = at.first.norm();
       if (speed > 0.0 && turning > kNoCorner * speed * speed * speed / knots.back()) {
         if (turning / (speed * speed * speed) * -outwards < 1.0 - kNoCorner) continue;
         return check_radius(speed * speed * speed / turning, outwards, place);

@@ -10,7 +10,7 @@
 namespace planish::test {
 namespace {
 
-constexpr int kSheets = 200;
+constexpr int kSheets = 60;
 constexpr std::array kBends{2, 3, 4, 5, 3, 4, 5, 6, 4, 7};
 
 /// A base with flanges on its sides, one of them not square, and lips on some of these: `bends`

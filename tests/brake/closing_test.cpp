@@ -1,3 +1,5 @@
+#include "closing.hpp"
+
 #include "brake/hemming_tools.hpp"
 
 #include <planish/brake/codes.hpp>
@@ -15,7 +17,7 @@ Result<Plan> plan_of_hem(const Sheet& sheet, const BrakeTools& tools,
 }
 
 /// A hem is bent as far as the sharpest tools go, 180° − 30° − 2°, and then closed.
-TEST(Hem, IsBentAndThenClosed) {
+TEST(ClosingHems, IsBentAndThenClosed) {
   PlanOptions options;
   options.springback = Angle::degrees(2);
   const auto plan = plan_of_hem(hem(), hemming_tools(), options);
@@ -32,7 +34,7 @@ TEST(Hem, IsBentAndThenClosed) {
   EXPECT_EQ(plan->strokes[0].bends, plan->strokes[1].bends);
 }
 
-TEST(Hem, NeedsFlatTools) {
+TEST(ClosingHems, NeedsFlatTools) {
   BrakeTools tools = hemming_tools();
   tools.dies.pop_back();
   const auto plan = plan_of_hem(hem(), tools);
@@ -45,7 +47,7 @@ TEST(Hem, NeedsFlatTools) {
 /// lies from the tangent line of the hem to its length l = 15 from there; the wall's face is L + r
 /// from the tangent line, and may be ε deep in the punch: L ≥ l/2 + 15 − ε − r. Closing first is
 /// always possible.
-TEST(Hem, IsClosedBesideAWallIfThePunchHasRoom) {
+TEST(ClosingHems, IsClosedBesideAWallIfThePunchHasRoom) {
   const double radius = 1.0, nearest = 7.5 + kFlatPunch - 0.05 - radius;
   for (const double step : {-0.1, 0.1}) {
     const Sheet sheet = strip(
@@ -71,37 +73,6 @@ TEST(Hem, IsClosedBesideAWallIfThePunchHasRoom) {
       EXPECT_EQ(closes, !with_wall || step > 0.0) << step;
     }
   }
-}
-
-/// Where a closed hem lies: as it is drawn. (Of an open one the tools decide.)
-TEST(Hem, LiesClosedAsItIsDrawn) {
-  const Sheet sheet = strip(
-      {Straight{15}, Turn{Angle::degrees(180), 0.5, BendDirection::up}, Straight{60},
-       Turn{Angle::degrees(90), 1.0, BendDirection::up}, Straight{40}},
-      50, 1.0);
-  const auto flat = flat_sheet(sheet);
-  const auto work = brake_detail::workpiece_of(sheet, flat->layout, {1.0, Angle::degrees(150)});
-  ASSERT_TRUE(work);
-  const brake_detail::PartTree tree(*work, 1);
-  LineSet formed = brake_detail::no_lines(3);
-  brake_detail::insert(formed, 0);
-  brake_detail::insert(formed, 2);
-  // From the wall's line: the return lies 2 r + T above the base's middle, its end 60 − 15 from the
-  // wall's tangent line.
-  const double half_zone = 0.5 * work->lines[1].bend.allowance;
-  const int body = work->lines[0].bodies[0] == work->lines[1].bodies[0] ||
-                           work->lines[0].bodies[0] == work->lines[1].bodies[1]
-                       ? work->lines[0].bodies[1]
-                       : work->lines[0].bodies[0];
-  const Eigen::Isometry3d at = tree.place(tree.part_of_body(body), formed);
-  double nearest = 1e9;
-  for (const brake_detail::Convex& piece : work->bodies[body].pieces)
-    for (const Vec2& p : piece) {
-      const Vec3 placed = at * Vec3(p.x(), p.y(), 0.0);
-      EXPECT_NEAR(placed.z(), -0.5 + 2.0, 1e-9);
-      nearest = std::min(nearest, std::abs(placed.y()));
-    }
-  EXPECT_NEAR(nearest, half_zone + 45.0, 1e-9);
 }
 
 }  // namespace

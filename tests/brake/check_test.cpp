@@ -1,3 +1,5 @@
+#include "check.hpp"
+
 #include "brake/stroke_room.hpp"
 
 #include <gtest/gtest.h>
@@ -176,67 +178,6 @@ TEST(ClosedForms, LongestReturnFlangeThatAStraightPunchPasses) {
     lower.opening = 9.0;
     Room room(sheet, plain_tools(plain, lower));
     EXPECT_EQ(room.can_press(3, {1, 2, 4}), step < 0.0) << step;
-  }
-}
-
-/// The flange, from the bend line to the border or to the next formed bend, is at least
-/// V/2 + shoulder radius.
-TEST(ClosedForms, ShortestFlangeOnADie) {
-  const double radius = 1.0, t = 1.0, k = 0.44;
-  const double half_zone = 0.25 * std::numbers::pi * (radius + k * t);
-  PlainDie lower;
-  lower.opening = 16.0;
-  lower.shoulder_radius = 2.5;
-  const double shortest = 0.5 * lower.opening + lower.shoulder_radius - half_zone;
-  for (const double step : {-kStep, kStep}) {
-    Room room(strip({Straight{60}, up(radius), Straight{shortest + step}}, 50, t),
-              plain_tools({}, lower));
-    EXPECT_EQ(room.can_press(1, {}), step > 0.0) << step;
-    // To the next bend, once that is formed. The punch is so thin that the flange there passes.
-    PlainPunch thin;
-    thin.half_width = 1.5;
-    Room jog(strip({Straight{60}, up(radius), Straight{shortest + step}, up(radius), Straight{6}},
-                   50, t),
-             plain_tools(thin, lower));
-    EXPECT_TRUE(jog.can_press(1, {})) << step;
-    EXPECT_EQ(jog.can_press(1, {2}), step > 0.0) << step;
-  }
-}
-
-/// As the sides rise the shoulders touch them farther out. A shoulder of radius q in the corner of
-/// a V of angle A has its middle V/2 + q / tan(45° + A/4) from the middle of the V; it touches a
-/// side at 45° s·(…)/… beyond the tangent point: with W that distance, (W − s (r + T + q)) / s.
-TEST(ClosedForms, ShoulderStaysOnTheFlange) {
-  const double radius = 1.0, t = 1.0, k = 0.44;
-  PlainDie lower;
-  lower.opening = 40.0;
-  lower.shoulder_radius = 2.0;
-  lower.half_width = 40.0;
-  const double reach = 20.0 + 2.0 / std::tan(std::numbers::pi / 4 + 0.25 * lower.angle.radians());
-  const double touched = (reach - s * (radius + t + 2.0)) / s;
-  const double half_zone = 0.25 * std::numbers::pi * (radius + k * t);
-  ASSERT_GT(touched + half_zone, 22.0);  // more than V/2 + the shoulder's radius
-  for (const double step : {-kStep, kStep}) {
-    Room room(strip({Straight{90}, up(radius), Straight{touched + step}}, 50, t),
-              plain_tools({}, lower));
-    EXPECT_EQ(room.can_press(1, {}), step > 0.0) << step;
-  }
-}
-
-/// The shoulders never touch the bend itself: BA/2 ≤ W at the start, for a radius that the V is
-/// too narrow for.
-TEST(ClosedForms, ShouldersTouchPlaneSidesOnly) {
-  const double t = 1.0, k = 0.44;
-  PlainDie lower;
-  lower.opening = 8.0;
-  lower.shoulder_radius = 1.0;
-  const double reach = 4.0 + 1.0 / std::tan(std::numbers::pi / 4 + 0.25 * lower.angle.radians());
-  // At the end: s (r + T + q) ≤ W is the stricter of the two for this die.
-  const double widest = std::min(reach / s - t - 1.0, 4.0 * reach / std::numbers::pi - k * t);
-  for (const double step : {-kStep, kStep}) {
-    Room room(strip({Straight{60}, up(widest + step), Straight{60}}, 50, t),
-              plain_tools({}, lower));
-    EXPECT_EQ(room.can_press(1, {}), step < 0.0) << step;
   }
 }
 
