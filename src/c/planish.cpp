@@ -13,6 +13,7 @@
 #include <new>
 #include <utility>
 
+namespace code = planish::code;
 namespace job = planish::job;
 namespace process = planish::process;
 using planish::Error;

@@ -24,7 +24,7 @@ namespace planish::connect_detail {
 namespace {
 
 using Corners = std::array<std::vector<Vec2>, 2>;
-using Interval = std::pair<double, double>;
+using Spread = std::pair<double, double>;
 
 // A corner within this share of the extent of the tangent ruling lies on it.
 constexpr double kOnRuling = tolerance::kComputed;
@@ -47,30 +47,30 @@ RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corne
   return ends;
 }
 
-std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-  std::vector<Interval> both;
-  for (const Interval& p : a)
-    for (const Interval& q : b) {
-      const Interval part{std::max(p.first, q.first), std::min(p.second, q.second)};
+std::vector<Spread> common(const std::vector<Spread>& a, const std::vector<Spread>& b) {
+  std::vector<Spread> both;
+  for (const Spread& p : a)
+    for (const Spread& q : b) {
+      const Spread part{std::max(p.first, q.first), std::min(p.second, q.second)};
       if (part.second > part.first) both.push_back(part);
     }
   return both;
 }
 
-std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface,
-                                    const RunEnds& ends) {
+std::vector<Spread> legal_on_both(const FitTask& task, const BendSurface& surface,
+                                  const RunEnds& ends) {
   const double extent = extent_of(task);
   double low = std::min(ends.low[0].x(), ends.low[1].x()) - extent;
   const double high = std::max(ends.high[0].x(), ends.high[1].x()) + extent;
   if (surface.kind == BendKind::cone) low = std::max(low, 0.0);
   if (surface.kind == BendKind::general)
     low = std::max(low, -std::min(surface.rails[0], surface.rails[1]));
-  std::array<std::vector<Interval>, 2> legal;
+  std::array<std::vector<Spread>, 2> legal;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     legal[i] = legal_sections(local_rings(*task.plates[i], surface, side), low, high,
                               kOnRuling * extent);
-    for (Interval& section : legal[i])
+    for (Spread& section : legal[i])
       section = {surface.level(side, section.first), surface.level(side, section.second)};
   }
   return common(legal[0], legal[1]);

@@ -19,7 +19,7 @@
 namespace planish::connect_detail {
 namespace {
 
-using Interval = std::pair<double, double>;
+using Spread = std::pair<double, double>;
 
 // A bend has no width below this share of the plates' extent.
 constexpr double kNoWidth = kNegligible;
@@ -111,7 +111,7 @@ double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
   return std::abs(corners[1].x() - corners[0].x()) / way;
 }
 
-bool within(const BendSurface& surface, const Boundaries& b, const Interval& legal,
+bool within(const BendSurface& surface, const Boundaries& b, const Spread& legal,
             double tolerance) {
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
@@ -122,10 +122,10 @@ bool within(const BendSurface& surface, const Boundaries& b, const Interval& leg
   return true;
 }
 
-std::optional<Interval> widest(const std::vector<Interval>& legal, double low, double high) {
-  std::optional<Interval> best;
-  for (const Interval& section : legal) {
-    const Interval part{std::max(low, section.first), std::min(high, section.second)};
+std::optional<Spread> widest(const std::vector<Spread>& legal, double low, double high) {
+  std::optional<Spread> best;
+  for (const Spread& section : legal) {
+    const Spread part{std::max(low, section.first), std::min(high, section.second)};
     if (!best || part.second - part.first > best->second - best->first) best = part;
   }
   return best;
@@ -140,7 +140,7 @@ std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const 
   for (std::size_t side = 0; side < 2; ++side)
     if (both.high.v[side] - both.low.v[side] <= kNoWidth * options.extent) return std::nullopt;
   const double tolerance = kNoWidth * options.extent;
-  for (const Interval& section : options.legal)
+  for (const Spread& section : options.legal)
     if (within(surface, both, section, tolerance)) return both;
   return std::nullopt;
 }
@@ -189,13 +189,13 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
   return directrix_boundaries(surface, ends, wanted, options);
 }
 
-std::vector<Interval> legal_sections(const std::vector<Vec2>& outline, double low, double high,
-                                     double tolerance) {
+std::vector<Spread> legal_sections(const std::vector<Vec2>& outline, double low, double high,
+                                   double tolerance) {
   return legal_sections(std::vector<std::vector<Vec2>>{outline}, low, high, tolerance);
 }
 
-std::vector<Interval> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
-                                     double high, double tolerance) {
+std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
+                                   double high, double tolerance) {
   // Crossings of the line just below h = 0: a corner on it counts as above.
   std::vector<double> crossings;
   for (const std::vector<Vec2>& ring : rings)
@@ -208,7 +208,7 @@ std::vector<Interval> legal_sections(const std::vector<std::vector<Vec2>>& rings
       crossings.push_back(a.x() + t * (b.x() - a.x()));
     }
   std::sort(crossings.begin(), crossings.end());
-  std::vector<Interval> sections;
+  std::vector<Spread> sections;
   double from = low;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
     if (std::min(crossings[i], high) > from)
