@@ -2,13 +2,12 @@
 
 #include "joined_face.hpp"
 #include "orientation.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/connect/codes.hpp>
 #include <planish/sheet/builder.hpp>
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -55,11 +54,9 @@ Result<void> check_folds(const Parts& parts) {
     if (!fit.fold || fit.fold->reference_inside) continue;
     for (std::size_t side = 0; side < 2; ++side)
       if (!fit.fold->at_corner[side][0] || !fit.fold->at_corner[side][1])
-        return fail(code::no_bend_fits,
-                    fmt::format("folds of inside radius 0 in both directions need edges of equal "
-                                "length; plate {} has a longer one: give it an inside radius of "
-                                "{} mm or more",
-                                parts.ids[fit.report.plates[side]], kSmallestInsideRadius));
+        return fail(refuse::folds_both_ways,
+                    {{"plate", place::plate(parts.ids[fit.report.plates[side]])},
+                     {"least", kSmallestInsideRadius, unit::mm}});
   }
   return {};
 }

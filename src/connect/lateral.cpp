@@ -1,11 +1,10 @@
 #include "lateral.hpp"
 
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 #include <planish/geometry/fit.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -126,15 +125,6 @@ std::optional<Interval> widest(const std::vector<Interval>& legal, double low, d
   return best;
 }
 
-Error too_narrow(double width) {
-  return {code::no_common_width,
-          fmt::format(
-              "the edges have no width in common on which a bend runs over neither plate (their "
-              "ranges miss each other by {:.4g} mm): choose other edges or move a plate",
-              std::max(0.0, -width)),
-          {}};
-}
-
 std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const Flat& flat,
                                               const RunEnds& ends, const LateralOptions& options) {
   const auto low = straight(surface, flat, ends.low, options.extent);
@@ -164,7 +154,9 @@ Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnd
     high = low;
   }
   const double width = surface.v_at(0, high) - surface.v_at(0, low);
-  if (width <= kNoWidth * options.extent) return tl::unexpected(too_narrow(width));
+  if (width <= -kNoWidth * options.extent)
+    return fail(refuse::ranges_apart, {{"gap", -width, unit::mm}});
+  if (width <= kNoWidth * options.extent) return fail(refuse::no_width);
   return Boundaries{kind, along_directrix(surface, low, options.extent),
                     along_directrix(surface, high, options.extent)};
 }
@@ -185,11 +177,7 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
                       std::max(leaning(flat, ends.low), leaning(flat, ends.high)) < kLeaning;
     if (near)
       if (auto both = straight_boundaries(surface, flat, ends, options)) return *both;
-    if (wanted == LateralBoundary::straight)
-      return fail(code::no_common_width,
-                  "a straight lateral boundary would run over a plate or past the end of the bend: "
-                  "choose arc "
-                  "or corner");
+    if (wanted == LateralBoundary::straight) return fail(refuse::straight_over_plate);
     wanted = LateralBoundary::corner;
   }
   return directrix_boundaries(surface, ends, wanted, options);

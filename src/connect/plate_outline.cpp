@@ -1,13 +1,13 @@
 #include "plate_outline.hpp"
 
+#include "parts.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/codes.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -206,19 +206,11 @@ Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& pla
   const auto crossings = self_crossings(ring);
   if (crossings.empty() && (number == 0 ? 1.0 : -1.0) * ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))
-      return fail(code::no_common_width,
-                  fmt::format("the bend that fits best begins beside the edges of plate {}, where "
-                              "its extension would run over the plate at "
-                              "({:.6g}, {:.6g}, {:.6g}): choose other edges or move a plate",
-                              id, plate.frame.point(*at).x(), plate.frame.point(*at).y(),
-                              plate.frame.point(*at).z()));
+      return fail(refuse::begins_beside_edges, plate_at(id, plate.frame.point(*at)));
     return {};
   }
   const Vec3 p = plate.frame.point(crossings.empty() ? ring.front() : crossings.front());
-  return fail(code::overlap, fmt::format("the extensions of plate {} that its bends need run "
-                                         "into each other or over the plate, near "
-                                         "({:.6g}, {:.6g}, {:.6g})",
-                                         id, p.x(), p.y(), p.z()));
+  return fail(refuse::extensions_meet, plate_at(id, p));
 }
 
 }  // namespace
