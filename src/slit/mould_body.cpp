@@ -1,9 +1,9 @@
 #include "mould_body.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,11 +81,7 @@ Result<MouldWall> wall_behind(const Standing& panel, const WallSetting& setting)
   wall.bottom = panel.bottom;
   wall.top = panel.top;
   if (self_crossings(wall.footprint).empty() && self_crossings(wall.room).empty()) return wall;
-  return fail(code::unsupported_shape,
-              fmt::format("the mould's wall behind a panel, {:.4g} mm deep, would run through "
-                          "itself where the leg curve is bent most; choose a smaller mould.base, "
-                          "whose depth it has, or mould.form \"ribs\"",
-                          setting.depth));
+  return fail(refuse::wall_through_itself, {{"depth", setting.depth, unit::mm}});
 }
 
 std::vector<Vec2> seen(const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far,
@@ -253,11 +249,7 @@ std::optional<Triangles> triangles_around(const std::vector<Vec2>& rim,
   return triangles;
 }
 
-tl::unexpected<Error> touching() {
-  return fail(code::unsupported_shape,
-              "ribs or walls of the mould touch each other, so it would not be one body; choose a "
-              "larger inset (mould.inset) or mould.form \"ribs\"");
-}
+tl::unexpected<Error> touching() { return fail(refuse::not_one_body); }
 
 }  // namespace
 
@@ -298,11 +290,8 @@ Result<void> raise(std::vector<MouldWall>& walls,
           if (const auto lowest = lowest_over(wall.footprint, strip, quad, setting))
             wall.top = std::min(wall.top, *lowest);
     if (wall.top - wall.bottom < kLeast * height)
-      return fail(code::unsupported_shape,
-                  fmt::format("strips come down to {:.4g} mm above the free edge of a panel {:.4g} "
-                              "mm high, so the mould's wall has no room behind it; choose "
-                              "mould.form \"ribs\"",
-                              wall.top - wall.bottom, height));
+      return fail(refuse::no_room_for_wall,
+                  {{"left", wall.top - wall.bottom, unit::mm}, {"height", height, unit::mm}});
   }
   return {};
 }
