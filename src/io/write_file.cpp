@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 
 #include <fmt/format.h>
@@ -27,8 +29,7 @@ File opened(const fs::path& path, const char* mode) {
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 tl::unexpected<Error> cannot_write(const fs::path& target, const std::error_code& reason) {
-  return fail(code::cannot_write,
-              fmt::format("cannot write {}: {}", target.string(), reason.message()),
+  return fail(refuse::cannot_write, {{"file", target.string()}, {"reason", reason.message()}},
               target.string());
 }
 
@@ -152,8 +153,7 @@ Result<void> make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (!failed) return {};
-  return fail(code::cannot_write,
-              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+  return fail(refuse::cannot_make_folder, {{"file", folder.string()}, {"reason", failed.message()}},
               folder.string());
 }
 
