@@ -1,5 +1,7 @@
 #include "cutting.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/brake/codes.hpp>
 
@@ -112,12 +114,7 @@ std::optional<Error> Cutting::add_lines(BendId id) {
   if (bend.faces.empty()) return std::nullopt;
   const std::string name = fmt::format("B{}", index_of(id) + 1);
   if (bend.kind == BendKind::general && bend.press_lines.empty())
-    return Error{
-        code::no_straight_bend,
-        fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
-                    "press brake has no line to strike",
-                    name),
-        name};
+    return error_of(refuse::no_line_to_strike, {{"bend", place::bend(name)}}, name);
   if (is_rolled(bend, sheet_.thickness)) made_.rolled.push_back(id);
   for (int i = 0; i < std::ssize(lines_at_[id]); ++i)
     add_press_line(id, i);
@@ -247,11 +244,7 @@ std::optional<Error> Cutting::check_tree() const {
   for (const BrakeLine& line : made_.lines) {
     if (line.closes || bodies.unite(line.bodies[0], line.bodies[1])) continue;
     const std::string name = fmt::format("B{}", index_of(line.bends.front()) + 1);
-    return Error{code::unsupported_shape,
-                 fmt::format("bend {} closes a loop of flanges: it could only be bent at the same "
-                             "time as a bend on another line",
-                             name),
-                 name};
+    return error_of(refuse::closes_loop, {{"bend", place::bend(name)}}, name);
   }
   return std::nullopt;
 }

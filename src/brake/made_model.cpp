@@ -1,5 +1,7 @@
 #include "made_model.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/brake/codes.hpp>
 
 #include <fmt/format.h>
@@ -12,21 +14,28 @@ namespace {
 
 /// The first option that is out of its range.
 std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
-  const auto wrong = [](const char* name, const char* range) {
-    return Error{code::bad_option, fmt::format("`{}` is to be {}", name, range), name};
+  const auto wrong = [](const char* name, const Quantity& value, const char* range) {
+    return error_of(refuse::bad_plan_option,
+                    {{"option", name}, {"value", value.value, value.unit}, {"range", range}}, name);
   };
   const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!is_length(options.clearance)) return wrong("clearance", "0 or more");
-  if (options.shortfall && !is_length(*options.shortfall)) return wrong("shortfall", "0 or more");
+  if (!is_length(options.clearance))
+    return wrong("clearance", {options.clearance, unit::mm}, "0 or more");
+  if (options.shortfall && !is_length(*options.shortfall))
+    return wrong("shortfall", {*options.shortfall, unit::mm}, "0 or more");
   if (!(options.springback.degrees() >= 0.0 && options.springback.degrees() < 45.0))
-    return wrong("springback", "at least 0 and below 45°");
+    return wrong("springback", {options.springback.degrees(), unit::degrees},
+                 "an angle from 0° to below 45°");
   if (!(is_length(options.tensile_strength) && options.tensile_strength > 0.0))
-    return wrong("tensile_strength", "above 0");
-  if (!is_length(options.radius_of_opening)) return wrong("radius_of_opening", "0 or more");
+    return wrong("tensile_strength", {options.tensile_strength, "N/mm²"}, "a value above 0");
+  if (!is_length(options.radius_of_opening))
+    return wrong("radius_of_opening", {options.radius_of_opening}, "0 or more");
   if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
-    return wrong("opening", "above 0");
+    return wrong("opening", {*options.opening, unit::mm}, "a value above 0");
   for (const BendId bend : options.begin_with)
-    if (!sheet.bends.has(bend)) return wrong("begin_with", "bends that the sheet has");
+    if (!sheet.bends.has(bend))
+      return error_of(refuse::begins_with_unknown, {{"bend", place::bend(name_of(bend))}},
+                      "begin_with");
   return std::nullopt;
 }
 
@@ -40,12 +49,13 @@ std::optional<Error> line_without_tool(const StrokeModel& model) {
     if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
     const BrakeLine& line = model.work().lines[i];
     const std::string name = name_of(line.bends.front());
-    return Error{code::no_tool,
-                 fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
-                             "and there is {}",
-                             name, line.angle.degrees(), line.inside_radius, line.bend.thickness,
-                             fitting.why),
-                 name};
+    return error_of(refuse::no_tool_bears,
+                    {{"bend", place::bend(name)},
+                     {"angle", line.angle.degrees(), unit::degrees},
+                     {"radius", line.inside_radius, unit::mm},
+                     {"thickness", line.bend.thickness, unit::mm},
+                     {"why", fitting.why}},
+                    name);
   }
   return std::nullopt;
 }

@@ -1,9 +1,8 @@
 #include "line_depth.hpp"
 #include "made_model.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/assert.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -115,27 +114,27 @@ class OrderSteps {
   std::vector<OrderStep> steps_;
 };
 
-std::string names_of(const std::vector<BendId>& bends) {
-  std::string names;
-  for (const BendId bend : bends)
-    names += (names.empty() ? "" : ", ") + name_of(bend);
-  return names;
+/// A stroke of an order, by its number from 1, and its bends.
+Error refused(const Refusal& refusal, int number, const OrderedStroke& stroke) {
+  Facts facts{{"stroke", place::stroke(number)}};
+  for (const BendId bend : stroke.bends)
+    facts.emplace_back("bend", place::bend(name_of(bend)));
+  return error_of(refusal, facts, "order");
 }
 
 /// Presses what an order says. The error says which of its strokes makes no sense.
 std::optional<Error> take(OrderSteps& steps, const Workpiece& work,
                           const std::vector<OrderedStroke>& order, const Progress& progress) {
   LineSet taken = no_lines(static_cast<int>(work.lines.size()));
+  int number = 0;
   for (const OrderedStroke& stroke : order) {
     if (progress.should_stop()) return std::nullopt;
     const LineSet lines = lines_of(work, stroke);
+    ++number;
     if (count(lines) == 0)
-      return Error{code::bad_option,
-                   fmt::format("no stroke presses \"{}\" in this way", names_of(stroke.bends)),
-                   "order"};
-    if (!disjoint(taken, lines))
-      return Error{code::bad_option,
-                   fmt::format("the order presses {} twice", names_of(stroke.bends)), "order"};
+      return refused(stroke.bends.empty() ? refuse::stroke_of_no_bend : refuse::no_such_stroke,
+                     number, stroke);
+    if (!disjoint(taken, lines)) return refused(refuse::pressed_twice, number, stroke);
     taken = joined(std::move(taken), lines);
     steps.press(lines);
   }
@@ -187,7 +186,7 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
   StrokeModel& model = *state_->model;
   OrderSteps steps(model);
   if (const auto error = take(steps, model.work(), order, progress)) return tl::unexpected(*error);
-  if (progress.should_stop()) return fail(code::cancelled, "checking the order was stopped");
+  if (progress.should_stop()) return fail(refuse::checking_cancelled);
   const auto search = cheapest(steps.steps(), steps.formed(), state_->options.weights, progress);
   if (!search) return pass_on(search);
   CheckedOrder checked;

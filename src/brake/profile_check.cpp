@@ -1,9 +1,9 @@
 #include "profile_check.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,20 +41,22 @@ bool touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double ne
          distance_to_edge(d, a, b) < near;
 }
 
+std::string row(std::size_t corner) { return "/" + std::to_string(corner); }
+
+/// A place in the plane of the profile.
+Facts at_corner(const Vec2& p) { return {{"x", p.x(), unit::mm}, {"z", p.y(), unit::mm}}; }
+
 std::optional<ProfileFault> bad_corner(const ToolProfile& profile) {
   if (profile.size() < 3)
-    return ProfileFault{
-        "", fmt::format("has {} corners, and an outline has at least 3", profile.size())};
+    return ProfileFault{"", refuse::few_profile_corners, {{"corners", profile.size()}}};
   for (std::size_t i = 0; i < profile.size(); ++i)
     if (!profile[i].allFinite() || profile[i].cwiseAbs().maxCoeff() > kFarthest)
-      return ProfileFault{fmt::format("/{}", i), "has a corner that is not a place within 10 km"};
+      return ProfileFault{row(i), refuse::corner_nowhere, {}};
   const double near = corner_tolerance(profile);
   for (std::size_t i = 0; i < profile.size(); ++i)
     if ((cyclic(profile, i + 1) - profile[i]).norm() <= near) {
       const std::size_t again = i + 1 == profile.size() ? i : i + 1;
-      return ProfileFault{fmt::format("/{}", again),
-                          fmt::format("has two corners in a row at ({:.6g}, {:.6g}): leave one out",
-                                      profile[i].x(), profile[i].y())};
+      return ProfileFault{row(again), refuse::corner_again, at_corner(profile[i])};
     }
   return std::nullopt;
 }
@@ -71,9 +73,7 @@ std::optional<ProfileFault> bad_outline(const ToolProfile& profile) {
   const std::size_t n = profile.size();
   const double near = corner_tolerance(profile);
   const auto crossing = [&](std::size_t i) {
-    return ProfileFault{fmt::format("/{}", i),
-                        fmt::format("crosses or touches itself near ({:.6g}, {:.6g})",
-                                    profile[i].x(), profile[i].y())};
+    return ProfileFault{row(i), refuse::profile_crosses, at_corner(profile[i])};
   };
   for (std::size_t i = 0; i < n; ++i)
     if (is_spike(profile, i, near)) return crossing(i);
@@ -99,8 +99,7 @@ double corner_tolerance(const ToolProfile& profile) {
 std::optional<ProfileFault> fault_of(const ToolProfile& profile) {
   if (const auto fault = bad_corner(profile)) return fault;
   if (const auto fault = bad_outline(profile)) return fault;
-  if (ring_area(profile) < 0.0)
-    return ProfileFault{"", "runs clockwise: list its corners counter-clockwise"};
+  if (ring_area(profile) < 0.0) return ProfileFault{"", refuse::runs_clockwise, {}};
   return std::nullopt;
 }
 
@@ -125,18 +124,18 @@ double angle_within(const ToolProfile& profile, std::size_t corner) {
   return std::numbers::pi - std::atan2(crossed(in, out), in.dot(out));
 }
 
-std::optional<std::string> fault_of_rounding(const ToolProfile& profile, std::size_t corner,
-                                             double radius) {
+std::optional<ProfileFault> fault_of_rounding(const ToolProfile& profile, std::size_t corner,
+                                              double radius) {
   const double turned = std::abs(std::numbers::pi - angle_within(profile, corner));
   const double taken = radius * std::tan(0.5 * turned);
   const Vec2& at = profile[corner];
   const double edge = std::min((cyclic(profile, corner + 1) - at).norm(),
                                (at - cyclic(profile, corner + profile.size() - 1)).norm());
   if (taken <= edge + corner_tolerance(profile)) return std::nullopt;
-  return fmt::format(
-      "is {:.4g} mm, which takes {:.4g} mm of the edges beside the corner that it rounds; the "
-      "profile has {:.4g} mm there",
-      radius, taken, edge);
+  return ProfileFault{
+      "",
+      refuse::radius_takes_edges,
+      {{"radius", radius, unit::mm}, {"taken", taken, unit::mm}, {"edge", edge, unit::mm}}};
 }
 
 }  // namespace planish::brake_detail
