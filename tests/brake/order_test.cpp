@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace planish::test {
 namespace {
@@ -180,6 +181,17 @@ TEST(CheckOrder, RefusesStrokesThatAreNone) {
   EXPECT_EQ(code({{{BendId(0)}, 1}}), "bad_option");                   // no press lines
   EXPECT_EQ(code({{{BendId(0)}, std::nullopt, true}}), "bad_option");  // no hem
   EXPECT_EQ(code({{{}}}), "bad_option");
+}
+
+TEST(CheckOrder, SaysWhichStrokePressesABendAgain) {
+  Checked part(u_channel(), narrow_tools());
+  const auto checked = part.checker->check(one_by_one({1, 1}));
+  ASSERT_FALSE(checked);
+  const Error& error = checked.error();
+  EXPECT_EQ(error.places, (std::vector<Place>{place::stroke(2), place::bend("B2")}));
+  EXPECT_EQ(error.where, "order");
+  EXPECT_TRUE(error.message.starts_with("Stroke 2 presses bend B2 again.")) << error.message;
+  EXPECT_EQ(error.remedies.size(), 1u);
 }
 
 TEST(CheckOrder, EndsWhenItIsStopped) {

@@ -110,6 +110,11 @@ TEST(PlanBending, SendsARollToAnotherMachine) {
   const auto plan = plan_of(rolled, plain_tools());
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().code, code::no_tool);
+  EXPECT_EQ(plan.error().places, std::vector<Place>{place::bend("B1")});
+  EXPECT_EQ(plan.error().where, "B1");
+  ASSERT_FALSE(plan.error().numbers.empty());
+  EXPECT_EQ(plan.error().numbers[0].name, "angle");
+  EXPECT_NEAR(plan.error().numbers[0].quantity.value, 250.0, 1e-9);
   EXPECT_NE(plan.error().message.find("there is no tool that bends by 180° or more"),
             std::string::npos)
       << plan.error().message;
