@@ -19,11 +19,6 @@ Place point_pointer(const std::string& place, int i) {
   return place::pointer(place + "/" + std::to_string(i));
 }
 
-/// A point of a profile in the request.
-Place point_pointer(const std::string& place, int i) {
-  return place::pointer(place + "/" + std::to_string(i));
-}
-
 Result<void> check_apart(const std::vector<Vec2>& corners, double size, const std::string& place) {
   const int n = static_cast<int>(corners.size());
   for (int i = 0; i < n; ++i) {

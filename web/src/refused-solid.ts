@@ -22,7 +22,9 @@ export function refusedSolid({ shape, problem, document, input }: State): Solid 
 /** What the refusal names of it. */
 export function refusedPlaces({ shape, problem, document, input }: State): NamedPlaces {
   if (!problem || !document || shape?.facet_parent.length) return unnamed;
-  return document.kind === 'connect' ? namedPlates(problem.places, input.spec as PlatesSpec) : namedPlaces(problem.places);
+  return document.kind === 'connect'
+    ? namedPlates(problem.places, input.spec as PlatesSpec)
+    : namedPlaces(problem.places);
 }
 
 /** Plates among places, and those of fields of the file: its own of a plate, both of a bend. */
@@ -31,7 +33,11 @@ export function namedPlates(places: Place[] = [], { plates, bends }: PlatesSpec)
     if (kind === 'plate') return [String(id)];
     if (kind !== 'pointer') return [];
     const [, list, at] = String(id).split('/');
-    return list === 'plates' ? [plates[Number(at)]?.id ?? ''] : list === 'bends' ? (bends?.[Number(at)]?.between ?? []) : [];
+    return list === 'plates'
+      ? [plates[Number(at)]?.id ?? '']
+      : list === 'bends'
+        ? (bends?.[Number(at)]?.between ?? [])
+        : [];
   };
   const ids = [...new Set(places.flatMap(idsOf))].filter((id) => plates.some((p) => p.id === id));
   return { faces: ids.map((id) => ({ name: id, number: plates.findIndex((p) => p.id === id) + 1 })), edges: [] };

@@ -31,12 +31,17 @@ const rip = { option: '--rip-edges', value: '21', change: 'Rip edge 21.' },
 /** What the buttons say. */
 const buttons = (...said: Parameters<typeof remedies>) => {
   const shown = remedies(...said);
-  return shown === nothing ? [] : (shown as unknown as { values: { values: unknown[] }[][] }).values[0]!.map((b) => b.values[3]);
+  return shown === nothing
+    ? []
+    : (shown as unknown as { values: { values: unknown[] }[][] }).values[0]!.map((b) => b.values[3]);
 };
 
 test('an option that helps is a button', () => {
   assert.deepEqual(buttons(page({}), { remedy: rip }), ['Rip edge 21']);
-  assert.deepEqual(buttons(page({}), { remedy: square, remedies: [square, rip] }), ['Cut square reliefs', 'Rip edge 21']);
+  assert.deepEqual(buttons(page({}), { remedy: square, remedies: [square, rip] }), [
+    'Cut square reliefs',
+    'Rip edge 21',
+  ]);
 });
 
 test('no button offers what is in force, by choice or by default', () => {

@@ -10,19 +10,32 @@ import { pixelsOf, rasterOf } from '../src/solid-picture.ts';
 import type { Place, PlatesSpec, Shape, Vec3 } from '../src/types.ts';
 
 test('faces and edges are those among the places', () => {
-  assert.deepEqual(namedPlaces([{ kind: 'face', id: 8 }, { kind: 'face', id: 7 }, { kind: 'face', id: 8 }]), {
-    faces: [
-      { name: 'face 8', number: 8 },
-      { name: 'face 7', number: 7 },
-    ],
-    edges: [],
-  });
+  assert.deepEqual(
+    namedPlaces([
+      { kind: 'face', id: 8 },
+      { kind: 'face', id: 7 },
+      { kind: 'face', id: 8 },
+    ]),
+    {
+      faces: [
+        { name: 'face 8', number: 8 },
+        { name: 'face 7', number: 7 },
+      ],
+      edges: [],
+    },
+  );
   // Of an edge the faces on both sides are named for its own sake.
   assert.deepEqual(namedPlaces([{ kind: 'edge', id: 73, faces: [6, 35] }]), {
     faces: [],
     edges: [{ name: 'edge 73', between: [6, 35] }],
   });
-  assert.deepEqual(namedPlaces([{ kind: 'point', at: [1, 2, 3] }, { kind: 'bend', id: 'B1' }]), { faces: [], edges: [] });
+  assert.deepEqual(
+    namedPlaces([
+      { kind: 'point', at: [1, 2, 3] },
+      { kind: 'bend', id: 'B1' },
+    ]),
+    { faces: [], edges: [] },
+  );
   assert.deepEqual(namedPlaces(undefined), { faces: [], edges: [] });
 });
 

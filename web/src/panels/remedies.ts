@@ -10,7 +10,10 @@ const valueOf = ({ kind }: OptionRow, text: string): string | number | boolean =
   kind === 'flag' ? text === 'true' : ['number', 'whole', 'length'].includes(kind) ? Number(text) : text;
 
 /** Buttons for what would change something: the options that the maker takes and that are not in force. */
-export function remedies(ui: Ui, { remedy, remedies = remedy ? [remedy] : [] }: { remedy?: Remedy; remedies?: Remedy[] }) {
+export function remedies(
+  ui: Ui,
+  { remedy, remedies = remedy ? [remedy] : [] }: { remedy?: Remedy; remedies?: Remedy[] },
+) {
   const { document: d, description, input } = ui.state,
     rows = description.makers.find((m) => m.name === d?.kind)?.options ?? [];
   const offered = remedies.flatMap(({ option = '', value = '', change = '' }) => {
