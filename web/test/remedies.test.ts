@@ -33,7 +33,7 @@ const buttons = (...said: Parameters<typeof remedies>) => {
   const shown = remedies(...said);
   return shown === nothing
     ? []
-    : (shown as unknown as { values: { values: unknown[] }[][] }).values[0]!.map((b) => b.values[3]);
+    : (shown as unknown as { values: { values: unknown[] }[][] }).values[0]!.map((b) => b.values[4]);
 };
 
 test('an option that helps is a button', () => {
