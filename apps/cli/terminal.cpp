@@ -2,6 +2,7 @@
 
 #include "option_parts.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/options.hpp>
 #include <planish/schema/printable.hpp>
 
@@ -33,16 +34,6 @@ extern "C" void ask_to_stop(int) { stop_asked = true; }
 std::string spelled_place(const std::string& where) {
   const job::Option* option = job::option_at(where);
   return option ? flag_of(option->name) : where;
-}
-
-/// A sentence after a colon begins small, unless with a name: "STEP", "Cairo", "K-factor".
-std::string continued(std::string text) {
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  const bool is_name = text.starts_with("Cairo") || text.starts_with("Planish");
-  const bool is_word = text.size() > 1 && (is_small(text[1]) || text[1] == ' ');
-  if (is_word && !is_name && text[0] >= 'A' && text[0] <= 'Z')
-    text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  return text;
 }
 
 std::string sentence(const Error& error) {

@@ -70,7 +70,7 @@ class Unpacking {
     fine_ = fine_ && !word.empty() && *end == '\0' && value >= least && value <= most;
     return fine_ ? value : least;
   }
-  std::size_t count() { return static_cast<std::size_t>(whole(0, std::ssize(texts_))); }
+  long long count() { return whole(0, std::ssize(texts_)); }
   double number() {
     const std::string word = text();
     char* end = nullptr;
@@ -92,9 +92,9 @@ class Unpacking {
     Place place;
     place.kind = static_cast<PlaceKind>(whole(0, static_cast<int>(PlaceKind::line)));
     place.id = id();
-    for (std::size_t left = count(); left > 0 && fine_; --left)
+    for (long long left = count(); left > 0 && fine_; --left)
       place.at.push_back(number());
-    for (std::size_t left = count(); left > 0 && fine_; --left)
+    for (long long left = count(); left > 0 && fine_; --left)
       place.faces.push_back(static_cast<int>(whole(0, kMostWhole)));
     return place;
   }
@@ -145,14 +145,14 @@ std::optional<Error> unpacked(std::span<const std::string> texts) {
   error.code = received_code(name, static_cast<ExitStatus>(in.whole(0, 4)));
   error.message = in.text();
   error.where = in.text();
-  for (std::size_t left = in.count(); left > 0 && in.fine(); --left)
+  for (long long left = in.count(); left > 0 && in.fine(); --left)
     error.places.push_back(in.place());
-  for (std::size_t left = in.count(); left > 0 && in.fine(); --left) {
+  for (long long left = in.count(); left > 0 && in.fine(); --left) {
     NamedQuantity number{in.text(), {in.number()}};
     number.quantity.unit = kept(in.text());
     error.numbers.push_back(std::move(number));
   }
-  for (std::size_t left = in.count(); left > 0 && in.fine(); --left) {
+  for (long long left = in.count(); left > 0 && in.fine(); --left) {
     Remedy remedy{in.text(), in.text(), in.text()};
     error.remedies.push_back(std::move(remedy));
   }

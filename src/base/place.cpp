@@ -29,7 +29,7 @@ std::string coordinates_text(const std::vector<double>& at) {
 
 }  // namespace
 
-std::string_view kind_name(PlaceKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
+std::string_view kind_name(PlaceKind kind) { return *(kKinds.begin() + static_cast<int>(kind)); }
 
 std::string id_text(const Place& place) {
   if (const int* number = std::get_if<int>(&place.id))

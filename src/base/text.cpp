@@ -26,4 +26,13 @@ std::string counted(int n, std::string_view singular) {
   return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
 }
 
+std::string continued(std::string sentence) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const bool is_name = sentence.starts_with("Cairo") || sentence.starts_with("Planish");
+  const bool is_word = sentence.size() > 1 && (is_small(sentence[1]) || sentence[1] == ' ');
+  if (is_word && !is_name && sentence[0] >= 'A' && sentence[0] <= 'Z')
+    sentence[0] = static_cast<char>(sentence[0] - 'A' + 'a');
+  return sentence;
+}
+
 }  // namespace planish

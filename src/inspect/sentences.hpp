@@ -68,9 +68,9 @@ constexpr Sentence small_opening =
 // Overlaps.
 constexpr Sentence overlaps_itself = "{@part} overlaps itself by {area} in the flat pattern";
 constexpr Sentence overlap = "{@part} overlap by {area} in the flat pattern";
-constexpr Sentence
-    overlaps_itself_often = "{@part} overlaps itself by {area} in {count:place} in the flat "
-                            "pattern";
+constexpr Sentence overlaps_itself_often =
+    "{@part} overlaps itself by {area} in {count:place} in the flat "
+    "pattern";
 constexpr Sentence overlap_often = "{@part} overlap by {area} in {count:place} in the flat pattern";
 constexpr Sentence outer_crosses = "the outer contour crosses itself at {@at} in the flat pattern";
 constexpr Sentence outer_crosses_often =

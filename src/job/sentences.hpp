@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/message.hpp>
+#include <planish/base/text.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <string>
@@ -53,7 +54,7 @@ namespace planish::job {
 inline Finding finding_of(std::string code, Severity severity, std::string_view pattern,
                           const Facts& facts, std::vector<Vec2> at) {
   Told told = tell(pattern, facts);
-  Finding finding{std::move(code), severity, std::move(told.sentence), std::move(at)};
+  Finding finding{std::move(code), severity, continued(std::move(told.sentence)), std::move(at)};
   finding.about = std::move(told.places);
   finding.numbers = std::move(told.numbers);
   return finding;

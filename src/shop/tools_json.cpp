@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/schema/json_reading.hpp>
 #include <planish/shop/schemas.hpp>
@@ -178,9 +179,12 @@ Result<BrakeTools> parse_tools(const std::string& json, const std::string& name)
   for (const JsonPlace& die : file["dies"].items())
     tools.dies.push_back(die_at(die, profiles));
   if (reading.error()) return tl::unexpected(*reading.error());
-  if (const auto checked = check(tools); !checked)
-    return fail(checked.error().code, "tools file: " + checked.error().message,
-                name + profiles.in_file(checked.error().where));
+  if (auto checked = check(tools); !checked) {
+    Error error = std::move(checked.error());
+    error.message = "tools file: " + continued(std::move(error.message));
+    error.where = name + profiles.in_file(error.where);
+    return fail(std::move(error));
+  }
   return tools;
 }
 

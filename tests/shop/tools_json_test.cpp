@@ -165,7 +165,8 @@ TEST(ToolsJson, NamesWhatCannotBeByItsPointer) {
   EXPECT_EQ(tip.code, code::bad_tools);
   EXPECT_EQ(tip.where, "t.json/punches/0/profile");
   EXPECT_EQ(tip.message,
-            "tools file: the profile of punch \"P88\" has no corner at (0, 0), where the tip is");
+            "tools file: the profile of punch \"P88\" has no corner at (0, 0), where the tip is. "
+            "Move it so that its tip is there.");
   const Error opening = refusal_of([](json& t) { t["dies"][0]["opening"] = 12; });
   EXPECT_EQ(opening.code, code::bad_tools);
   EXPECT_EQ(opening.where, "t.json/dies/0/opening");

@@ -16,4 +16,8 @@ std::string trimmed_number(double value, int decimals);
 /// "1 bend", "2 bends".
 std::string counted(int n, std::string_view singular);
 
+/// A sentence as it goes on after a colon: it begins small, unless with a name ("STEP", "Cairo",
+/// "K-factor").
+std::string continued(std::string sentence);
+
 }  // namespace planish
