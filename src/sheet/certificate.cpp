@@ -1,12 +1,10 @@
 #include "curve_index.hpp"
 #include "opening_count.hpp"
+#include "refusals.hpp"
 #include "relaid.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/certificate.hpp>
-#include <planish/sheet/codes.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -239,16 +237,13 @@ Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
                             const EdgeDistance& distance, double curve_tolerance) {
   if (auto right = check(sheet); !right) return pass_on(right);
-  if (pattern.outer.loop.empty())
-    return fail(code::pattern_wrong, "The flat pattern has no outer contour.");
+  if (pattern.outer.loop.empty()) return fail(refuse::pattern_empty);
   if (auto right = check(pattern); !right) return pass_on(right);
   if (!sheet.faces.has(pattern.root))
-    return fail(code::pattern_wrong,
-                fmt::format("The root of the flat pattern, face {}, is not a face of the sheet.",
-                            index_of(pattern.root)));
+    return fail(refuse::pattern_root_unknown,
+                {{"root", index_of(pattern.root) + 1}, {"count", sheet.faces.size()}});
   if (!(curve_tolerance > 0.0 && curve_tolerance <= kFarthest))
-    return fail(code::bad_option,
-                fmt::format("The curve tolerance is {} mm; it must be above 0.", curve_tolerance));
+    return fail(refuse::curve_tolerance, {{"tolerance", curve_tolerance, unit::mm}});
   const auto stated = stated_allowances(sheet, pattern);
   if (!stated) return pass_on(stated);
   const auto laid = relaid(sheet, pattern, *stated);

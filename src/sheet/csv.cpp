@@ -1,8 +1,9 @@
+#include "refusals.hpp"
+
 #include <planish/sheet/csv.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <string>
 
 namespace planish {
 namespace {
@@ -92,12 +93,8 @@ class CsvReader {
       }
       field += c;
     }
-    return fail(
-        code::invalid_input,
-        fmt::format(
-            "Line {} opens a quote (\") that is not closed; remove it or add the closing one.",
-            opened),
-        fmt::format("{}:{}", name_, opened));
+    return fail(refuse::open_quote, {{"line", place::line(opened)}},
+                name_ + ":" + std::to_string(opened));
   }
 
   void end_line() {
@@ -135,11 +132,7 @@ Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::strin
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     text.remove_prefix(kByteOrderMark.size());
   if (text.find('\0') != std::string_view::npos) {
-    return fail(code::invalid_input,
-                "The table is not plain text (it holds zero bytes); save it as \"CSV UTF-8\" "
-                "instead of Unicode text "
-                "or a workbook.",
-                name);
+    return fail(refuse::not_plain_text, {}, name);
   }
   char separator = separator_of(text);
   std::string blank_head;

@@ -1,12 +1,11 @@
 #include "contour.hpp"
 #include "measure.hpp"
+#include "refusals.hpp"
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,9 +164,7 @@ Loop along_outline(const Loop& outline, double from, double to) {
 }
 
 tl::unexpected<Error> covered_twice(const Cutout& cutout) {
-  return fail(code::unsupported_shape,
-              fmt::format("the relief at ({:.6g}, {:.6g}) does not part the material there",
-                          cutout.middle.x(), cutout.middle.y()));
+  return fail(refuse::relief_parts_nothing, {{"at", place::point(cutout.middle)}});
 }
 
 /// Joins the stretches along the outline to closed contours.

@@ -1,13 +1,12 @@
 #include "bend_development.hpp"
 #include "placement.hpp"
+#include "refusals.hpp"
 #include "unplaced.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
+#include <planish/sheet/places.hpp>
 #include <planish/sheet/topology.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +18,16 @@ using namespace sheet_detail;
 
 Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
   if (options.root && !sheet.faces.has(*options.root))
-    return fail(code::no_such_face,
-                fmt::format("The sheet has faces 0 to {}; face {}, named as the root, is none of "
-                            "them.",
-                            sheet.faces.size() - 1, index_of(*options.root)));
+    return fail(refuse::root_unknown,
+                {{"root", index_of(*options.root) + 1}, {"count", sheet.faces.size()}});
   for (const auto& [bend, k] : options.bend_k)
     if (!sheet.bends.has(bend))
-      return fail(code::bad_option,
-                  fmt::format("A K-factor is given for bend {}; the sheet has {}.",
-                              index_of(bend) + 1, sheet.bends.size()));
+      return fail(refuse::k_for_no_bend,
+                  {{"bend", place_of(sheet, bend)}, {"count", sheet.bends.size()}});
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!positive(options.curve_tolerance) || !positive(options.merge_tolerance) ||
       !positive(options.closure_tolerance))
-    return fail(code::bad_option, "The tolerances of a flat pattern are numbers above 0.");
+    return fail(refuse::tolerance_not_positive);
   return {};
 }
 
@@ -81,11 +77,11 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
 }
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
-  return {code::closed_loop,
-          fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses "
-                      "by {:.3g} mm).",
-                      closure),
-          between_faces(sheet, joint)};
+  return error_of(refuse::loop_misses,
+                  {{"gap", closure, unit::mm},
+                   {"face", face_at(sheet, joint.a)},
+                   {"face", face_at(sheet, joint.b)}},
+                  between_faces(sheet, joint));
 }
 
 /// Measures how far every joint is from closing, and refuses one that does not close.
@@ -140,9 +136,10 @@ namespace sheet_detail {
 std::string between_faces(const Sheet& sheet, const Joint& joint) {
   const auto number = [&](const BorderRef& ref) {
     const auto of_border = sheet[ref].source_face;
-    return (of_border ? of_border : sheet[ref.face].source_face).value_or(index_of(ref.face));
+    return std::to_string(
+        (of_border ? of_border : sheet[ref.face].source_face).value_or(index_of(ref.face)));
   };
-  return fmt::format("between face {} and face {}", number(joint.a), number(joint.b));
+  return "between face " + number(joint.a) + " and face " + number(joint.b);
 }
 
 Result<Layout> unplaced(const Sheet& sheet, const FlattenOptions& options) {

@@ -1,6 +1,8 @@
 #include "placement.hpp"
 
-#include <planish/sheet/codes.hpp>
+#include "refusals.hpp"
+
+#include <planish/sheet/places.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -156,8 +158,7 @@ Result<Placed> placed_over(const std::vector<JointRank>& ranks, const Sheet& she
   }
   for (const FaceId id : sheet.faces.ids()) {
     const auto& node = nodes[topology.node_of(id)];
-    if (!node)
-      return fail(code::not_a_sheet, "The flanges of the sheet are not all connected by bends.");
+    if (!node) return fail(refuse::unconnected, {{"face", place_of(sheet, id)}});
     placed.placement.push_back(*node * mirror_of(sheet[id]));
   }
   return placed;

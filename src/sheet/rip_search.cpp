@@ -1,18 +1,18 @@
 #include "placement.hpp"
+#include "refusals.hpp"
 #include "rip_joint.hpp"
 #include "set_back.hpp"
 #include "unplaced.hpp"
 
 #include <planish/base/union_find.hpp>
-#include <planish/sheet/codes.hpp>
+#include <planish/sheet/places.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 #include <queue>
+#include <string>
 #include <utility>
 
 namespace planish {
@@ -111,7 +111,7 @@ int parts_of(const Sheet& sheet) {
   return parts.count();
 }
 
-tl::unexpected<Error> no_rips() { return fail(code::closed_loop, "No rips open the sheet."); }
+tl::unexpected<Error> no_rips() { return fail(refuse::no_rips); }
 
 /// The rips of one way to choose what is kept, if what they open passes.
 Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOptions options,
@@ -140,10 +140,39 @@ Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOpti
   return no_rips();
 }
 
-/// A refusal and what is added to its sentence.
-Error continued(Error refusal, const std::string& text) {
-  if (refusal.message.ends_with('.')) refusal.message.pop_back();
-  refusal.message += text;
+/// A refusal and what would help.
+Error continued(Error refusal, const Error& more) {
+  refusal.message += " " + more.message;
+  return refusal;
+}
+
+/// The edges as an option has them: "21,25".
+std::string edges_text(const std::vector<int>& edges) {
+  std::string text;
+  for (const int edge : edges)
+    text += (text.empty() ? "" : ",") + std::to_string(edge);
+  return text;
+}
+
+const Joint& joint_at(const Sheet& sheet, int edge) {
+  return *std::ranges::find_if(sheet.joints,
+                               [&](const Joint& joint) { return sheet[joint.a].edge == edge; });
+}
+
+/// The places are those of the rips; of the loop nothing is shown any more.
+Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& closed) {
+  const Joint& first = joint_at(sheet, rips.front());
+  Facts facts{{"edge", edge_at(sheet, first, rips.front())},
+              {"face", face_at(sheet, first.a)},
+              {"face", face_at(sheet, first.b)},
+              {"edges", edges_text(rips)}};
+  if (rips.size() > 1) facts.emplace_back("count", rips.size());
+  for (std::size_t i = 1; i < rips.size(); ++i)
+    facts.emplace_back("next", edge_at(sheet, joint_at(sheet, rips[i]), rips[i]));
+  Error refusal = error_of(rips.size() == 1 ? refuse::one_rip : refuse::many_rips, facts,
+                           text_of(place::edge(rips.front())) + " " + between_faces(sheet, first));
+  refusal.message = closed.message + " " + refusal.message;
+  refusal.numbers.insert(refusal.numbers.begin(), closed.numbers.begin(), closed.numbers.end());
   return refusal;
 }
 
@@ -167,22 +196,11 @@ Error loop_refusal(const Sheet& sheet, const Error& closed, const FlattenOptions
     const ErrorCode& why = rips.error().code;
     // Corners without room are mostly closed all around.
     if (why == code::closed_loop || why == code::unsupported_shape)
-      return continued(closed, ", and no rips along its edges open it.");
-    if (why == code::overlap)
-      return continued(closed, ", and rips along its edges leave a pattern that covers itself.");
+      return continued(closed, error_of(refuse::no_rips, {}));
+    if (why == code::overlap) return continued(closed, error_of(refuse::rips_overlap, {}));
     return rips.error();
   }
-  const int edge = rips->front();
-  const auto first = std::ranges::find_if(
-      sheet.joints, [&](const Joint& joint) { return sheet[joint.a].edge == edge; });
-  const std::string between = between_faces(sheet, *first);
-  const bool one = rips->size() == 1;
-  Error refusal = continued(
-      closed, one ? fmt::format("; a rip along the edge {} would open it.", between)
-                  : fmt::format("; rips along {} edges would open it, first along the edge {}.",
-                                rips->size(), between));
-  refusal.where = fmt::format("edge {} {}", edge, between);
-  return refusal;
+  return opened_by(*rips, sheet, closed);
 }
 
 }  // namespace planish

@@ -150,8 +150,8 @@ class Comparison {
   }
 
   /// Whether each of `a` has one of `b` of its own: `place` of both are near, and they are `same`.
-  template <typename T, typename Place, typename Same>
-  bool matched(const std::vector<T>& a, const std::vector<T>& b, Place place, Same same) const {
+  template <typename T, typename PointOf, typename Same>
+  bool matched(const std::vector<T>& a, const std::vector<T>& b, PointOf place, Same same) const {
     if (a.size() != b.size()) return false;
     struct Placed {
       Vec2 at;

@@ -1,8 +1,8 @@
 #include "slot_shape.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
 
 #include <algorithm>
 #include <array>
@@ -72,12 +72,9 @@ MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_s
 }
 
 tl::unexpected<Error> no_room(const Slot& slot) {
-  return fail(
-      code::bad_option,
-      fmt::format(
-          "the kerf of {:.6g} mm is too wide where the slit leaves the sheet at ({:.6g}, {:.6g})",
-          2.0 * slot.half_width, slot.axis.a.x(), slot.axis.a.y()),
-      "/kerf");
+  return fail(refuse::kerf_too_wide, {{"field", place::pointer("/kerf")},
+                                      {"kerf", 2.0 * slot.half_width, unit::mm},
+                                      {"at", place::point(slot.axis.a)}});
 }
 
 /// Parts of the line's parameter range 0 … 1 inside a disc and inside the band along the axis.
@@ -154,10 +151,7 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
   const auto *coming = std::get_if<Segment>(&contour.loop[before]),
              *going = std::get_if<Segment>(&contour.loop[next]);
   if (coming == nullptr || going == nullptr || before == next)
-    return fail(
-        code::unsupported_shape,
-        fmt::format("the slit that leaves the sheet at ({:.6g}, {:.6g}) meets a curve there",
-                    slot.axis.a.x(), slot.axis.a.y()));
+    return fail(refuse::slit_meets_curve, {{"at", place::point(slot.axis.a)}});
   const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();
   const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
   const MouthCorner in = mouth_corner(slot, along, left_of(along), from),

@@ -17,37 +17,43 @@ namespace {
 /// One broken rule of `check` for patterns.
 struct PatternDamage {
   std::string rule, where;
+  Place place;
   std::function<void(FlatPattern&)> inflict;
 };
 
 std::vector<PatternDamage> pattern_damages() {
   const double nan = std::nan("");
   return {
-      {"thickness", "pattern", [](FlatPattern& p) { p.thickness = -1.0; }},
-      {"Area, perimeter", "pattern", [=](FlatPattern& p) { p.area = nan; }},
-      {"Area, perimeter", "pattern", [](FlatPattern& p) { p.closure = -1.0; }},
-      {"has curves", "opening 0", [](FlatPattern& p) { p.openings.push_back({}); }},
-      {"finite size", "outer contour", [](FlatPattern& p) { p.outer.loop[0] = CubicSpline{}; }},
-      {"finite size", "opening 0",
+      {"thickness", "pattern", place::pointer(""), [](FlatPattern& p) { p.thickness = -1.0; }},
+      {"Area, perimeter", "pattern", place::pointer(""), [=](FlatPattern& p) { p.area = nan; }},
+      {"Area, perimeter", "pattern", place::pointer(""), [](FlatPattern& p) { p.closure = -1.0; }},
+      {"has curves", "opening 0", place::pointer("/openings/0"),
+       [](FlatPattern& p) { p.openings.push_back({}); }},
+      {"finite size", "outer contour", place::pointer("/outer"),
+       [](FlatPattern& p) { p.outer.loop[0] = CubicSpline{}; }},
+      {"finite size", "opening 0", place::pointer("/openings/0"),
        [](FlatPattern& p) {
          p.openings.push_back({{Arc{{5, 5}, 0.0, 0.0, 6.0}}, {}});
        }},
-      {"finite size", "opening 0",
+      {"finite size", "opening 0", place::pointer("/openings/0"),
        [](FlatPattern& p) {
          p.openings.push_back({{Arc{{5, 5}, 1.0, 0.0, 1e9}}, {}});
        }},
-      {"Slits", "slits",
+      {"Slits", "slits", place::pointer("/slits"),
        [=](FlatPattern& p) {
          p.slits.push_back(Segment{{0, nan}, {1, 1}});
        }},
-      {"lines of a bend", "bend B1", [=](FlatPattern& p) { p.bends[0].lines[0].a.x() = nan; }},
-      {"has its angle", "bend B1", [](FlatPattern& p) { p.bends[0].line_angles.resize(7); }},
-      {"Angle, inside radius", "bend B2", [=](FlatPattern& p) { p.bends[1].length = nan; }},
-      {"finite size", "feature 0",
+      {"lines of a bend", "bend B1", place::bend("B1"),
+       [=](FlatPattern& p) { p.bends[0].lines[0].a.x() = nan; }},
+      {"has its angle", "bend B1", place::bend("B1"),
+       [](FlatPattern& p) { p.bends[0].line_angles.resize(7); }},
+      {"Angle, inside radius", "bend B2", place::bend("B2"),
+       [=](FlatPattern& p) { p.bends[1].length = nan; }},
+      {"finite size", "feature 0", place::pointer("/features/0"),
        [](FlatPattern& p) {
          p.features.push_back({"pocket", FormSide::up, {{CubicSpline{}}}});
        }},
-      {"label", "label A",
+      {"label", "label A", place::pointer("/labels/0"),
        [=](FlatPattern& p) {
          p.labels.push_back({{nan, 0}, "A"});
        }},
@@ -71,6 +77,8 @@ TEST(CheckPattern, NamesTheRuleAndTheRow) {
     EXPECT_NE(result.error().message.find(damage.rule), std::string::npos)
         << result.error().message << " instead of: " << damage.rule;
     EXPECT_EQ(result.error().where, damage.where);
+    ASSERT_EQ(result.error().places.size(), 1u);
+    EXPECT_EQ(result.error().places[0], damage.place);
   }
 }
 

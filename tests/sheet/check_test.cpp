@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 #include <string>
+#include <vector>
 
 namespace planish::test {
 namespace {
@@ -15,6 +17,13 @@ TEST(CheckSheet, FindsNothingWrongWithSoundSheets) {
   for (const Sheet& sheet : {l_bracket(), l_bracket_down(), u_channel(), box(), cone_joined(),
                              hem(), rolled(), plate_with_holes(), lofted_corner({})})
     EXPECT_TRUE(check(sheet)) << check(sheet).error().message;
+}
+
+/// "face 3, loop 0, border 2" as a path into the sheet: "/faces/3/loops/0/borders/2".
+std::string path_of(const std::string& where) {
+  if (where == "sheet") return "";
+  std::string path = std::regex_replace(where, std::regex("([a-z]+) ([0-9]+)(, )?"), "/$1s/$2");
+  return path;
 }
 
 TEST(CheckSheet, NamesTheRuleAndTheRow) {
@@ -27,7 +36,18 @@ TEST(CheckSheet, NamesTheRuleAndTheRow) {
     EXPECT_NE(result.error().message.find(damage.rule), std::string::npos)
         << result.error().message << " instead of: " << damage.rule;
     EXPECT_EQ(result.error().where, damage.where) << damage.rule;
+    ASSERT_FALSE(result.error().places.empty()) << damage.rule;
+    EXPECT_EQ(result.error().places.front(), place::pointer(path_of(damage.where)));
   }
+}
+
+TEST(CheckSheet, NamesTheFaceOfTheSolid) {
+  Sheet sheet = u_channel();
+  sheet.faces[FaceId{2}].source_face = 17;
+  sheet.faces[FaceId{2}].sense = -1;
+  const auto result = check(sheet);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().places, (std::vector{place::pointer("/faces/2"), place::face(17)}));
 }
 
 TEST(CheckSheet, StandsBeforeEveryLayout) {
@@ -45,7 +65,9 @@ TEST(LayOut, RefusesARootThatTheSheetDoesNotHave) {
     const auto result = flatten(u_channel(), {.root = FaceId{face}});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, code::no_such_face);
-    EXPECT_NE(result.error().message.find(std::to_string(face)), std::string::npos);
+    ASSERT_EQ(result.error().numbers.size(), 2u);
+    EXPECT_EQ(result.error().numbers[0].quantity, (Quantity{face + 1.0}));  // people count from 1
+    EXPECT_EQ(result.error().numbers[1].quantity, (Quantity{5.0}));
   }
 }
 
@@ -71,6 +93,9 @@ TEST(LayOut, RefusesAKThatLeavesASharpInsideNoNeutralSurface) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, code::bad_option);
     EXPECT_EQ(result.error().where, "B1");
+    ASSERT_EQ(result.error().places.size(), 1u);
+    EXPECT_EQ(result.error().places[0].kind, PlaceKind::bend);
+    EXPECT_EQ(result.error().places[0].at.size(), 3u);
   }
   EXPECT_TRUE(flatten(sheet, {.allowance = ConstantK{0.01, "test"}}));
 }
