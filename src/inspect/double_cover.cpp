@@ -14,20 +14,20 @@ namespace {
 
 /// Overlaps that meet, and are one place.
 struct Cover {
-  std::vector<std::string> parts;
+  std::vector<Place> parts;
   double area = 0.0;
   std::vector<Vec2> points;
   Box2 box;
 };
 
-void add_part(Cover& place, const std::string& name) {
-  if (std::find(place.parts.begin(), place.parts.end(), name) == place.parts.end())
-    place.parts.push_back(name);
+void add_part(Cover& place, const Place& part) {
+  if (std::find(place.parts.begin(), place.parts.end(), part) == place.parts.end())
+    place.parts.push_back(part);
 }
 
 void take(Cover& place, const Cover& other) {
-  for (const std::string& name : other.parts)
-    add_part(place, name);
+  for (const Place& part : other.parts)
+    add_part(place, part);
   place.area += other.area;
   place.points.insert(place.points.end(), other.points.begin(), other.points.end());
   place.box.add(other.box);
@@ -52,8 +52,10 @@ std::vector<Cover> joined_places(std::vector<Cover> places, double reach) {
 DoubleCover cover_of(const Cover& place) {
   const EnclosingRectangle box = smallest_rectangle(place.points);
   DoubleCover cover;
-  for (size_t i = 0; i < place.parts.size(); ++i)
-    cover.who += (i == 0 ? "" : i + 1 < place.parts.size() ? ", " : " and ") + place.parts[i];
+  std::vector<std::string> names;
+  for (const Place& part : place.parts)
+    names.push_back(text_of(part));
+  cover.who = listed(names);
   cover.area = place.area;
   cover.size = box.size;
   cover.along = {std::cos(box.angle), std::sin(box.angle)};
@@ -63,6 +65,8 @@ DoubleCover cover_of(const Cover& place) {
     extent.add(Vec2(p.dot(cover.along), p.dot(across)));
   const Vec2 middle = (extent.lo + extent.hi) / 2;
   cover.middle = middle.x() * cover.along + middle.y() * across;
+  for (const Place& part : place.parts)
+    cover.parts.push_back(place::at(part, cover.middle));
   return cover;
 }
 
@@ -77,8 +81,8 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
   for (const Shared& shared : shared_areas(regions, clearance))
     for (const auto& ring : shared.overlap.outline) {
       Cover& place = places.emplace_back();
-      add_part(place, part_name(pattern, shared.first));
-      add_part(place, part_name(pattern, shared.second));
+      add_part(place, part_place(pattern, shared.first));
+      add_part(place, part_place(pattern, shared.second));
       place.area = std::abs(ring_area(ring));
       place.points = ring;
       for (const Vec2& p : ring)
