@@ -3,18 +3,17 @@
 #include "closed_forms.hpp"
 #include "guarded.hpp"
 #include "reference_skin.hpp"
+#include "refusals.hpp"
 #include "solid_reader.hpp"
 #include "thickness.hpp"
 
 #include <planish/brep/step.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/rip.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace planish {
 namespace {
@@ -134,10 +133,8 @@ Result<void> is_wide_enough(const FlatPattern& pattern) {
   if (width >= kWide * pattern.thickness) return {};
   if (width >= kWeb * pattern.thickness && is_plate_outline(pattern.outer.loop, pattern.thickness))
     return {};
-  return fail(code::not_a_sheet,
-              fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a "
-                          "bar, wire or profile, not a sheet.",
-                          pattern.thickness, width));
+  return fail(refuse::too_narrow,
+              {{"thickness", pattern.thickness, unit::mm}, {"width", width, unit::mm}});
 }
 
 /// The layout that recognition looks at.
@@ -157,10 +154,8 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
   const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
                                formed_at_most(sheet) * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
-    return fail(code::not_a_sheet, fmt::format("A sheet of {:.4g} mm accounts for {:.1f} % of "
-                                               "the body's volume; the body is not made of "
-                                               "one sheet.",
-                                               sheet.thickness, 100 * flat / *sheet.volume));
+    return fail(refuse::volume_unexplained, {{"thickness", sheet.thickness, unit::mm},
+                                             {"share", 100 * flat / *sheet.volume, unit::percent}});
   return {};
 }
 
@@ -191,9 +186,7 @@ Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& o
   if (closed)
     return tl::unexpected(loop_refusal(*closed, *first, usual_layout(), check_of_ripped(options)));
   if (first) return tl::unexpected(*first);
-  return fail(code::not_a_sheet,
-              "No two faces lie opposite each other with material between them; this is not a "
-              "sheet.");
+  return fail(refuse::no_opposite_faces);
 }
 
 Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
@@ -211,11 +204,12 @@ Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
 }  // namespace
 
 Result<Recognized> recognize(const Body& body, const RecognizeOptions& options) {
-  for (const auto& [name, value] : {std::pair{"surface", options.surface_tolerance},
-                                    std::pair{"thickness", options.thickness_tolerance}})
+  for (const auto& [name, value, measure] :
+       {std::tuple{"surface", options.surface_tolerance, unit::mm},
+        std::tuple{"thickness", options.thickness_tolerance, unit::none}})
     if (!(value > 0.0 && value <= kFarthest))
-      return fail(code::bad_option,
-                  fmt::format("The {} tolerance is {}; it must be above 0.", name, value));
+      return fail(refuse::tolerance_of_recognition,
+                  {{"what", name}, {"tolerance", value, measure}});
   return guarded(
       [&] {
         auto model = std::make_shared<const SolidModel>(

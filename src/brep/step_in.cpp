@@ -5,9 +5,8 @@
 #include "guarded.hpp"
 #include "identical.hpp"
 #include "product_tree.hpp"
+#include "refusals.hpp"
 #include "step_header.hpp"
-
-#include <planish/brep/codes.hpp>
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -108,8 +107,7 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
         file.surface_bodies = tree->surface_bodies;
         file.unit = tree->unit;
         file.content = tree->content;
-        if (progress.should_stop())
-          return fail(code::cancelled, "Stopped while reading " + name + ".", name);
+        if (progress.should_stop()) return fail(refuse::reading_stopped, {{"file", name}}, name);
         return file;
       },
       name);
@@ -118,14 +116,8 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
 Result<StepFile> check_bodies(StepFile file, const std::string& name) {
   if (!file.bodies.empty()) return file;
   if (file.surface_bodies > 0)
-    return fail(
-        code::shell_not_solid,
-        fmt::format(
-            "{} holds {} surface {} but no solid; knit the surfaces into a solid and export again.",
-            name, file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"),
-        name);
-  return fail(code::no_solid,
-              fmt::format("{} holds no solid body; export the part as a solid.", name), name);
+    return fail(refuse::surfaces_only, {{"file", name}, {"count", file.surface_bodies}}, name);
+  return fail(refuse::no_solid, {{"file", name}}, name);
 }
 
 Result<StepFile> read_checked(const std::string& text, const std::string& path,
@@ -146,14 +138,13 @@ Result<StepFile> read_step(const std::filesystem::path& file, const Progress& pr
   const std::string name = file.filename().string();
   std::error_code status;
   if (std::filesystem::is_directory(file, status))
-    return fail(code::cannot_read, fmt::format("{} is a folder, not a STEP file.", file.string()),
-                file.string());
+    return fail(refuse::is_folder, {{"file", file.string()}}, file.string());
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    return fail(code::cannot_read,
-                fmt::format("{} cannot be opened: {}.", file.string(),
-                            std::filesystem::exists(file, status) ? "permission denied"
-                                                                  : "there is no such file"),
+    return fail(refuse::cannot_open,
+                {{"file", file.string()},
+                 {"why", std::filesystem::exists(file, status) ? "permission denied"
+                                                               : "there is no such file"}},
                 file.string());
   std::ostringstream text;
   text << stream.rdbuf();

@@ -120,6 +120,10 @@ TEST(AssembleSheet, RefusesFacesThatMeetSmoothlyAlongACurve) {
   ASSERT_FALSE(sheet);
   EXPECT_EQ(sheet.error().code, code::doubly_curved);
   EXPECT_EQ(sheet.error().where, "faces 1 and 2");
+  ASSERT_EQ(sheet.error().places.size(), 3u);
+  EXPECT_EQ(sheet.error().places[0], place::face(1));
+  EXPECT_EQ(sheet.error().places[1], place::face(2));
+  EXPECT_EQ(sheet.error().places[2].kind, PlaceKind::edge);
 }
 
 }  // namespace

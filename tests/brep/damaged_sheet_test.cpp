@@ -15,6 +15,8 @@ TEST(DamagedSheet, HasNoSolidNoSurfaceAndNoMesh) {
     ASSERT_FALSE(solid) << damage.rule;
     EXPECT_EQ(solid.error().code, code::invalid_input) << damage.rule;
     EXPECT_EQ(solid.error().where, damage.where);
+    ASSERT_FALSE(solid.error().places.empty());
+    EXPECT_EQ(solid.error().places.front().kind, PlaceKind::pointer);
     EXPECT_FALSE(folded_surface_step(sheet, "part")) << damage.rule;
     EXPECT_FALSE(folded_mesh(sheet)) << damage.rule;
   }

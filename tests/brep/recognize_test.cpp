@@ -10,6 +10,8 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffsetAPI_MakeThickSolid.hxx>
@@ -251,6 +253,15 @@ void expect_rip_where_it_is_named(const TopoDS_Shape& shape) {
   for (const TopoDS_Shape& face : edges(std::stoi(named[1])))
     beside.insert(faces.FindIndex(face));
   EXPECT_EQ(beside, (std::set<int>{std::stoi(named[2]), std::stoi(named[3])})) << error.where;
+  ASSERT_EQ(error.places.size(), 3u);
+  EXPECT_EQ(error.places[0].id, Place::Id(std::stoi(named[1])));
+  EXPECT_EQ(error.places[1].id, Place::Id(std::stoi(named[2])));
+  EXPECT_EQ(error.places[2].id, Place::Id(std::stoi(named[3])));
+  // The place lies on the edge.
+  ASSERT_EQ(error.places[0].at.size(), 3u);
+  const std::vector<double>& at = error.places[0].at;
+  const TopoDS_Vertex here = BRepBuilderAPI_MakeVertex(gp_Pnt(at[0], at[1], at[2]));
+  EXPECT_LT(BRepExtrema_DistShapeShape(here, edges.FindKey(std::stoi(named[1]))).Value(), 1e-6);
 }
 
 TEST(RecognizeRefusal, OfSquareTubesWithTheRip) {

@@ -46,6 +46,9 @@ TEST(RimRefusal, NamesAFaceThatIsCurvedInTwoDirections) {
   const Error refusal = refusal_at(recognised(domed(), 2, 1), 6);
   EXPECT_EQ(refusal.code, code::doubly_curved);
   EXPECT_EQ(refusal.where, "face 7");
+  ASSERT_EQ(refusal.places.size(), 1u);
+  EXPECT_EQ(refusal.places[0].id, Place::Id(7));
+  EXPECT_EQ(refusal.places[0].at.size(), 3u);
   EXPECT_NE(refusal.message.find("sphere"), std::string::npos);
 }
 
@@ -59,7 +62,11 @@ TEST(RimRefusal, NamesAFaceBelowWhichTheThicknessChanges) {
   const Error refusal = refusal_at(recognised(wedge, 2, 5), 4);
   EXPECT_EQ(refusal.code, code::thickness_not_constant);
   EXPECT_EQ(refusal.where, "face 5");
-  EXPECT_NE(refusal.message.find("face 6"), std::string::npos) << refusal.message;
+  ASSERT_EQ(refusal.places.size(), 2u);
+  EXPECT_EQ(refusal.places[1].id, Place::Id(6));  // which it continues
+  ASSERT_EQ(refusal.numbers.size(), 1u);
+  EXPECT_NEAR(refusal.numbers[0].quantity.value, 2.0, 1e-9);
+  EXPECT_EQ(refusal.numbers[0].quantity.unit, unit::mm);
 }
 
 TEST(RimRefusal, NamesTheFaceFarthestOutside) {
