@@ -8,7 +8,6 @@
 #include "thickness.hpp"
 
 #include <planish/brep/step.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/rip.hpp>
 
 #include <algorithm>
