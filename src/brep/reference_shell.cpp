@@ -4,6 +4,7 @@
 #include "refusals.hpp"
 #include "sheet_corners.hpp"
 #include "solid_builder.hpp"
+#include "valid_input.hpp"
 
 #include <planish/base/union_find.hpp>
 #include <planish/sheet/places.hpp>
@@ -27,11 +28,7 @@ namespace planish::brep {
 namespace {
 
 Result<void> check_input(const Sheet& sheet) {
-  if (const auto right = check(sheet); !right) {
-    Error error = right.error();
-    error.code = code::invalid_input;
-    return fail(std::move(error));
-  }
+  if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
       return fail(refuse::no_reference_radius,

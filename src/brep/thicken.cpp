@@ -7,6 +7,7 @@
 #include "sheet_corners.hpp"
 #include "side_wall.hpp"
 #include "solid_builder.hpp"
+#include "valid_input.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/places.hpp>
@@ -40,11 +41,7 @@ std::string row_text(const BorderRef& ref) {
 }
 
 Result<void> check_input(const Sheet& sheet) {
-  if (const auto right = check(sheet); !right) {
-    Error error = right.error();
-    error.code = code::invalid_input;
-    return fail(std::move(error));
-  }
+  if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
                                   smallest_radius(sheet[id], Depths(sheet).second));

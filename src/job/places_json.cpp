@@ -118,7 +118,9 @@ Json reason_json(const std::optional<Error>& error, const Units& units) {
   reason["code"] = code_name(error->code);
   reason["message"] = error->message;
   reason["where"] = error->where;
-  reason["places"] = places_json(error->places, units);
+  std::vector<Place> places = error->places;
+  if (places.empty() && error->where.starts_with('/')) places = {place::pointer(error->where)};
+  reason["places"] = places_json(places, units);
   reason["numbers"] = numbers_json(error->numbers);
   add_remedies(reason, error->remedies);
   return reason;
