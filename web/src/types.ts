@@ -17,10 +17,13 @@ export interface ApiProblem {
   message: string;
   where?: string | null;
   places?: Place[];
-  numbers?: Record<string, { value: number | null; unit: string }>;
+  numbers?: Numbers;
   remedy?: Remedy;
   remedies?: Remedy[]; // if there are several
 }
+
+/** What a message states, by name. */
+export type Numbers = Record<string, { value: number | null; unit: string }>;
 
 /** What a message names, as data: docs/formats.md#places. */
 export interface Place {
@@ -294,6 +297,7 @@ export interface Finding {
   message: string;
   at?: Vec2[] | null;
   count?: number; // of a rule's places
+  numbers?: Numbers;
   places?: FindingPlace[]; // of a rule: those where it is broken, the worst first
   remedy?: Remedy;
   remedies?: Remedy[];
@@ -303,6 +307,7 @@ export interface FindingPlace extends Place {
   severity?: 'info' | 'warning' | 'error'; // of a rule's place, as the next two
   message?: string;
   points?: Vec2[];
+  numbers?: Numbers;
 }
 
 export interface Verification {
