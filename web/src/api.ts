@@ -102,11 +102,12 @@ export class Api {
 
 const cancelled = () => new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
 
-async function problemOf(answer: Response): Promise<ApiProblem> {
+/** What an answer complains about, with all its data. */
+export async function problemOf(answer: Response): Promise<ApiProblem> {
   try {
     const body = (await answer.json()) as Partial<ApiProblem>;
     if (typeof body.message === 'string')
-      return { code: body.code ?? String(answer.status), message: body.message, where: body.where };
+      return { ...body, code: body.code ?? String(answer.status), message: body.message };
   } catch {
     /* not JSON: said below */
   }

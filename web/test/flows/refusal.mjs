@@ -35,10 +35,10 @@ const at = (page, point) =>
 
 export async function refusal({ page }) {
   await open(page, [`${folder(page)}/../tube.step`]);
-  const message = await page.textContent('[data-testid=message]');
-  const [, a, b] = message.match(/edge between face (\d+) and face (\d+)/);
+  const named = () => state(page, 's.problem.places');
+  const [edge] = await named();
   // Faces 7 to 10 are its inside, at 2 mm, in the order in which the file has them.
-  assert.deepEqual([Number(a), Number(b)].sort(), [7, 8], message);
+  assert.deepEqual([edge.kind, edge.id, edge.faces], ['edge', 21, [7, 8]]);
   const near = async () => {
     const found = await marked(page),
       middle = await at(page, [2, 38, 60]);
@@ -67,7 +67,7 @@ export async function refusal({ page }) {
   await page.waitForSelector('[data-testid^=remedy-rip_edges]');
   // A face.
   await open(page, [`${folder(page)}/../stepped.step`]);
-  assert.match(await page.textContent('[data-testid=message]'), /face 6/);
+  assert.ok((await named()).some(({ kind, id }) => kind === 'face' && id === 6));
   const found = await marked(page),
     corners = [];
   for (const y of [30, 60]) for (const z of [0, 50]) corners.push(await at(page, [3, y, z]));
