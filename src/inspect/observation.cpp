@@ -1,6 +1,7 @@
 #include "observation.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 
 #include <algorithm>
 #include <map>
@@ -88,9 +89,7 @@ std::vector<Finding> grouped(const std::vector<Observation>& observations) {
 
 Told told(say::Sentence sentence, const Facts& facts) {
   Told result = tell(sentence, facts);
-  char& first = result.sentence.front();
-  if (sentence.starts_with("{@") && first >= 'A' && first <= 'Z')
-    first = static_cast<char>(first - 'A' + 'a');
+  result.sentence = continued(std::move(result.sentence));
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <planish/base/text.hpp>
 #include <planish/job/bend.hpp>
+#include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_depth.hpp>
 #include <planish/schema/json_reading.hpp>
 
@@ -30,14 +31,14 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
                                      const std::string& pointer) {
   if (const auto wrong = first_mistake(options_schema(files), options)) {
     const std::string where = pointer + wrong->pointer;
-    return fail(code::invalid_input,
-                fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
+    return fail_at(code::invalid_input,
+                   fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
   }
   for (const auto& [name, value] : options.items())
     if (!maker.takes(name) && !value.is_null())
-      return fail(code::bad_option,
-                  fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
-                  pointer + "/" + name);
+      return fail_at(code::bad_option,
+                     fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
+                     pointer + "/" + name);
   OptionValues values = values_of(options);
   if (files == OptionFiles::content) values.read_no_files();
   return values;
@@ -48,11 +49,12 @@ Result<void> check_folder(const Maker& maker, const InputFile& file) {
   if (file.folder || !maker.named_files) return {};
   const auto named = maker.named_files(file.content);
   if (named.empty()) return {};
-  return fail(code::invalid_input,
-              fmt::format("request: /input/folder is missing: the {} names the file {} at {}; say "
-                          "in which folder it is",
-                          maker.input_kind(), named.front().file, named.front().pointer),
-              "/input/folder");
+  return fail_at(
+      code::invalid_input,
+      fmt::format("request: /input/folder is missing: the {} names the file {} at {}; say "
+                  "in which folder it is",
+                  maker.input_kind(), named.front().file, named.front().pointer),
+      "/input/folder");
 }
 
 void read_input(Asked& asked, const Json& input) {
@@ -121,14 +123,14 @@ Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& ca
     const auto name = names[i].get<std::string>();
     const Artifact* artifact = written(asked, name, catalogue);
     if (!artifact && asked.task == Task::info)
-      return fail(code::bad_option, "info writes no files: leave `artifacts` out",
-                  fmt::format("/artifacts/{}", i));
+      return fail_at(code::bad_option, "info writes no files: leave `artifacts` out",
+                     fmt::format("/artifacts/{}", i));
     if (!artifact)
-      return fail(code::bad_option,
-                  fmt::format("{} cannot write \"{}\"; it writes {}",
-                              asked.task == Task::bend ? kBend : asked.maker->name, shortened(name),
-                              fmt::join(names_written(asked, catalogue), ", ")),
-                  fmt::format("/artifacts/{}", i));
+      return fail_at(code::bad_option,
+                     fmt::format("{} cannot write \"{}\"; it writes {}",
+                                 asked.task == Task::bend ? kBend : asked.maker->name,
+                                 shortened(name), fmt::join(names_written(asked, catalogue), ", ")),
+                     fmt::format("/artifacts/{}", i));
     asked.artifacts.push_back(artifact);
   }
   return {};
@@ -156,7 +158,7 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
   }
   asked.sheets = json.value("sheets", false);
   if (asked.sheets && asked.task != Task::info)
-    return fail(code::bad_option, "`sheets` is of info alone: leave it out", "/sheets");
+    return fail_at(code::bad_option, "`sheets` is of info alone: leave it out", "/sheets");
   if (json.contains("artifacts"))
     if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
       return pass_on(known);

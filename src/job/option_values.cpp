@@ -239,7 +239,10 @@ const Option* option_at(std::string_view where) {
 }
 
 Error at_pointer(Error error, const std::string& options) {
-  if (option_at(error.where)) error.where = options + "/" + error.where;
+  if (!option_at(error.where)) return error;
+  error.where = options + "/" + error.where;
+  // What is wrong within the content of a file has its place there.
+  if (error.code.status == ExitStatus::usage) error.places.push_back(place::pointer(error.where));
   return error;
 }
 

@@ -118,9 +118,7 @@ Json reason_json(const std::optional<Error>& error, const Units& units) {
   reason["code"] = code_name(error->code);
   reason["message"] = error->message;
   reason["where"] = error->where;
-  std::vector<Place> places = error->places;
-  if (places.empty() && error->where.starts_with('/')) places = {place::pointer(error->where)};
-  reason["places"] = places_json(places, units);
+  reason["places"] = places_json(error->places, units);
   reason["numbers"] = numbers_json(error->numbers);
   add_remedies(reason, error->remedies);
   return reason;

@@ -1,10 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
-#include <planish/brake/codes.hpp>
-#include <planish/job/codes.hpp>
 #include <planish/sheet/codes.hpp>
-#include <planish/slit/codes.hpp>
 
 /// The sentences with which `job` refuses.
 namespace planish::refuse {

@@ -3,6 +3,7 @@
 #include <planish/base/packed_error.hpp>
 #include <planish/job/options.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/fail_at.hpp>
 
 #include <mutex>
 #include <shared_mutex>
@@ -102,7 +103,7 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress,
   auto asked = read_asked(request, catalogue, std::move(bytes));
   if (!asked) return pass_on(asked);
   if (!asked->maker)
-    return fail(code::bad_option, "info makes nothing: ask for it by `info`", "/maker");
+    return schema::fail_at(code::bad_option, "info makes nothing: ask for it by `info`", "/maker");
   auto made = at_request(make_asked(*asked, progress));
   if (!made) return pass_on(made);
   (*made)->report().of_bending = asked->task == Asked::Task::bend;

@@ -20,8 +20,6 @@ constexpr std::string_view
 constexpr std::string_view reliefs_cut_beside =
     "{count} are cut beside bends; the first, beside {@bend}, is {length:3} by {width:3}";
 
-constexpr std::string_view
-    volume_off = "flat area at K = ½ times thickness is {ratio:7} of the solid's volume";
 constexpr std::string_view length_off =
     "an edge of the solid and its image in the pattern differ in length by {off}, more than "
     "{allowed}";

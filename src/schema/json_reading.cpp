@@ -92,7 +92,8 @@ void JsonReading::mistake(const std::string& pointer, const std::string& sentenc
   if (error_) return;
   error_ = Error{code::invalid_input,
                  fmt::format("{}: {} {}", what_, shortened(pointer, kShownPointer), sentence),
-                 name_ + pointer};
+                 name_ + pointer,
+                 {place::pointer(pointer)}};
 }
 
 JsonPlace JsonPlace::child(const std::string& token, const Schema* schema,

@@ -1,6 +1,7 @@
 #include "conversation.hpp"
 
 #include <planish/base/text.hpp>
+#include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_depth.hpp>
 
 #include <fmt/format.h>
@@ -58,17 +59,19 @@ Result<std::vector<std::pair<std::string, std::string>>> writes_in(const Json& p
   if (!parameters.contains("write")) return writes;
   const Json known = tool.schema["properties"].value("write", Json());
   if (known.is_null())
-    return fail(code::bad_option,
-                fmt::format("request: {} writes no files: leave `write` out", tool.name), "/write");
+    return schema::fail_at(code::bad_option,
+                           fmt::format("request: {} writes no files: leave `write` out", tool.name),
+                           "/write");
   const Json& given = parameters["write"];
   if (!given.is_object())
-    return fail(code::invalid_input,
-                "request: /write must be an object with the path of each artifact", "/write");
+    return schema::fail_at(code::invalid_input,
+                           "request: /write must be an object with the path of each artifact",
+                           "/write");
   for (const auto& [artifact, path] : given.items()) {
     const std::string where = "/write/" + artifact;
     if (!path.is_string() || path.get<std::string>().empty() || path == "-")
-      return fail(code::invalid_input, fmt::format("request: {} must be the path of a file", where),
-                  where);
+      return schema::fail_at(code::invalid_input,
+                             fmt::format("request: {} must be the path of a file", where), where);
     writes.emplace_back(artifact, path.get<std::string>());
   }
   return writes;
@@ -223,8 +226,9 @@ void Conversation::begin_work(const Call& call, const Tool& asked, Json paramete
   for (const char* key : {"write", "_meta"})
     parameters.erase(key);
   if (parameters.contains("maker"))
-    return fails({code::invalid_input,
-                  "request: /maker must be left out: the method names the maker", "/maker"});
+    return fails(schema::error_at(code::invalid_input,
+                                  "request: /maker must be left out: the method names the maker",
+                                  "/maker"));
   parameters["maker"] = asked.name;
   const auto ticket = std::make_shared<Ticket>();
   ticket->task = {text_of(parameters), std::move(*writes)};

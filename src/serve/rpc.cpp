@@ -2,6 +2,7 @@
 
 #include <planish/job/reason.hpp>
 
+#include <algorithm>
 #include <mutex>
 
 namespace planish::serve {
@@ -34,8 +35,11 @@ std::string text_of(const Json& json) {
 }
 
 bool is_of_request(const Error& error) {
+  // Of a file, `where` is its name before the pointer.
+  const bool of_field = std::ranges::any_of(
+      error.places, [&](const Place& place) { return place == place::pointer(error.where); });
   return exit_status(error.code) == kWrongUsageStatus ||
-         (error.code == code::invalid_input && error.where.starts_with("/"));
+         (error.code == code::invalid_input && of_field);
 }
 
 RpcError rpc_error(const Error& error) {

@@ -5,6 +5,7 @@
 
 #include <planish/job/output_paths.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/fail_at.hpp>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,7 @@ std::vector<fs::path> inputs_of(const Json& request, const job::Catalogue& catal
 
 Error at(const std::string& artifact, Error error) {
   error.where = "/write/" + artifact;
+  error.places = {place::pointer(error.where)};
   return error;
 }
 
@@ -82,11 +84,12 @@ Result<void> check_writes(const WorkTask& task, const Json& request,
 /// Standard input carries the requests.
 Result<void> check_no_standard_input(const Json& request) {
   const auto fails = [](const std::string& pointer) {
-    return fail(code::bad_option,
-                fmt::format("{} must be the path of a file or its content: standard input carries "
-                            "the requests",
-                            pointer),
-                pointer);
+    return schema::fail_at(
+        code::bad_option,
+        fmt::format("{} must be the path of a file or its content: standard input carries "
+                    "the requests",
+                    pointer),
+        pointer);
   };
   if (request.value("input", Json()) == "-") return fails("/input");
   const Json options = request.value("options", Json::object());

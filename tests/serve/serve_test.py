@@ -208,6 +208,13 @@ class Requests(ServeTest):
         error = server.fails("unfold", {"input": "none.step"})
         self.assertEqual((error["code"], error["data"]),
                          (-32000, {"code": "cannot_read", "where": "none.step", "places": [], "numbers": {}}))
+        # What is wrong in a file is no fault of the request, wherever the file lies.
+        spec = self.write("wrong.json", '{"format": "planish/plates", "version": 1, "thickness": -1, "plates": []}')
+        error = server.fails("connect", {"input": str(spec)})
+        self.assertEqual((error["code"], error["data"]["where"]), (-32000, f"{spec}/thickness"))
+        self.assertEqual(error["data"]["places"], [{"kind": "pointer", "id": "/thickness"}])
+        error = server.fails("unfold", {"input": str(self.dir / "none.step")})
+        self.assertEqual((error["code"], error["data"]["places"]), (-32000, []))
         error = server.fails("info", {"input": "part.step", "artifacts": ["json"]})
         self.assertEqual((error["code"], error["data"]["where"]), (-32602, "/artifacts/0"))
         self.assertEqual(server.fails("info", {"input": "part.step", "write": {"json": "a"}})["data"]["where"], "/write")

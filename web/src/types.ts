@@ -1,12 +1,11 @@
-import type { Numbers, Place, Remedy } from './said.ts';
-export type { Numbers, Place, Remedy };
-
 // The types of docs/studio-api.md and of the files and reports of the program.
 
 import type { BrakeOptions, OrderedStroke } from './order-types.ts';
+import type { Numbers, Place, Remedy } from './said.ts';
 import type { Spec } from './spec-types.ts';
 
 export * from './order-types.ts';
+export * from './said.ts';
 export * from './spec-types.ts';
 
 /** The name of a maker: a row of the description. */

@@ -2,6 +2,8 @@
 
 #include "attachments.hpp"
 
+#include <planish/schema/fail_at.hpp>
+
 #include <fmt/format.h>
 
 namespace planish::studio {
@@ -62,8 +64,8 @@ job::Request Document::request_of(const Asked& asked, job::Effort effort) const 
 Result<void> Document::take_spec(const Asked& asked) {
   if (maker_->format.empty()) return {};
   if (asked.spec.empty())
-    return fail(code::bad_option, "the request has no spec, which this kind of document needs",
-                "/spec");
+    return schema::fail_at(code::bad_option,
+                           "the request has no spec, which this kind of document needs", "/spec");
   if (auto there = check_attachments(*maker_, asked.spec, name_, attachments_); !there)
     return there;
   return work_->edit({name_, asked.spec, attachments_});

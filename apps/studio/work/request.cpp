@@ -2,13 +2,15 @@
 
 #include "json_text.hpp"
 
+#include <planish/schema/fail_at.hpp>
+
 #include <fmt/format.h>
 
 namespace planish::studio {
 namespace {
 
 tl::unexpected<Error> mistake(const std::string& message, const std::string& where) {
-  return fail(code::invalid_input, message, where);
+  return schema::fail_at(code::invalid_input, message, where);
 }
 
 Result<void> read_options(const Json& options, const job::Maker& maker, job::Request& request) {
