@@ -3,6 +3,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/base/packed_error.hpp>
 #include <planish/job/options.hpp>
 
 #include <fmt/format.h>
@@ -12,8 +13,8 @@
 namespace planish::cli {
 namespace {
 
-using job::ChildProcess;
-using job::Texts;
+using process::ChildProcess;
+using process::Texts;
 using std::chrono::steady_clock;
 
 constexpr auto kOutcome = "outcome";
@@ -30,7 +31,7 @@ Texts texts_of(const Outcome& outcome) {
   for (const OutputFile& file : outcome.files)
     texts.insert(texts.end(), {file.path.string(), file.content});
   if (!outcome.error) return texts;
-  const Texts error = job::texts_of(*outcome.error);
+  const Texts error = packed(*outcome.error);
   texts.insert(texts.end(), error.begin(), error.end());
   return texts;
 }
@@ -49,7 +50,7 @@ std::optional<Outcome> outcome_in(const Texts& texts) {
   for (int i = 0; i < *files; ++i, text += 2)
     outcome.files.push_back({*text, *(text + 1)});
   if (text == texts.end()) return outcome;
-  outcome.error = job::error_in({text, texts.end()});
+  outcome.error = unpacked({text, texts.end()});
   return outcome.error ? std::optional(std::move(outcome)) : std::nullopt;
 }
 
@@ -77,35 +78,35 @@ class Apart {
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - steady_clock::now());
       auto made = asked(left);
       if (made) return written(std::move(*made));
-      const bool crashed = made.error().code == ErrorCode::crashed;
+      const bool crashed = made.error().code == code::crashed;
       if (!crashed || !command_.leaves_out(made.error())) return command_.failed(made.error());
     }
   }
 
  private:
   Result<Outcome> asked(std::chrono::milliseconds time) {
-    const auto answering = [this](const Texts&, const job::Parent& parent) {
+    const auto answering = [this](const Texts&, const process::Parent& parent) {
       return texts_of(command_.make(parent));
     };
     auto child = ChildProcess::copy(answering, running_.limits.memory);
-    if (!child) return tl::unexpected(child.error());
+    if (!child) return pass_on(child);
     child_ = std::move(*child);
     const auto hear = [this](const Texts& note) { command_.hear(note); };
     const auto answer = child_->ask({}, time, {line_.progress(), hear});
     child_->kill();
     if (!answer) return tl::unexpected(error_of(answer.error()));
     if (auto outcome = outcome_in(*answer)) return std::move(*outcome);
-    return tl::unexpected(error_of({{}, job::kDamagedAnswer}));
+    return tl::unexpected(error_of({{}, process::kDamagedAnswer}));
   }
 
   Outcome written(Outcome outcome) {
-    if (interrupted()) return command_.failed(error_of({job::ChildEnd::Cause::cancelled}));
+    if (interrupted()) return command_.failed(error_of({process::ChildEnd::Cause::cancelled}));
     if (const auto unwritten = write_products(outcome)) return command_.failed(*unwritten);
     return outcome;
   }
 
-  Error error_of(const job::ChildEnd& end) const {
-    return job::error_of(end, name_of(running_.input), running_.limits);
+  Error error_of(const process::ChildEnd& end) const {
+    return process::error_of(end, name_of(running_.input), running_.limits);
   }
 
   Command& command_;
@@ -118,9 +119,8 @@ class Apart {
 int said(const Outcome& outcome, const Running& running) {
   const auto& error = outcome.error;
   const int status = error ? complain(*error) : 0;
-  if (error && error->code == ErrorCode::cancelled) return status;
-  const bool of_report = error && error->code == ErrorCode::cannot_write &&
-                         error->where == running.json;
+  if (error && error->code == code::cancelled) return status;
+  const bool of_report = error && error->code == code::cannot_write && error->where == running.json;
   if (!outcome.json.empty() && !of_report)
     if (const auto unwritten = write_report(running.json, outcome.json)) {
       const int other = complain(*unwritten);
@@ -139,7 +139,7 @@ int run_apart(Command& command, const Running& running) {
   return said(outcome, running);
 }
 
-void add_limits(CLI::App& app, job::Limits& limits) {
+void add_limits(CLI::App& app, process::Limits& limits) {
   constexpr double kLeast = 0.001, kDay = 86400.0, kLeastMiB = 64.0, kMostMiB = 1U << 24U;
   constexpr double kMilli = 1000.0, kMebi = 1U << 20U;
   const auto set_time = [&limits](double seconds) {

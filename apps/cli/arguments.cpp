@@ -3,7 +3,7 @@
 #include "apart.hpp"
 #include "option_parts.hpp"
 
-#include <planish/job/rules_json.hpp>
+#include <planish/shop/rules_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -124,7 +124,7 @@ void add_print_rules(CLI::App& app) {
   const auto print = [&app] {
     const CLI::Option* process = app.get_option("--process");
     const bool punch = process->count() > 0 && process->results().back() == "punch";
-    fmt::print("{}", job::rules_json(rules_for(punch ? Process::punch : Process::laser)));
+    fmt::print("{}", shop::rules_json(rules_for(punch ? Process::punch : Process::laser)));
     throw CLI::Success();
   };
   app.add_flag_callback("--print-rules", print,

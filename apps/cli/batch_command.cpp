@@ -47,7 +47,7 @@ std::optional<Error> unknown_format(const std::vector<std::string>& formats,
                            return catalogue.artifact(maker, format) != nullptr;
                          });
     if (!written)
-      return Error{ErrorCode::bad_option,
+      return Error{code::bad_option,
                    fmt::format("--format {}: what can be written is {}", format, listed(known)),
                    "format"};
   }
@@ -96,13 +96,11 @@ Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
   if (!arguments.shard.empty()) {
     const auto shard = shard_in(arguments.shard);
     if (!shard)
-      return fail(ErrorCode::bad_option, "--shard must be like 3/64: which one, of how many",
-                  "shard");
+      return fail(code::bad_option, "--shard must be like 3/64: which one, of how many", "shard");
     options.shard = *shard;
   }
   job::Request tried;
-  if (const auto entered = arguments.options.enter(tried); !entered)
-    return tl::unexpected(entered.error());
+  if (const auto entered = arguments.options.enter(tried); !entered) return pass_on(entered);
   return options;
 }
 
@@ -116,9 +114,9 @@ Result<batch::BatchResult> result_of(const job::Catalogue& catalogue,
     return batch::merge_batches(folders, arguments.output, tell, interrupted);
   }
   const auto options = options_of(catalogue, arguments);
-  if (!options) return tl::unexpected(options.error());
+  if (!options) return pass_on(options);
   const auto inputs = batch::inputs_of(arguments.inputs, arguments.output, catalogue);
-  if (!inputs) return tl::unexpected(inputs.error());
+  if (!inputs) return pass_on(inputs);
   return batch::run_batch(*inputs, arguments.output, *options, catalogue, tell, interrupted);
 }
 

@@ -6,7 +6,7 @@
 
 #include <planish/job/bend.hpp>
 #include <planish/job/bend_plan_pages.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 
@@ -98,7 +98,7 @@ class Bend : public Command {
   Bend(const job::Catalogue& catalogue, const BendArguments& arguments)
       : catalogue_(catalogue), arguments_(arguments), maker_(catalogue.makers.data()) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     job::Request request;
     request.input = arguments_.input;
     const auto input = job::read_input_file(arguments_.input, "input file");
@@ -149,7 +149,7 @@ class Bend : public Command {
         continue;
       }
       auto pdf = pages_pdf(pages, made.report().body + ", bend plan");
-      if (!pdf) return tl::unexpected(pdf.error());
+      if (!pdf) return pass_on(pdf);
       files.push_back({name, std::move(*pdf)});
     }
     return files;
@@ -198,7 +198,7 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
       ->add_flag_callback(
           "--print-tools",
           [] {
-            fmt::print("{}", job::default_tools_json());
+            fmt::print("{}", shop::default_tools_json());
             throw CLI::Success();
           },
           "print the tools file that is used without --tools, and exit")

@@ -33,7 +33,7 @@ class Info : public Command {
  public:
   explicit Info(const InfoArguments& arguments) : arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto report = job::info(request_of(arguments_), parent.progress);
     if (!report) return failed(report.error());
     const bool printed = arguments_.json != "-";

@@ -13,7 +13,7 @@ namespace planish::cli {
 
 namespace fs = std::filesystem;
 
-Error bad_option(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
+Error bad_option(std::string message) { return {code::bad_option, std::move(message), {}}; }
 
 std::string suffix_of(const fs::path& path) {
   std::string suffix = path.extension().string();
@@ -64,7 +64,7 @@ Result<void> check_folder(const fs::path& folder) {
                                                              : nullptr;
   if (!why) return {};
   return fail(
-      ErrorCode::cannot_write,
+      code::cannot_write,
       fmt::format("cannot write into the folder {}: {} {}", folder.string(), there.string(), why),
       folder.string());
 }
@@ -73,7 +73,7 @@ std::optional<Error> make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error) return std::nullopt;
-  return Error{ErrorCode::cannot_write,
+  return Error{code::cannot_write,
                fmt::format("cannot make the folder {}: {}", folder.string(), error.message()),
                folder.string()};
 }

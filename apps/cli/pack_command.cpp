@@ -4,8 +4,8 @@
 #include "terminal.hpp"
 
 #include <planish/job/run.hpp>
-#include <planish/job/text_file.hpp>
 #include <planish/pack/pack.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -24,8 +24,8 @@ More in docs/pack.md.)";
 
 Result<std::optional<pack::GivenFile>> given(const std::string& file, const std::string& kind) {
   if (file.empty()) return std::nullopt;
-  auto text = job::read_text(file, kind);
-  if (!text) return tl::unexpected(text.error());
+  auto text = schema::read_text(file, kind);
+  if (!text) return pass_on(text);
   return pack::GivenFile{std::filesystem::path(file).filename().string(), std::move(*text)};
 }
 
@@ -48,15 +48,15 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
   options.drawings = !arguments.no_drawings;
   options.zip = arguments.zip;
   auto materials = given(arguments.materials, "list of materials");
-  if (!materials) return tl::unexpected(materials.error());
+  if (!materials) return pass_on(materials);
   auto rates = given(arguments.rates, "rates file");
-  if (!rates) return tl::unexpected(rates.error());
+  if (!rates) return pass_on(rates);
   options.materials = std::move(*materials);
   options.rates = std::move(*rates);
   if (!arguments.stock.empty()) {
     options.stock = stock_in(arguments.stock);
     if (!options.stock)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("--nest must be like 3000x1500, length and width of a sheet in mm, "
                               "not \"{}\"",
                               arguments.stock),
@@ -64,12 +64,10 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
     options.stock->gap = arguments.gap.value_or(options.stock->gap);
     options.stock->grain = arguments.grain;
   } else if (arguments.gap || arguments.grain) {
-    return fail(ErrorCode::bad_option, "--gap and --grain belong to --nest, which is not given",
-                "nest");
+    return fail(code::bad_option, "--gap and --grain belong to --nest, which is not given", "nest");
   }
   job::Request tried;
-  if (const auto entered = arguments.options.enter(tried); !entered)
-    return tl::unexpected(entered.error());
+  if (const auto entered = arguments.options.enter(tried); !entered) return pass_on(entered);
   return options;
 }
 

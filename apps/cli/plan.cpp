@@ -112,7 +112,7 @@ Result<void> check_input(const Arguments& arguments) {
   job::Request request;
   request.input = arguments.input;
   const auto opened = job::open_input(*arguments.maker, request, {});
-  return opened ? Result<void>() : tl::unexpected(opened.error());
+  return opened ? Result<void>() : pass_on(opened);
 }
 
 /// Said before the work rather than after it.
@@ -173,7 +173,7 @@ std::vector<fs::path> inputs_of(const Arguments& arguments) {
 Result<Plan> planned(const job::Catalogue& catalogue, const Arguments& arguments) {
   if (const auto contradiction = contradiction_in(catalogue, arguments))
     return tl::unexpected(bad_option(*contradiction));
-  if (auto fine = arguments.options.check_together(); !fine) return tl::unexpected(fine.error());
+  if (auto fine = arguments.options.check_together(); !fine) return pass_on(fine);
   const Planning planning{catalogue, arguments};
   Plan plan;
   plan.inputs = inputs_of(arguments);
@@ -181,13 +181,12 @@ Result<Plan> planned(const job::Catalogue& catalogue, const Arguments& arguments
   if (arguments.all && !arguments.check) plan.folder = arguments.outputs.at(Role::flat).front();
   if (!arguments.all && !arguments.check) {
     auto targets = all_targets(planning);
-    if (!targets) return tl::unexpected(targets.error());
+    if (!targets) return pass_on(targets);
     plan.targets = std::move(*targets);
   }
-  if (auto fine = check_files(arguments, plan); !fine) return tl::unexpected(fine.error());
+  if (auto fine = check_files(arguments, plan); !fine) return pass_on(fine);
   plan.request.input = arguments.input;
-  if (auto entered = arguments.options.enter(plan.request); !entered)
-    return tl::unexpected(entered.error());
+  if (auto entered = arguments.options.enter(plan.request); !entered) return pass_on(entered);
   return plan;
 }
 

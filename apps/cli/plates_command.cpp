@@ -39,7 +39,7 @@ class Plates : public Command {
  public:
   explicit Plates(const PlatesArguments& arguments) : arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     job::Request request;
     request.input = arguments_.input;
     (void)arguments_.options.enter(request);  // each was checked

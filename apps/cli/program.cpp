@@ -6,7 +6,7 @@
 #include "usage.hpp"
 
 #include <planish/batch/batch.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/printable.hpp>
 #include <planish/serve/serve.hpp>
 
 #include <fmt/format.h>
@@ -38,14 +38,14 @@ constexpr auto kExamples = R"(Examples:
 `planish COMMAND --help` says more, docs/cli.md all.)";
 
 int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
-  fmt::print(stderr, "planish: {}\n", job::printable(usage_sentence(error, app)));
+  fmt::print(stderr, "planish: {}\n", schema::printable(usage_sentence(error, app)));
   return kWrongUsage;
 }
 
 // Output that could not be written (a full disk behind `>`) must not end as success.
 int flushed(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  const int failed = complain({ErrorCode::cannot_write, "cannot write to standard output", {}});
+  const int failed = complain({code::cannot_write, "cannot write to standard output", {}});
   return status == 0 ? failed : status;
 }
 
@@ -131,9 +131,9 @@ int run_program(int argc, const char* const* argv, const job::Catalogue& catalog
       return serve::run_serve_worker(argv[3], std::strtoull(argv[2], nullptr, 10), catalogue);
     return flushed(run(argc, argv, catalogue));
   } catch (const std::exception& defect) {
-    return complain({ErrorCode::internal, defect.what(), {}});
+    return complain({code::internal, defect.what(), {}});
   } catch (...) {
-    return complain({ErrorCode::internal, "an exception of unknown type", {}});
+    return complain({code::internal, "an exception of unknown type", {}});
   }
 }
 

@@ -3,6 +3,7 @@
 #include "output_files.hpp"
 #include "plan.hpp"
 
+#include <planish/job/codes.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/job/unfold.hpp>
 
@@ -41,7 +42,7 @@ job::Request begun(const Arguments& arguments) {
 Outcome failed_outcome(const Arguments& arguments, const job::Request& request,
                        const Error& failure) {
   Error error = failure;
-  if (error.code == ErrorCode::no_such_body && request.body.empty())
+  if (error.code == code::no_such_body && request.body.empty())
     error.message += "; or take all of them with --all -o FOLDER/";
   return {.json = arguments.maker->failed(request, error)->json(), .error = error};
 }
@@ -75,8 +76,7 @@ Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
     for (const Target& target : plan.targets) {
       if (pieces > 1 && target.artifact->by_piece() != (piece >= 0)) continue;
       auto bytes = target.artifact->write(made, std::max(piece, 0), plan.request);
-      if (!bytes && !target.artifact->may_be_missing(bytes.error()))
-        return tl::unexpected(bytes.error());
+      if (!bytes && !target.artifact->may_be_missing(bytes.error())) return pass_on(bytes);
       if (!bytes) {
         job::note_missing(made.report(), *target.artifact, bytes.error());
         missing = bytes.error();
@@ -110,7 +110,7 @@ class OnePart : public MakerCommand {
  public:
   using MakerCommand::MakerCommand;
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
@@ -149,7 +149,7 @@ class AllParts : public MakerCommand {
  public:
   using MakerCommand::MakerCommand;
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     const auto begins = [&](int body) { parent.note({std::to_string(body)}); };
@@ -164,7 +164,7 @@ class AllParts : public MakerCommand {
     return outcome;
   }
 
-  void hear(const job::Texts& note) override {
+  void hear(const process::Texts& note) override {
     body_ = note.empty() ? std::nullopt : std::optional(std::atoi(note.front().c_str()));
   }
 

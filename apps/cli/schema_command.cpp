@@ -43,7 +43,7 @@ int run_schema(const job::Catalogue& catalogue, const std::string& name) {
   const std::string text = job::schema_text(name, catalogue);
   if (text.empty())
     return complain(
-        {ErrorCode::bad_option,
+        {code::bad_option,
          fmt::format("there is no schema \"{}\"; there are {}", name, fmt::join(names, ", ")),
          {}});
   fmt::print("{}", text);

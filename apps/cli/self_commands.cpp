@@ -43,7 +43,7 @@ std::string day_of_manual() {
 
 Error no_such(const std::string& what, const std::string& name,
               const std::vector<std::string>& names) {
-  return {ErrorCode::bad_option,
+  return {code::bad_option,
           fmt::format("there is no {} \"{}\"; there are {}", what, name, listed(names)),
           {}};
 }

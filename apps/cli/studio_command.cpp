@@ -77,7 +77,7 @@ int run_studio(const StudioArguments& arguments) {
   std::ranges::transform(words, raw.begin(), [](std::string& word) { return word.data(); });
   execv(program.c_str(), raw.data());
   const int reason = errno;
-  return complain({ErrorCode::internal,
+  return complain({code::internal,
                    fmt::format("the studio cannot be started, {} ({}): it belongs beside planish, "
                                "and is not built with PLANISH_STUDIO=OFF",
                                std::strerror(reason), program.string()),

@@ -55,16 +55,16 @@ Result<void> open_named(DocumentStore& store, const StudioOptions& options,
 
 Result<void> run_studio(const StudioOptions& options) {
   auto folder = TempFolder::make();
-  if (!folder) return tl::unexpected(folder.error());
+  if (!folder) return pass_on(folder);
   DocumentStore store(folder->path(), options.time_limit);
   if (auto opened = open_named(store, options, *folder); !opened) return opened;
   // From here on the signals are waited for; until now they could end the process at once.
   const sigset_t signals = held_signals();
   auto token = random_token();
-  if (!token) return tl::unexpected(token.error());
+  if (!token) return pass_on(token);
   HttpServer server;
   const auto port = server.bind(options.port);
-  if (!port) return tl::unexpected(port.error());
+  if (!port) return pass_on(port);
   const Access access(*port, *token);
   KeptFiles kept(kept_folder());
   Api api(access, store, kept);

@@ -2,8 +2,9 @@
 #include "state.hpp"
 #include "workers.hpp"
 
+#include <planish/batch/codes.hpp>
 #include <planish/job/options.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -46,7 +47,7 @@ std::string settings_of(const BatchOptions& options) {
     if (option.kind != job::OptionKind::file || value == given.end() || !value->is_string())
       continue;
     // What is no file is a word, such as a material of the shop.
-    if (const auto file = job::read_text(value->get<std::string>(), "file"))
+    if (const auto file = schema::read_text(value->get<std::string>(), "file"))
       settings += hash_of(*file) + '\n';
   }
   return settings;
@@ -80,13 +81,13 @@ bool falls_to(const Shard& shard, const Input& input) {
 }
 
 /// Whether another try may go better, and with which limits.
-std::string tried_with(const std::vector<PartDone>& parts, const job::Limits& limits) {
+std::string tried_with(const std::vector<PartDone>& parts, const process::Limits& limits) {
   const auto ended_by = [&](ErrorCode code) {
     return std::ranges::any_of(
         parts, [&](const PartDone& part) { return part.refusal == code_name(code); });
   };
-  if (ended_by(ErrorCode::worker_died)) return "lost";
-  if (ended_by(ErrorCode::time_limit) || ended_by(ErrorCode::out_of_memory))
+  if (ended_by(code::worker_died)) return "lost";
+  if (ended_by(code::time_limit) || ended_by(code::out_of_memory))
     return fmt::format("{} ms, {} bytes", limits.time.count(), limits.memory);
   return {};
 }
@@ -180,7 +181,7 @@ class Running {
                                  .options = options_.options,
                                  .formats = options_.formats,
                                  .share = task.share});
-    if (!parts && parts.error().code == ErrorCode::cancelled) return interruption();
+    if (!parts && parts.error().code == code::cancelled) return interruption();
     if (!parts) return parts.error();
     const auto all = gathered(task.input, std::move(*parts));
     return all ? enter(input, key, *all) : std::nullopt;
@@ -214,7 +215,7 @@ class Running {
   /// The end of the key of an input that these limits were too small for.
   std::string tried_with_these() const {
     PartDone late;
-    late.refusal = code_name(ErrorCode::time_limit);
+    late.refusal = code_name(code::time_limit);
     return tried_with({late}, options_.limits);
   }
 
@@ -287,9 +288,9 @@ Result<BatchResult> run_batch(const std::vector<Input>& inputs, const fs::path& 
   const Shard& shard = options.shard;
   auto state = State::open(
       shard.of == 1 ? out : out / fmt::format("shard-{}-of-{}", shard.number, shard.of));
-  if (!state) return tl::unexpected(state.error());
+  if (!state) return pass_on(state);
   RunRecord record = record_of(inputs, options);
-  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  if (auto written = state->record(record); !written) return pass_on(written);
   Running running(inputs, *state, options, catalogue, report, cancelled);
   if (auto error = running.run()) return tl::unexpected(std::move(*error));
   const std::vector<std::string> names = running.names();
@@ -297,7 +298,7 @@ Result<BatchResult> run_batch(const std::vector<Input>& inputs, const fs::path& 
   if (!result) return result;
   record.finished = true;
   record.names = names;
-  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  if (auto written = state->record(record); !written) return pass_on(written);
   result->resumed = running.progress().resumed;
   result->left = state->journal().names().size() - names.size();
   return result;

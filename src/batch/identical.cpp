@@ -24,7 +24,7 @@ Result<std::size_t> IdenticalParts::group_of(const std::string& shape, const Pla
   const std::string hash = hash_of(shape);
   if (const auto known = texts_.find(hash); known != texts_.end()) return known->second;
   const auto pattern = read_flat_json(shape);
-  if (!pattern) return fail(ErrorCode::cannot_read, pattern.error().message, place.input);
+  if (!pattern) return fail(code::cannot_read, pattern.error().message, place.input);
   const std::size_t group = pieces_.add(*pattern);
   if (group == firsts_.size()) firsts_.push_back(place);
   texts_.emplace(hash, group);
@@ -37,7 +37,7 @@ Result<std::optional<std::size_t>> IdenticalParts::number_of(
   std::vector<std::size_t> groups;
   for (std::size_t piece = 0; piece < shapes.size(); ++piece) {
     const auto group = group_of(shapes[piece], {input, part, piece});
-    if (!group) return tl::unexpected(group.error());
+    if (!group) return pass_on(group);
     groups.push_back(*group);
   }
   std::ranges::sort(groups);

@@ -1,5 +1,6 @@
+#include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -36,7 +37,7 @@ class Collecting {
     std::error_code none;
     if (fs::is_directory(path, none)) return add_folder(path);
     if (!fs::is_regular_file(path, none))
-      return Error{ErrorCode::cannot_read, fmt::format("{} is no file or folder", path.string()),
+      return Error{code::cannot_read, fmt::format("{} is no file or folder", path.string()),
                    path.string()};
     // In a list of many folders the names of files alone may be the same.
     const fs::path below = path.lexically_normal().lexically_relative(beside.lexically_normal());
@@ -53,13 +54,13 @@ class Collecting {
       const bool fresh = taken.insert(fs::absolute(input.file).lexically_normal()).second;
       if (!fresh) continue;
       if (!inputs.empty() && inputs.back().name == input.name)
-        return fail(ErrorCode::bad_option,
+        return fail(code::bad_option,
                     fmt::format("two inputs are called {}: {} and {}; give the folder above both",
                                 input.name, inputs.back().file.string(), input.file.string()));
       inputs.push_back(std::move(input));
     }
     if (inputs.empty())
-      return fail(ErrorCode::no_input,
+      return fail(code::no_input,
                   "there is nothing to work on: no file ends in .step or .stp or is a JSON file "
                   "that planish reads");
     return inputs;
@@ -70,9 +71,9 @@ class Collecting {
     std::error_code none;
     const fs::path whole = fs::weakly_canonical(list, none);
     if (std::ranges::find(lists_, whole) != lists_.end())
-      return Error{ErrorCode::cannot_read, fmt::format("the list {} names itself", list.string()),
+      return Error{code::cannot_read, fmt::format("the list {} names itself", list.string()),
                    list.string()};
-    const auto text = job::read_text(list, "list");
+    const auto text = schema::read_text(list, "list");
     if (!text) return text.error();
     lists_.push_back(whole);
     std::istringstream lines(*text);
@@ -99,7 +100,7 @@ class Collecting {
     const auto [end, rest] = std::ranges::mismatch(whole, out_);
     if (end == whole.end())
       return Error{
-          ErrorCode::bad_option,
+          code::bad_option,
           fmt::format("the results would go into {}, which is in the input folder {}: name "
                       "a folder outside with -o",
                       out_.string(), folder.string()),
@@ -116,7 +117,7 @@ class Collecting {
             {entry->path(), entry->path().lexically_relative(folder).generic_string()});
     }
     if (!failed) return std::nullopt;
-    return Error{ErrorCode::cannot_read,
+    return Error{code::cannot_read,
                  fmt::format("cannot read the folder {}: {}", folder.string(), failed.message()),
                  folder.string()};
   }

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 constexpr char kBehindHead = '\t';
 
 tl::unexpected<Error> broken(ErrorCode code, const std::filesystem::path& file) {
-  const bool reads = code == ErrorCode::cannot_read;
+  const bool reads = code == code::cannot_read;
   return fail(code,
               fmt::format("cannot {} {}: {}", reads ? "read" : "write", file.string(),
                           std::strerror(errno)),
@@ -52,7 +52,7 @@ Result<Journal> Journal::read(const std::filesystem::path& file) {
   Journal journal;
   journal.file_ = file;
   journal.stream_.open(file, std::ios::in | std::ios::binary);
-  if (!journal.stream_) return broken(ErrorCode::cannot_read, file);
+  if (!journal.stream_) return broken(code::cannot_read, file);
   journal.look_through();
   return journal;
 }
@@ -63,7 +63,7 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) std::ofstream(file, std::ios::binary);
   journal.stream_.open(file, std::ios::in | std::ios::out | std::ios::binary);
-  if (!journal.stream_) return broken(ErrorCode::cannot_write, file);
+  if (!journal.stream_) return broken(code::cannot_write, file);
   journal.look_through();
   if (const auto size = std::filesystem::file_size(file, none);
       !none && size > static_cast<std::uintmax_t>(journal.end_))
@@ -85,7 +85,7 @@ std::vector<std::string> Journal::names() const {
 }
 
 tl::unexpected<Error> Journal::unwritten() {
-  const auto error = broken(ErrorCode::cannot_write, file_);
+  const auto error = broken(code::cannot_write, file_);
   stream_.clear();
   return error;
 }
@@ -119,7 +119,7 @@ Result<void> Journal::add(const std::string& name, const std::string& key,
 Result<void> Journal::add_from(Journal& other, const std::string& name) {
   const Place& place = other.places_.at(name);
   const auto line = other.line_at(place);
-  if (!line) return tl::unexpected(line.error());
+  if (!line) return pass_on(line);
   return append(name, place.key, *line);
 }
 
@@ -128,7 +128,7 @@ Result<std::string> Journal::line_at(const Place& place) {
   stream_.seekg(place.at);
   stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (stream_) return line;
-  const auto error = broken(ErrorCode::cannot_read, file_);
+  const auto error = broken(code::cannot_read, file_);
   stream_.clear();
   return error;
 }
@@ -137,11 +137,11 @@ Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
   const auto place = places_.find(name);
   if (place == places_.end()) return std::vector<Part>{};
   const auto line = line_at(place->second);
-  if (!line) return tl::unexpected(line.error());
+  if (!line) return pass_on(line);
   const Json json = Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1),
                                 nullptr, false);
   if (!json.is_array())
-    return fail(ErrorCode::cannot_read,
+    return fail(code::cannot_read,
                 fmt::format("{} is damaged at {}: remove it, and run the batch again",
                             file_.string(), name),
                 file_.string());

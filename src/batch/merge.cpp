@@ -25,13 +25,13 @@ Result<std::vector<fs::path>> batches_in(const std::vector<fs::path>& folders) {
     for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
       if (is_shard(entry->path())) batches.push_back(entry->path());
     if (failed)
-      return fail(ErrorCode::cannot_read,
+      return fail(code::cannot_read,
                   fmt::format("cannot read the folder {}: {}", folder.string(), failed.message()),
                   folder.string());
     if (batches.size() > before) continue;
     if (!is_batch(folder))
       return fail(
-          ErrorCode::cannot_read,
+          code::cannot_read,
           fmt::format("{} holds no results of planish batch, nor shards of them", folder.string()),
           folder.string());
     batches.push_back(folder);
@@ -55,10 +55,9 @@ Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
   std::set<int> numbers;
   for (const fs::path& folder : folders) {
     auto record = read_record(folder);
-    if (!record) return tl::unexpected(record.error());
+    if (!record) return pass_on(record);
     const auto refused = [&](const std::string& why) {
-      return fail(ErrorCode::cannot_read, fmt::format("{} {}", folder.string(), why),
-                  folder.string());
+      return fail(code::cannot_read, fmt::format("{} {}", folder.string(), why), folder.string());
     };
     const std::string shard = shard_text(record->shard);
     if (!record->finished)
@@ -77,7 +76,7 @@ Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
   for (int i = 1; i <= count; ++i)
     if (!numbers.contains(i))
       return fail(
-          ErrorCode::cannot_read,
+          code::cannot_read,
           fmt::format("shard {0} is missing: run --shard {0}, then merge", shard_text({i, count})));
   return batches;
 }
@@ -85,7 +84,7 @@ Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
 /// Puts a part's files of one batch in place in another.
 Result<void> take_over(const Journal::Part& part, const fs::path& from, const fs::path& to) {
   const auto failed = [&](const fs::path& what, const std::error_code& why) {
-    return fail(ErrorCode::cannot_write,
+    return fail(code::cannot_write,
                 fmt::format("cannot write {}: {}", what.string(), why.message()), what.string());
   };
   std::error_code error;
@@ -156,19 +155,19 @@ Result<BatchResult> merge_batches(const std::vector<fs::path>& folders, const fs
                                   const std::function<void(const BatchProgress&)>& report,
                                   const std::function<bool()>& cancelled) {
   const auto found = batches_in(folders);
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   for (const fs::path& folder : *found)
     if (std::error_code none; fs::equivalent(folder, out, none))
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("{} is to be merged: name another folder with -o", out.string()),
                   "output");
   const auto batches = all_shards(*found);
-  if (!batches) return tl::unexpected(batches.error());
+  if (!batches) return pass_on(batches);
   auto state = State::open(out);
-  if (!state) return tl::unexpected(state.error());
+  if (!state) return pass_on(state);
   RunRecord record{
       .shard = {}, .inputs = batches->front().record.inputs, .work = batches->front().record.work};
-  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  if (auto written = state->record(record); !written) return pass_on(written);
   Merging merging(*state, *batches, report, cancelled);
   if (auto error = merging.run()) return tl::unexpected(std::move(*error));
   for (const Batch& batch : *batches)
@@ -177,7 +176,7 @@ Result<BatchResult> merge_batches(const std::vector<fs::path>& folders, const fs
   auto result = write_results(record.names, *state);
   if (!result) return result;
   record.finished = true;
-  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  if (auto written = state->record(record); !written) return pass_on(written);
   result->left = state->journal().names().size() - record.names.size();
   return result;
 }

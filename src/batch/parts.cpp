@@ -9,16 +9,16 @@ namespace planish::batch {
 Result<void> for_each_part(const std::filesystem::path& out,
                            const std::function<Result<void>(BatchPart)>& take) {
   const auto record = read_record(out);
-  if (!record) return tl::unexpected(record.error());
+  if (!record) return pass_on(record);
   if (!record->finished)
-    return fail(ErrorCode::cannot_read,
+    return fail(code::cannot_read,
                 fmt::format("the batch in {} is not finished: run it again to go on", out.string()),
                 out.string());
   auto journal = read_journal(out);
-  if (!journal) return tl::unexpected(journal.error());
+  if (!journal) return pass_on(journal);
   for (const std::string& name : record->names) {
     auto parts = journal->parts_of(name);
-    if (!parts) return tl::unexpected(parts.error());
+    if (!parts) return pass_on(parts);
     for (Journal::Part& part : *parts)
       if (auto taken = take({part.folder, std::move(part.report), std::move(part.shapes),
                              part_folder(out, part.folder)});

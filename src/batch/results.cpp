@@ -46,7 +46,7 @@ class Growing {
     std::error_code none;
     fs::remove(draft_, none);
     return fail(
-        ErrorCode::cannot_write,
+        code::cannot_write,
         fmt::format("cannot write {}: {}", target_.string(), failed ? failed.message() : why),
         target_.string());
   }
@@ -70,7 +70,7 @@ class Writing {
 
   Result<void> add(const std::string& name) {
     const auto parts = state_.journal().parts_of(name);
-    if (!parts) return tl::unexpected(parts.error());
+    if (!parts) return pass_on(parts);
     ++result_.inputs;
     for (std::size_t i = 0; i < parts->size(); ++i)
       if (auto added = add(name, i, (*parts)[i]); !added) return added;
@@ -80,18 +80,18 @@ class Writing {
   Result<BatchResult> finish() {
     result_.distinct = identical_.count();
     for (Growing* file : {&lines_, &table_})
-      if (auto done = file->finish(); !done) return tl::unexpected(done.error());
+      if (auto done = file->finish(); !done) return pass_on(done);
     if (auto done = write_file(state_.out() / "summary.json", summary()); !done)
-      return tl::unexpected(done.error());
+      return pass_on(done);
     if (auto done = write_file(state_.out() / "index.html", page_.text()); !done)
-      return tl::unexpected(done.error());
+      return pass_on(done);
     return result_;
   }
 
  private:
   Result<void> add(const std::string& name, std::size_t at, const Journal::Part& part) {
     const auto distinct = identical_.number_of(name, at, part.shapes);
-    if (!distinct) return tl::unexpected(distinct.error());
+    if (!distinct) return pass_on(distinct);
     lines_.add(part.report + "\n");
     Row row = row_of(part.folder, part.report);
     if (*distinct && **distinct == firsts_.size())
@@ -137,7 +137,7 @@ class Writing {
 Result<BatchResult> write_results(const std::vector<std::string>& names, State& state) {
   Writing writing(state);
   for (const std::string& name : names)
-    if (auto added = writing.add(name); !added) return tl::unexpected(added.error());
+    if (auto added = writing.add(name); !added) return pass_on(added);
   return writing.finish();
 }
 

@@ -1,7 +1,7 @@
 #include "state.hpp"
 
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -37,20 +37,20 @@ void remove_drafts(const fs::path& folder) {
 }  // namespace
 
 Result<State> State::open(const fs::path& out) {
-  if (auto made = make_folder(out / kState); !made) return tl::unexpected(made.error());
+  if (auto made = make_folder(out / kState); !made) return pass_on(made);
   State state;
   state.out_ = out;
   constexpr auto kForAll = 0666;
   state.lock_ = ::open((out / kState / kLock).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, kForAll);
   // File systems that know no locks are taken as they are.
   if (state.lock_ >= 0 && flock(state.lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    return fail(ErrorCode::cannot_write,
+    return fail(code::cannot_write,
                 fmt::format("another batch is writing to {}: wait until it is done, or name "
                             "another folder with -o",
                             out.string()),
                 out.string());
   auto journal = Journal::open(out / kState / kJournal);
-  if (!journal) return tl::unexpected(journal.error());
+  if (!journal) return pass_on(journal);
   state.journal_ = std::make_unique<Journal>(std::move(*journal));
   return state;
 }
@@ -106,8 +106,8 @@ bool is_batch(const fs::path& out) {
 
 Result<RunRecord> read_record(const fs::path& out) {
   const fs::path file = out / kState / kRecord;
-  const auto text = job::read_text(file, "record of a batch");
-  if (!text) return tl::unexpected(text.error());
+  const auto text = schema::read_text(file, "record of a batch");
+  if (!text) return pass_on(text);
   const Json json = Json::parse(*text, nullptr, false);
   try {
     return RunRecord{{json.at("shard").at(0), json.at("shard").at(1)},
@@ -116,7 +116,7 @@ Result<RunRecord> read_record(const fs::path& out) {
                      json.at("finished"),
                      json.at("names")};
   } catch (const Json::exception&) {
-    return fail(ErrorCode::cannot_read,
+    return fail(code::cannot_read,
                 fmt::format("{} is damaged: run that batch again", file.string()), file.string());
   }
 }
@@ -124,7 +124,7 @@ Result<RunRecord> read_record(const fs::path& out) {
 Result<Journal> read_journal(const fs::path& out) { return Journal::read(out / kState / kJournal); }
 
 Error interruption() {
-  return {ErrorCode::cancelled, "interrupted: run the same command again to go on", {}};
+  return {code::cancelled, "interrupted: run the same command again to go on", {}};
 }
 
 std::string hash_of(const std::string& text) {

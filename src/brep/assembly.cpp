@@ -6,6 +6,10 @@
 #include "face_volume.hpp"
 #include "features.hpp"
 #include "joint_line.hpp"
+#include "model_places.hpp"
+#include "refusals.hpp"
+
+#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -104,18 +108,20 @@ void align_turns(SheetBuilder& builder, const SheetMap& map, const Recognition& 
 
 /// A joint between different surfaces runs along a ruling; straightens a joint slightly bent by the
 /// file's rounding.
-Result<void> straighten(SheetBuilder& builder, const SolidEdge& edge, const BorderRef& a,
+Result<void> straighten(SheetBuilder& builder, const SolidModel& model, int e, const BorderRef& a,
                         const BorderRef& b) {
   constexpr double kCurved = 0.02;  // mm: twice what surfaces may be off
                                     // (RecognizeOptions::surface_tolerance)
   const double off = std::max(off_ruling(builder[a.face], builder[a].curve),
                               off_ruling(builder[b.face], builder[b].curve));
   if (off > kCurved) {
-    const int first = face_as_read(edge, 0) + 1, second = face_as_read(edge, 1) + 1;
-    return fail(ErrorCode::doubly_curved,
-                fmt::format("Faces {} and {} meet smoothly along a line that curves by {:.3g} mm; "
-                            "no flat blank can be bent into that shape.",
-                            first, second, off),
+    const int first = face_as_read(model.edges[e], 0) + 1,
+              second = face_as_read(model.edges[e], 1) + 1;
+    return fail(refuse::curved_joint,
+                {{"face", place::face(first)},
+                 {"face", place::face(second)},
+                 {"edge", edge_place(model, e)},
+                 {"off", off, unit::mm}},
                 fmt::format("faces {} and {}", first, second));
   }
   for (const BorderRef& ref : {a, b})
@@ -156,7 +162,7 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
                   : builder.add_bend(sharp_bend(*dihedral(of.model, joint.edge)));
       sharp_bends.emplace(key, *sharp);
     } else if (joint.a != joint.b) {
-      if (auto done = straighten(builder, of.model.edges[joint.edge], a, b); !done) return done;
+      if (auto done = straighten(builder, of.model, joint.edge, a, b); !done) return done;
     }
     builder.join(a, b, sharp, sharp ? mitre_volume(of, joint.edge) : 0.0);
   }
@@ -178,19 +184,19 @@ Result<Sheet> assemble_sheet(const Recognition& of) {
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);
   align_turns(builder, map, of);
-  if (auto done = add_joints(builder, map, of); !done) return tl::unexpected(done.error());
+  if (auto done = add_joints(builder, map, of); !done) return pass_on(done);
   for (const BendId bend : builder.sheet().bends.ids())
     if (!builder[bend].faces.empty()) builder[bend] = measured_bend(builder.sheet(), bend);
   add_features(builder, map, of);
   builder.set_volume(volume_of(of.model));
   builder.set_genus(of.model.genus);
   auto sheet = std::move(builder).build();
-  if (!sheet && sheet.error().code == ErrorCode::invalid_sheet)
-    return fail(ErrorCode::unsupported_shape,
-                "The borders of its faces do not fit together, as in damaged files; check the "
-                "solid in a CAD program and export it again. " +
-                    sheet.error().message,
-                sheet.error().where);
+  if (!sheet && sheet.error().code == code::invalid_sheet) {
+    Facts facts{{"rule", sheet.error().message}};
+    for (const Place& place : sheet.error().places)
+      if (place.kind == PlaceKind::face) facts.emplace_back("face", place);
+    return fail(refuse::unfit_borders, facts, sheet.error().where);
+  }
   return sheet;
 }
 

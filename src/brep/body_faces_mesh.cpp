@@ -2,6 +2,7 @@
 #include "guarded.hpp"
 #include "kernel_points.hpp"
 #include "mend.hpp"
+#include "refusals.hpp"
 #include "triangulate.hpp"
 
 #include <planish/brep/step.hpp>
@@ -11,7 +12,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
-#include <fmt/format.h>
 
 #include <utility>
 
@@ -59,20 +59,16 @@ Result<void> check_closed(const MeshOfFaces& surface) {
     area += 0.5 * twice.norm();
   }
   if (sum.norm() <= kOpen * area) return {};
-  return fail(
-      ErrorCode::internal,
-      fmt::format("The CAD kernel's triangles of the body leave {:.3g} mm² open.", sum.norm()));
+  return fail(refuse::triangles_open, {{"area", sum.norm(), unit::mm2}});
 }
 
 }  // namespace
 
 Result<MeshOfFaces> body_faces_mesh(const Body& body, double chord) {
-  if (!(chord > 0.0))
-    return fail(ErrorCode::bad_option,
-                fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  if (!(chord > 0.0)) return fail(refuse::chord_not_positive, {{"chord", chord, unit::mm}});
   return brep::guarded([&]() -> Result<MeshOfFaces> {
     MeshOfFaces surface = triangles_of(body.shape().solid, chord);
-    if (auto closed = check_closed(surface); !closed) return tl::unexpected(closed.error());
+    if (auto closed = check_closed(surface); !closed) return pass_on(closed);
     return surface;
   });
 }

@@ -1,6 +1,7 @@
 #include "brep_text.hpp"
 
 #include "coordinate_bound.hpp"
+#include "refusals.hpp"
 
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
@@ -10,7 +11,6 @@
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <ios>
@@ -80,12 +80,11 @@ std::optional<Error> too_far_away(const TopoDS_Shape& shape, const std::string& 
   for (int k = 1; k <= 3; ++k)
     farthest = std::max({farthest, std::abs(low.Coord(k)), std::abs(high.Coord(k))});
   if (farthest <= kFarthestPoint) return std::nullopt;
-  return Error{
-      ErrorCode::too_far_away,
-      fmt::format("{} reaches more than 1,000 km from the origin; a number in it is damaged "
-                  "or its unit is wrong.",
-                  name),
-      name};
+  return error_of(refuse::shape_too_far_away,
+                  {{"file", name},
+                   {"reach", farthest / kKilometre, unit::kilometres},
+                   {"limit", kFarthestPoint / kKilometre, unit::kilometres}},
+                  name);
 }
 
 }  // namespace
@@ -100,12 +99,9 @@ Result<ProductTree> read_kernel_shape(const std::string& bytes, const std::strin
   try {
     shape = read_shape(bytes);
   } catch (const std::ios::failure&) {
-    return fail(ErrorCode::truncated_file,
-                fmt::format("{} ends in the middle of its B-rep; it was cut short.", name), name);
+    return fail(refuse::shape_ends_early, {{"file", name}}, name);
   }
-  if (shape.IsNull())
-    return fail(ErrorCode::invalid_input,
-                fmt::format("{} is a damaged B-rep: the kernel finds no shape in it.", name), name);
+  if (shape.IsNull()) return fail(refuse::damaged_shape, {{"file", name}}, name);
   if (auto error = too_far_away(shape, name)) return tl::unexpected(std::move(*error));
   ProductTree tree;
   for (TopExp_Explorer at(shape, TopAbs_SOLID); at.More(); at.Next())

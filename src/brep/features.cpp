@@ -5,9 +5,9 @@
 #include "form_side.hpp"
 #include "form_volume.hpp"
 #include "genus.hpp"
+#include "model_places.hpp"
+#include "refusals.hpp"
 #include "slanted_cuts.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,11 +59,8 @@ void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& o
     }
 }
 
-Error recess_at_rim(const RimPart& part) {
-  const int face = part.faces.front() + 1;
-  return {ErrorCode::not_a_sheet,
-          fmt::format("The recess at face {} cuts into the outer contour on one skin only.", face),
-          fmt::format("face {}", face)};
+Error recess_at_rim(const SolidModel& model, const RimPart& part) {
+  return error_of(refuse::recess_at_rim, {{"face", face_place(model, part.faces.front())}});
 }
 
 /// A part's box in space, enlarged by the thickness.
@@ -263,7 +260,7 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       add_marked(builder, map, of, p, "formed", raised_side(of, part), part.refusal);
       builder.add_form_volume(form_volume(of, part));
     } else if (there.empty() || has_several_holes(of, part)) {
-      add_marked(builder, map, of, p, "pocket", FormSide::up, recess_at_rim(part));
+      add_marked(builder, map, of, p, "pocket", FormSide::up, recess_at_rim(of.model, part));
       builder.add_form_volume(form_volume(of, part));
     } else {
       add_far_chamfers(builder, map, of, part);

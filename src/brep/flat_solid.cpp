@@ -32,11 +32,11 @@ Sheet flat_sheet(const FlatPattern& pattern) {
 }  // namespace
 
 Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::string& name) {
-  if (auto sound = check(pattern); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check(pattern); !sound) return pass_on(sound);
   return brep::guarded(
       [&]() -> Result<std::string> {
         const auto solid = brep::thicken(flat_sheet(pattern));
-        if (!solid) return tl::unexpected(solid.error());
+        if (!solid) return pass_on(solid);
         return brep::step_text(*solid, name);
       },
       name);

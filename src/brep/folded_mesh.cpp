@@ -2,6 +2,7 @@
 #include "guarded.hpp"
 #include "kernel_points.hpp"
 #include "mend.hpp"
+#include "refusals.hpp"
 #include "thicken.hpp"
 #include "triangulate.hpp"
 
@@ -21,7 +22,6 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -177,8 +177,7 @@ std::size_t open_sides(const Mesh& mesh) {
 
 Result<void> check_chord(double chord) {
   if (chord > 0.0) return {};
-  return fail(ErrorCode::bad_option,
-              fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  return fail(refuse::chord_not_positive, {{"chord", chord, unit::mm}});
 }
 
 double area_of(const Mesh& mesh) {
@@ -212,14 +211,10 @@ MeshOfFaces surface_of(const Body& body, double chord) {
 /// Closed, and of the body's volume but for a layer as thick as the chord.
 Result<void> check_whole(const MeshOfFaces& surface, const Body& body, double chord) {
   if (const std::size_t open = open_sides(surface.mesh); open > 0)
-    return fail(ErrorCode::internal,
-                fmt::format("The CAD kernel's mesh of the body has {} open sides.", open));
+    return fail(refuse::mesh_open, {{"what", "body"}, {"count", open}});
   const double found = volume_of(surface.mesh), volume = body.volume();
   if (std::abs(found - volume) <= chord * area_of(surface.mesh)) return {};
-  return fail(ErrorCode::internal,
-              fmt::format("The CAD kernel's mesh of the body has a volume of {:.6g} mm³, the body "
-                          "{:.6g} mm³.",
-                          found, volume));
+  return fail(refuse::mesh_volume, {{"found", found, unit::mm3}, {"volume", volume, unit::mm3}});
 }
 
 }  // namespace
@@ -228,32 +223,28 @@ Result<MeshOfFaces> body_mesh(const Body& body, double chord) {
   auto surface = body_mesh_in_part(body, chord);
   if (!surface) return surface;
   return brep::guarded([&]() -> Result<MeshOfFaces> {
-    if (auto whole = check_whole(*surface, body, chord); !whole)
-      return tl::unexpected(whole.error());
+    if (auto whole = check_whole(*surface, body, chord); !whole) return pass_on(whole);
     return std::move(*surface);
   });
 }
 
 Result<MeshOfFaces> body_mesh_in_part(const Body& body, double chord) {
-  if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_chord(chord); !sound) return pass_on(sound);
   return brep::guarded([&]() -> Result<MeshOfFaces> {
     MeshOfFaces surface = surface_of(body, chord);
-    if (surface.face.empty())
-      return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
+    if (surface.face.empty()) return fail(refuse::mesh_empty);
     return surface;
   });
 }
 
 Result<Mesh> folded_mesh(const Sheet& sheet, double chord) {
-  if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_chord(chord); !sound) return pass_on(sound);
   return brep::guarded([&]() -> Result<Mesh> {
     const auto solid = brep::thicken(sheet);
-    if (!solid) return tl::unexpected(solid.error());
+    if (!solid) return pass_on(solid);
     Mesh mesh = triangulated(*solid, chord).mesh;
     if (const std::size_t open = open_sides(mesh); open > 0 || mesh.triangles.empty())
-      return fail(
-          ErrorCode::internal,
-          fmt::format("The CAD kernel's mesh of the folded solid has {} open sides.", open));
+      return fail(refuse::mesh_open, {{"what", "folded solid"}, {"count", open}});
     return mesh;
   });
 }

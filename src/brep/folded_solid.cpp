@@ -23,7 +23,7 @@ Result<Body> folded_body(const Sheet& sheet, const std::string& name) {
   return brep::guarded(
       [&]() -> Result<Body> {
         auto solid = brep::thicken(sheet);
-        if (!solid) return tl::unexpected(solid.error());
+        if (!solid) return pass_on(solid);
         const int faces = face_count(*solid);
         return Body(
             std::make_shared<const Body::Shape>(Body::Shape{std::move(*solid), name, 1, faces}));
@@ -38,7 +38,7 @@ Result<std::string> step_text(const Body& body) {
 
 Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name) {
   const auto body = folded_body(sheet, name);
-  return body ? step_text(*body) : tl::unexpected(body.error());
+  return body ? step_text(*body) : pass_on(body);
 }
 
 }  // namespace planish

@@ -10,7 +10,7 @@ Result<std::string> folded_surface_step(const Sheet& sheet, const std::string& n
   return brep::guarded(
       [&]() -> Result<std::string> {
         const auto shell = brep::reference_shell(sheet);
-        if (!shell) return tl::unexpected(shell.error());
+        if (!shell) return pass_on(shell);
         return brep::step_text(*shell, name);
       },
       name);

@@ -1,5 +1,7 @@
 #include "guarded.hpp"
 
+#include "refusals.hpp"
+
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
@@ -15,14 +17,11 @@ void silence_kernel() {
 }
 
 Error foreign_error(const std::string& kind, const char* message, std::string where) {
-  std::string text = "The CAD kernel failed (" + kind;
-  if (message != nullptr && *message != '\0') text += ": " + std::string(message);
-  return {ErrorCode::kernel_failed, text + ").", std::move(where)};
+  std::string what = kind;
+  if (message != nullptr && *message != '\0') what += ": " + std::string(message);
+  return error_of(refuse::kernel_failed, {{"what", what}}, std::move(where));
 }
 
-Error no_memory(std::string where) {
-  return {ErrorCode::out_of_memory, "The CAD kernel needs more memory than there is.",
-          std::move(where)};
-}
+Error no_memory(std::string where) { return error_of(refuse::kernel_memory, {}, std::move(where)); }
 
 }  // namespace planish::brep

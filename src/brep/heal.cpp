@@ -57,24 +57,24 @@ std::set<int> edges_between(const SolidModel& model, const std::set<int>& faces)
 }
 
 /// Where an edge is used: faces[face].loops[loop][index].
-struct Place {
+struct UsePlace {
   int face = 0;
   int loop = 0;
   int index = 0;
 };
 
-const CoEdge& use_at(const SolidModel& model, const Place& place) {
+const CoEdge& use_at(const SolidModel& model, const UsePlace& place) {
   return model.faces[place.face].loops[place.loop][place.index];
 }
 
-Place place_after(const SolidModel& model, const Place& place) {
+UsePlace place_after(const SolidModel& model, const UsePlace& place) {
   const auto& loop = model.faces[place.face].loops[place.loop];
   const int next = place.index + 1;
   return {place.face, place.loop, next < std::ssize(loop) ? next : 0};
 }
 
-std::vector<Place> places_in(const SolidModel& model, const std::vector<int>& faces) {
-  std::vector<Place> places;
+std::vector<UsePlace> places_in(const SolidModel& model, const std::vector<int>& faces) {
+  std::vector<UsePlace> places;
   for (const int f : faces)
     for (int l = 0; l < std::ssize(model.faces[f].loops); ++l)
       for (int i = 0; i < std::ssize(model.faces[f].loops[l]); ++i)
@@ -87,20 +87,20 @@ std::vector<std::vector<CoEdge>> common_outline(const SolidModel& model,
                                                 const std::vector<int>& faces,
                                                 const std::set<int>& between) {
   using Key = std::pair<int, bool>;  // edge and sense of its use
-  const auto key = [&](const Place& place) {
+  const auto key = [&](const UsePlace& place) {
     const CoEdge& use = use_at(model, place);
     return Key{use.edge, use.forward};
   };
-  const std::vector<Place> places = places_in(model, faces);
-  std::map<Key, Place> place_of;
-  for (const Place& place : places)
+  const std::vector<UsePlace> places = places_in(model, faces);
+  std::map<Key, UsePlace> place_of;
+  for (const UsePlace& place : places)
     place_of[key(place)] = place;
   std::set<Key> seen;
   std::vector<std::vector<CoEdge>> loops;
-  for (const Place& start : places) {
+  for (const UsePlace& start : places) {
     if (between.count(key(start).first) || seen.count(key(start))) continue;
     std::vector<CoEdge>& loop = loops.emplace_back();
-    Place at = start;
+    UsePlace at = start;
     do {
       loop.push_back(use_at(model, at));
       seen.insert(key(at));

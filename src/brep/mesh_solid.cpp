@@ -1,5 +1,6 @@
 #include "guarded.hpp"
 #include "kernel_points.hpp"
+#include "refusals.hpp"
 #include "solid_builder.hpp"
 #include "step_out.hpp"
 
@@ -59,18 +60,18 @@ Result<void> check_triangles(const Mesh& mesh) {
   const int count = static_cast<int>(mesh.points.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
+    const Place row = place::pointer(fmt::format("/triangles/{}", i));
     if (std::ranges::any_of(t, [&](int corner) { return corner < 0 || corner >= count; }))
-      return fail(ErrorCode::invalid_input, "A triangle has a corner that does not exist.",
-                  fmt::format("triangle {}", i));
+      return fail(refuse::corner_missing, {{"row", row}}, fmt::format("triangle {}", i));
     if (!(twice_area(mesh, t).norm() > 0.0))
-      return fail(ErrorCode::invalid_input, "A triangle has no area.",
+      return fail(refuse::no_area, {{"row", row}, {"at", place::point(mesh.points[t[0]])}},
                   fmt::format("triangle {}", i));
   }
   return {};
 }
 
 Result<void> check_closed(const Mesh& mesh) {
-  if (mesh.triangles.empty()) return fail(ErrorCode::invalid_input, "The mesh is empty.");
+  if (mesh.triangles.empty()) return fail(refuse::empty_mesh);
   std::map<VertexPair, int> runs;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
@@ -78,17 +79,15 @@ Result<void> check_closed(const Mesh& mesh) {
   for (const auto& [edge, times] : runs) {
     const auto back = runs.find({edge.second, edge.first});
     if (times != 1 || back == runs.end() || back->second != 1)
-      return fail(
-          ErrorCode::invalid_input,
-          fmt::format("The mesh is not closed between points {} and {}.", edge.first, edge.second));
+      return fail(refuse::open_mesh, {{"from", place::point(mesh.points[edge.first])},
+                                      {"to", place::point(mesh.points[edge.second])}});
   }
   return {};
 }
 
 Result<void> check_volume(const Mesh& part) {
   if (const double volume = volume_of(part); !(volume > 0.0))
-    return fail(ErrorCode::invalid_input,
-                fmt::format("The mesh encloses {:.6g} mm³: a part of it is inside out.", volume));
+    return fail(refuse::mesh_inside_out, {{"volume", volume, unit::mm3}});
   return {};
 }
 
@@ -135,8 +134,7 @@ Result<TopoDS_Shape> solid_of(const TopoDS_Shell& shell) {
   BRep_Builder builder;
   builder.MakeSolid(solid);
   builder.Add(solid, shell);
-  if (!BRepCheck_Analyzer(solid).IsValid())
-    return fail(ErrorCode::internal, "The CAD kernel finds the solid of the mesh invalid.");
+  if (!BRepCheck_Analyzer(solid).IsValid()) return fail(refuse::mesh_solid_invalid);
   return with_whole_faces(solid);
 }
 
@@ -156,15 +154,15 @@ Result<TopoDS_Shape> solids_of(const std::vector<Mesh>& parts) {
 }  // namespace
 
 Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name) {
-  if (auto sound = check_triangles(mesh); !sound) return tl::unexpected(sound.error());
-  if (auto sound = check_closed(mesh); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_triangles(mesh); !sound) return pass_on(sound);
+  if (auto sound = check_closed(mesh); !sound) return pass_on(sound);
   const std::vector<Mesh> parts = parts_of(mesh);
   for (const Mesh& part : parts)
-    if (auto sound = check_volume(part); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_volume(part); !sound) return pass_on(sound);
   return brep::guarded(
       [&]() -> Result<std::string> {
         const auto solids = solids_of(parts);
-        if (!solids) return tl::unexpected(solids.error());
+        if (!solids) return pass_on(solids);
         return brep::step_text(*solids, name);
       },
       name);

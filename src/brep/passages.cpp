@@ -114,11 +114,12 @@ class Halves {
   std::map<int, Half> half_;
 };
 
-using Place = std::pair<int, bool>;  // an edge and the sense of its use
+using EdgeUsePlace = std::pair<int, bool>;  // an edge and the sense of its use
 
 /// The uses of the cut's edges by faces on this side of it.
-std::map<Place, int> cut_uses(const Recognition& of, const RimPart& part, const Halves& halves) {
-  std::map<Place, int> uses;  // with the face
+std::map<EdgeUsePlace, int> cut_uses(const Recognition& of, const RimPart& part,
+                                     const Halves& halves) {
+  std::map<EdgeUsePlace, int> uses;  // with the face
   for (const int f : part.faces)
     for (const auto& loop : of.model.faces[f].loops)
       for (const CoEdge& use : loop) {
@@ -126,31 +127,31 @@ std::map<Place, int> cut_uses(const Recognition& of, const RimPart& part, const 
         if (other == f || halves.of(other) == Half::none || halves.of(other) == halves.of(f))
           continue;
         if (halves.of(f) == Half::here)
-          uses.emplace(Place{use.edge, use.forward}, f);
+          uses.emplace(EdgeUsePlace{use.edge, use.forward}, f);
         else
-          uses.emplace(Place{use.edge, !use.forward}, other);
+          uses.emplace(EdgeUsePlace{use.edge, !use.forward}, other);
       }
   return uses;
 }
 
 /// The use that follows in the face's loop.
-std::optional<CoEdge> use_after(const SolidModel& model, int face, const Place& place) {
+std::optional<CoEdge> use_after(const SolidModel& model, int face, const EdgeUsePlace& place) {
   for (const auto& loop : model.faces[face].loops)
     for (size_t i = 0; i < loop.size(); ++i)
-      if (Place{loop[i].edge, loop[i].forward} == place) return loop[(i + 1) % loop.size()];
+      if (EdgeUsePlace{loop[i].edge, loop[i].forward} == place) return loop[(i + 1) % loop.size()];
   return {};
 }
 
 /// The cut's edges chained along the faces on this side; empty where they do not close.
 std::vector<std::vector<CoEdge>> chained_cut(const Recognition& of, const RimPart& part,
                                              const Halves& halves) {
-  const std::map<Place, int> uses = cut_uses(of, part, halves);
+  const std::map<EdgeUsePlace, int> uses = cut_uses(of, part, halves);
   std::vector<std::vector<CoEdge>> chains;
-  std::set<Place> seen;
+  std::set<EdgeUsePlace> seen;
   for (const auto& start : uses) {
     if (seen.count(start.first)) continue;
     std::vector<CoEdge>& chain = chains.emplace_back();
-    Place place = start.first;
+    EdgeUsePlace place = start.first;
     int face = start.second;
     while (seen.insert(place).second) {
       chain.push_back({place.first, place.second});

@@ -2,6 +2,7 @@
 
 #include "coordinate_bound.hpp"
 #include "mend_where_needed.hpp"
+#include "refusals.hpp"
 #include "step_text.hpp"
 
 #include <IFSelect_WorkLibrary.hxx>
@@ -29,7 +30,6 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
@@ -324,25 +324,17 @@ class Walk {
 
 Result<ProductTree> read_products(std::istream& text, const fs::path& path, const std::string& name,
                                   const Progress& progress) {
-  const auto stopped = [&] {
-    return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
-  };
+  const auto stopped = [&] { return fail(refuse::reading_stopped, {{"file", name}}, name); };
   progress.at("reading", 0.0);
   const auto content = std::make_shared<Content>();
-  if (!content->parse(text, path))
-    return fail(ErrorCode::invalid_input,
-                fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
-                name);
+  if (!content->parse(text, path)) return fail(refuse::broken_syntax, {{"file", name}}, name);
   if (auto error = content->point_too_far_away(name)) return tl::unexpected(std::move(*error));
   if (progress.should_stop()) return stopped();
   progress.at("translating", kParsed);
   const Handle(Translating) translating = new Translating(progress);
   const bool whole = content->translate(translating->Start());
   if (progress.should_stop()) return stopped();
-  if (!whole)
-    return fail(ErrorCode::no_solid,
-                fmt::format("{} holds no shape that can be read; export a solid body.", name),
-                name);
+  if (!whole) return fail(refuse::no_shape, {{"file", name}}, name);
   ProductTree tree;
   tree.unit = content->unit();
   tree.content = content;

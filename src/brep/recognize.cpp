@@ -3,17 +3,17 @@
 #include "closed_forms.hpp"
 #include "guarded.hpp"
 #include "reference_skin.hpp"
+#include "refusals.hpp"
 #include "solid_reader.hpp"
 #include "thickness.hpp"
 
 #include <planish/brep/step.hpp>
 #include <planish/sheet/rip.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 // A sheet in a solid. Likely thicknesses are tried in turn (thickness.cpp): skins grown, forms left
 // out, faces grouped, the rest told apart as rim, and a sheet assembled. A reading counts only if
@@ -72,7 +72,7 @@ std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outl
 Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
                        const std::vector<Outline>& outlines, double tolerance) {
   auto found = find_skins(model, outlines, reading.thickness, tolerance, reading.start);
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   const Skins skins = without_closed_forms(model, outlines, std::move(*found));
   const Rim rim = find_rim(model, outlines, skins);
   const Skin skin = reference_skin(model, outlines, skins);
@@ -139,10 +139,8 @@ Result<void> is_wide_enough(const FlatPattern& pattern) {
   if (width >= kWide * pattern.thickness) return {};
   if (width >= kWeb * pattern.thickness && is_plate_outline(pattern.outer.loop, pattern.thickness))
     return {};
-  return fail(ErrorCode::not_a_sheet,
-              fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a "
-                          "bar, wire or profile, not a sheet.",
-                          pattern.thickness, width));
+  return fail(refuse::too_narrow,
+              {{"thickness", pattern.thickness, unit::mm}, {"width", width, unit::mm}});
 }
 
 /// The layout that recognition looks at.
@@ -155,17 +153,15 @@ FlattenOptions usual_layout() {
 /// thick, and it has the solid's volume within what its features allow.
 Result<void> accounts_for_solid(const Sheet& sheet) {
   const auto pattern = flatten(sheet, usual_layout());
-  if (!pattern) return tl::unexpected(pattern.error());
+  if (!pattern) return pass_on(pattern);
   if (auto wide = is_wide_enough(*pattern); !wide) return wide;
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
   const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
                                formed_at_most(sheet) * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
-    return fail(ErrorCode::not_a_sheet, fmt::format("A sheet of {:.4g} mm accounts for {:.1f} % of "
-                                                    "the body's volume; the body is not made of "
-                                                    "one sheet.",
-                                                    sheet.thickness, 100 * flat / *sheet.volume));
+    return fail(refuse::volume_unexplained, {{"thickness", sheet.thickness, unit::mm},
+                                             {"share", 100 * flat / *sheet.volume, unit::percent}});
   return {};
 }
 
@@ -187,24 +183,22 @@ Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& o
   for (const Reading& reading : readings_of(model, outlines, tolerance)) {
     auto sheet = sheet_of(reading, model, outlines, tolerance);
     if (sheet) sheet = ripped(std::move(*sheet), options.rip_edges);
-    const auto accounted = sheet ? accounts_for_solid(*sheet) : tl::unexpected(sheet.error());
+    const auto accounted = sheet ? accounts_for_solid(*sheet) : pass_on(sheet);
     if (accounted) return sheet;
     if (first) continue;
     first = accounted.error();
-    if (sheet && first->code == ErrorCode::closed_loop) closed = std::move(*sheet);
+    if (sheet && first->code == code::closed_loop) closed = std::move(*sheet);
   }
   if (closed)
     return tl::unexpected(loop_refusal(*closed, *first, usual_layout(), check_of_ripped(options)));
   if (first) return tl::unexpected(*first);
-  return fail(ErrorCode::not_a_sheet,
-              "No two faces lie opposite each other with material between them; this is not a "
-              "sheet.");
+  return fail(refuse::no_opposite_faces);
 }
 
 Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
                                    const RecognizeOptions& options) {
   auto sheet = likeliest_sheet(*model, options);
-  if (!sheet) return tl::unexpected(sheet.error());
+  if (!sheet) return pass_on(sheet);
   Recognized result;
   result.sheet = std::move(*sheet);
   result.distance = [model](int edge, const Vec3& point) {
@@ -216,11 +210,12 @@ Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
 }  // namespace
 
 Result<Recognized> recognize(const Body& body, const RecognizeOptions& options) {
-  for (const auto& [name, value] : {std::pair{"surface", options.surface_tolerance},
-                                    std::pair{"thickness", options.thickness_tolerance}})
+  for (const auto& [name, value, measure] :
+       {std::tuple{"surface", options.surface_tolerance, unit::mm},
+        std::tuple{"thickness", options.thickness_tolerance, unit::none}})
     if (!(value > 0.0 && value <= kFarthest))
-      return fail(ErrorCode::bad_option,
-                  fmt::format("The {} tolerance is {}; it must be above 0.", name, value));
+      return fail(refuse::tolerance_of_recognition,
+                  {{"what", name}, {"tolerance", value, measure}});
   return guarded(
       [&] {
         auto model = std::make_shared<const SolidModel>(

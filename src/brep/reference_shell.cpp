@@ -1,17 +1,19 @@
 #include "reference_shell.hpp"
 
 #include "border_curve.hpp"
+#include "refusals.hpp"
 #include "sheet_corners.hpp"
 #include "solid_builder.hpp"
+#include "valid_input.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/places.hpp>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <Precision.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,15 +28,14 @@ namespace planish::brep {
 namespace {
 
 Result<void> check_input(const Sheet& sheet) {
-  if (const auto right = check(sheet); !right)
-    return fail(ErrorCode::invalid_input, right.error().message, right.error().where);
+  if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
-      return fail(
-          ErrorCode::unsupported_shape,
-          fmt::format(
-              "A bend's reference surface has a radius of {:.3g} mm; it must be above zero.", r),
-          fmt::format("face {}", index_of(id)));
+      return fail(refuse::no_reference_radius,
+                  {{"bend", place_of(sheet, std::get<BendId>(sheet[id].part_of))},
+                   {"face", place::pointer(pointer_to(id))},
+                   {"radius", r, unit::mm}},
+                  "face " + std::to_string(index_of(id)));
   return {};
 }
 
@@ -158,12 +159,11 @@ class ShellMaker {
 }  // namespace
 
 Result<TopoDS_Shape> reference_shell(const Sheet& given, const ReferenceShellOptions& options) {
-  if (auto sound = check_input(given); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_input(given); !sound) return pass_on(sound);
   const Sheet sheet = without_gaping_joints(given, options.joint_tolerance);
   const std::vector<TopoDS_Shell> shells = ShellMaker(sheet, options).shells();
   for (const TopoDS_Shell& shell : shells)
-    if (!BRepCheck_Analyzer(shell).IsValid())
-      return fail(ErrorCode::internal, "The CAD kernel finds the folded surface invalid.");
+    if (!BRepCheck_Analyzer(shell).IsValid()) return fail(refuse::surface_invalid);
   if (shells.size() == 1) return TopoDS_Shape(shells.front());
   TopoDS_Compound all;
   BRep_Builder builder;

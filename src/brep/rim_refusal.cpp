@@ -1,8 +1,8 @@
 #include "rim_refusal.hpp"
 
 #include "dihedral.hpp"
-
-#include <fmt/format.h>
+#include "model_places.hpp"
+#include "refusals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,6 @@ int outermost(const std::vector<int>& faces, const std::vector<std::vector<int>>
   return *std::ranges::max_element(faces, {}, share);
 }
 
-std::string face_name(int face) { return fmt::format("face {}", face + 1); }
-
 }  // namespace
 
 Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& edges,
@@ -49,25 +47,19 @@ Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& 
   const std::vector<Contact> contacts = contacts_of(model, edges, skins, part);
   for (const Contact& at : contacts)
     if (const auto* curved = std::get_if<DoublyCurved>(&model.faces[at.face].surface))
-      return {ErrorCode::doubly_curved,
-              fmt::format("Face {} ({}) is curved in two directions: it was drawn or formed, not "
-                          "bent, and has no flat pattern.",
-                          at.face + 1, curved->kind),
-              face_name(at.face)};
+      return error_of(refuse::drawn_face,
+                      {{"face", face_place(model, at.face)}, {"kind", curved->kind}});
   constexpr double kContinues = 0.1;  // radians between the outward normals
   for (const Contact& at : contacts)
     if (const auto angle = dihedral(model, at.edge); angle && std::abs(*angle) < kContinues)
-      return {ErrorCode::thickness_not_constant,
-              fmt::format("The material below face {}, which continues face {}, is not {:.4g} mm "
-                          "thick.",
-                          at.face + 1, at.skin + 1, skins.thickness),
-              face_name(at.face)};
+      return error_of(refuse::other_thickness,
+                      {{"face", face_place(model, at.face)},
+                       {"skin", face_place(model, at.skin)},
+                       {"thickness", skins.thickness, unit::mm}},
+                      text_of(place::face(at.face + 1)));
   const int face = outermost(part.faces, edges, outside);
-  return {ErrorCode::not_a_sheet,
-          fmt::format("At face {} the body extends beyond the sheet of {:.4g} mm; it is not made "
-                      "of one sheet.",
-                      face + 1, skins.thickness),
-          face_name(face)};
+  return error_of(refuse::beyond_sheet,
+                  {{"face", face_place(model, face)}, {"thickness", skins.thickness, unit::mm}});
 }
 
 }  // namespace planish::brep

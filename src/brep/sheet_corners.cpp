@@ -1,12 +1,12 @@
 #include "sheet_corners.hpp"
 
 #include "border_curve.hpp"
+#include "refusals.hpp"
 #include "side_wall.hpp"
 
 #include <planish/base/union_find.hpp>
 
 #include <Eigen/QR>
-#include <fmt/format.h>
 
 #include <numbers>
 
@@ -89,9 +89,7 @@ Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetC
     const Vec3 step = mitre(normals[c], sheet.thickness);
     const Vec3 on_reference = middle[c] / count[c];
     if (!(step.norm() < 10 * sheet.thickness))
-      return fail(ErrorCode::unsupported_shape,
-                  "A sharp bend turns by more than 168°, so its mitre would be longer than ten "
-                  "times the thickness; give it an inside radius.");
+      return fail(refuse::mitre_too_long, {{"at", place::point(on_reference)}});
     points[c].reference = on_reference + depths.first / sheet.thickness * step;
     points[c].other = on_reference + depths.second / sheet.thickness * step;
   }

@@ -1,6 +1,8 @@
 #include "skins.hpp"
 
 #include "dihedral.hpp"
+#include "model_places.hpp"
+#include "refusals.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -110,20 +112,22 @@ int first_component(const Components& components, SkinStart start) {
 }
 
 /// The component at which the first skin starts and the one opposite it.
-Result<std::pair<int, int>> two_skins(const Components& components, const FacePairs& pairs,
+Result<std::pair<int, int>> two_skins(const SolidModel& model, const std::vector<Outline>& outlines,
+                                      const Components& components, const FacePairs& pairs,
                                       SkinStart start) {
+  const auto place_of = [&](int component) {
+    int largest = -1;
+    for (int f = 0; f < std::ssize(components.of_face); ++f)
+      if (components.of_face[f] == component &&
+          (largest < 0 || outlines[f].area > outlines[largest].area))
+        largest = f;
+    return face_place(model, largest);
+  };
   const int first = first_component(components, start);
-  if (first < 0)
-    return fail(ErrorCode::not_a_sheet,
-                "No two faces lie opposite each other at one thickness; this is not a sheet.");
+  if (first < 0) return fail(refuse::no_common_thickness);
   const auto [second, shared] = most_opposite(components, pairs, first);
-  if (shared <= 0.0)
-    return fail(ErrorCode::not_a_sheet,
-                "No face lies opposite the largest one at the thickness of the others; this is not "
-                "a sheet.");
-  if (second == first)
-    return fail(ErrorCode::unsupported_shape,
-                "The two skins of the sheet run into each other without a cut edge between them.");
+  if (shared <= 0.0) return fail(refuse::nothing_opposite, {{"face", place_of(first)}});
+  if (second == first) return fail(refuse::skins_run_together, {{"face", place_of(first)}});
   return std::pair{first, second};
 }
 
@@ -179,8 +183,8 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
   skins.sharp = find_sharp_edges(model, pairs.partners, candidates, rounded, thickness);
   const Components components = components_of(
       model, skin_neighbours(model, candidates, skins.sharp), candidates, outlines);
-  const auto both = two_skins(components, pairs, start);
-  if (!both) return tl::unexpected(both.error());
+  const auto both = two_skins(model, outlines, components, pairs, start);
+  if (!both) return pass_on(both);
   const auto [first, second] = *both;
   skins.partners = pairs.partners;
   for (const int component : components.of_face)

@@ -3,6 +3,7 @@
 #include "exchange_lock.hpp"
 #include "guarded.hpp"
 #include "kernel_points.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 
@@ -116,8 +117,7 @@ Result<SolidCheck> check_step_solid(const std::string& text) {
     const auto lock = exchange_lock();
     STEPControl_Reader reader;
     std::istringstream stream(text);
-    if (reader.ReadStream("check", stream) != IFSelect_RetDone)
-      return fail(ErrorCode::not_step, "The text is not a STEP file.");
+    if (reader.ReadStream("check", stream) != IFSelect_RetDone) return fail(refuse::text_not_step);
     reader.TransferRoots();
     SolidCheck check = checked(reader.OneShape());
     check.product = product_name(reader.StepModel());

@@ -1,5 +1,7 @@
 #include "step_header.hpp"
 
+#include "refusals.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,32 +64,16 @@ std::string application_protocol(const std::string& schema) {
 
 Result<StepHeader> read_step_header(std::string_view text, const std::string& name) {
   const std::string_view body = trimmed_left(text);
-  if (body.empty())
-    return fail(ErrorCode::empty_file, fmt::format("{} is empty; export the part again.", name),
-                name);
-  if (!body.starts_with("ISO-10303-21"))
-    return fail(
-        ErrorCode::not_step,
-        fmt::format(
-            "{} is not a STEP file (it does not start with ISO-10303-21); export the part as "
-            "STEP AP203, AP214 or AP242.",
-            name),
-        name);
+  if (body.empty()) return fail(refuse::empty_file, {{"file", name}}, name);
+  if (!body.starts_with("ISO-10303-21")) return fail(refuse::not_step, {{"file", name}}, name);
   constexpr size_t kTail = 4096;  // comments may follow the end mark
   const std::string_view tail = body.substr(body.size() - std::min(kTail, body.size()));
   if (tail.find("END-ISO-10303-21") == std::string_view::npos)
-    return fail(
-        ErrorCode::truncated_file,
-        fmt::format(
-            "{} ends in the middle (END-ISO-10303-21 is missing after {} bytes); copy or export it "
-            "again.",
-            name, text.size()),
-        name);
+    return fail(refuse::file_ends_early, {{"file", name}, {"count", text.size()}}, name);
   const std::string_view header = body.substr(0, body.find("ENDSEC"));
   // The kernel fails on a file without any instance (#1 = …).
   if (body.find('#', header.size()) == std::string_view::npos)
-    return fail(ErrorCode::no_solid,
-                fmt::format("{} holds nothing at all; export the part as a solid.", name), name);
+    return fail(refuse::holds_nothing, {{"file", name}}, name);
   StepHeader result;
   if (const auto schema = strings_of(header, "FILE_SCHEMA"); !schema.empty())
     result.schema = application_protocol(schema.front());

@@ -5,6 +5,7 @@
 #include "guarded.hpp"
 #include "identical.hpp"
 #include "product_tree.hpp"
+#include "refusals.hpp"
 #include "step_header.hpp"
 
 #include <TopExp.hxx>
@@ -105,14 +106,13 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
       [&]() -> Result<StepFile> {
         const auto lock = brep::exchange_lock();
         const auto tree = tree_in(text, path, name, progress);
-        if (!tree) return tl::unexpected(tree.error());
+        if (!tree) return pass_on(tree);
         StepFile file;
         file.bodies = BodyCollector(tree->solids).take(progress);
         file.surface_bodies = tree->surface_bodies;
         file.unit = tree->unit;
         file.content = tree->content;
-        if (progress.should_stop())
-          return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
+        if (progress.should_stop()) return fail(refuse::reading_stopped, {{"file", name}}, name);
         return file;
       },
       name);
@@ -121,21 +121,15 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
 Result<StepFile> check_bodies(StepFile file, const std::string& name) {
   if (!file.bodies.empty()) return file;
   if (file.surface_bodies > 0)
-    return fail(
-        ErrorCode::shell_not_solid,
-        fmt::format(
-            "{} holds {} surface {} but no solid; knit the surfaces into a solid and export again.",
-            name, file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"),
-        name);
-  return fail(ErrorCode::no_solid,
-              fmt::format("{} holds no solid body; export the part as a solid.", name), name);
+    return fail(refuse::surfaces_only, {{"file", name}, {"count", file.surface_bodies}}, name);
+  return fail(refuse::no_solid, {{"file", name}}, name);
 }
 
 Result<StepFile> read_checked(const std::string& text, const std::string& path,
                               const std::string& name, const Progress& progress) {
   const auto header = brep::is_kernel_shape(text) ? brep::StepHeader{"B-rep of OpenCASCADE", ""}
                                                   : brep::read_step_header(text, name);
-  if (!header) return tl::unexpected(header.error());
+  if (!header) return pass_on(header);
   auto content = transfer(text, path, name, progress);
   if (!content) return content;
   content->schema = header->schema;
@@ -149,14 +143,13 @@ Result<StepFile> read_step(const std::filesystem::path& file, const Progress& pr
   const std::string name = file.filename().string();
   std::error_code status;
   if (std::filesystem::is_directory(file, status))
-    return fail(ErrorCode::cannot_read,
-                fmt::format("{} is a folder, not a STEP file.", file.string()), file.string());
+    return fail(refuse::is_folder, {{"file", file.string()}}, file.string());
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    return fail(ErrorCode::cannot_read,
-                fmt::format("{} cannot be opened: {}.", file.string(),
-                            std::filesystem::exists(file, status) ? "permission denied"
-                                                                  : "there is no such file"),
+    return fail(refuse::cannot_open,
+                {{"file", file.string()},
+                 {"why", std::filesystem::exists(file, status) ? "permission denied"
+                                                               : "there is no such file"}},
                 file.string());
   std::ostringstream text;
   text << stream.rdbuf();

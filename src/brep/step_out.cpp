@@ -1,6 +1,7 @@
 #include "step_out.hpp"
 
 #include "exchange_lock.hpp"
+#include "refusals.hpp"
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRep_Builder.hxx>
@@ -138,7 +139,7 @@ Result<std::string> step_text(const TopoDS_Shape& shape, const std::string& name
   STEPControl_Writer writer;  // registers the parameters, so it comes first
   set_parameters();
   if (writer.Transfer(large_faces_last(shape), STEPControl_AsIs) != IFSelect_RetDone)
-    return fail(ErrorCode::internal, "The CAD kernel could not translate the solid to STEP.", name);
+    return fail(refuse::no_translation, {}, name);
   const Handle(StepData_StepModel) model = writer.Model();
   set_product_name(model);
   set_header(model);
@@ -146,8 +147,7 @@ Result<std::string> step_text(const TopoDS_Shape& shape, const std::string& name
   StepData_StepWriter out(model);
   out.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
   std::ostringstream stream;
-  if (!out.Print(stream))
-    return fail(ErrorCode::internal, "The CAD kernel could not print the STEP model.", name);
+  if (!out.Print(stream)) return fail(refuse::no_print, {}, name);
   std::string result = stream.str();
   replace_all(result, name_mark, step_string(name));
   return result;

@@ -3,11 +3,14 @@
 #include "border_curve.hpp"
 #include "kernel_check.hpp"
 #include "kernel_points.hpp"
+#include "refusals.hpp"
 #include "sheet_corners.hpp"
 #include "side_wall.hpp"
 #include "solid_builder.hpp"
+#include "valid_input.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/sheet/places.hpp>
 
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
@@ -33,21 +36,20 @@ namespace {
 
 using Shape = BorderCurve::Shape;
 
-std::string place(const BorderRef& ref) {
+std::string row_text(const BorderRef& ref) {
   return fmt::format("face {}, loop {}, border {}", index_of(ref.face), ref.loop, ref.border);
 }
 
 Result<void> check_input(const Sheet& sheet) {
-  if (const auto right = check(sheet); !right)
-    return fail(ErrorCode::invalid_input, right.error().message, right.error().where);
+  if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
                                   smallest_radius(sheet[id], Depths(sheet).second));
         r < Precision::Confusion())
-      return fail(ErrorCode::unsupported_shape,
-                  fmt::format("A bend has an inside radius of {:.3g} mm; a solid needs one above "
-                              "zero.",
-                              r),
+      return fail(refuse::no_inside_radius,
+                  {{"bend", place_of(sheet, std::get<BendId>(sheet[id].part_of))},
+                   {"face", place::pointer(pointer_to(id))},
+                   {"radius", r, unit::mm}},
                   fmt::format("face {}", index_of(id)));
   return {};
 }
@@ -88,7 +90,7 @@ class Thickener {
     edges_.resize(topology().border_count());
     for (const BorderId border : topology().borders())
       if (corners_.leads(border))
-        if (auto made = make_edges(border); !made) return tl::unexpected(made.error());
+        if (auto made = make_edges(border); !made) return pass_on(made);
     for (const FaceId face : sheet_.faces.ids())
       for (double depth : {depths_.first, depths_.second})
         make_skin(face, depth);
@@ -119,9 +121,10 @@ class Thickener {
     edges.border = border_curve(face, curve_at(border), options_.shape_tolerance);
     if (edges.border.shape == Shape::line) return make_straight(border, start, end);
     if (corners_.is_sharp(start) || corners_.is_sharp(end))
-      return fail(ErrorCode::unsupported_shape,
-                  "A curved border ends at a sharp bend; only straight ones can be mitred.",
-                  place(topology()[border]));
+      return fail(refuse::curved_border_at_mitre,
+                  {{"border", place::pointer(pointer_to(topology()[border]))},
+                   {"at", place::point(points_[corners_.is_sharp(start) ? start : end].reference)}},
+                  row_text(topology()[border]));
 
     if (topology().is_free(border))
       edges.wall = curved_wall(face, edges.border, depths_, options_.fit_tolerance);
@@ -140,11 +143,11 @@ class Thickener {
   Result<void> make_straight(BorderId border, int start, int end) {
     const Vec3 along = points_[end].reference - points_[start].reference;
     if (along.dot(points_[end].other - points_[start].other) <= 0.0 && !cross_wall(border))
-      return fail(ErrorCode::unsupported_shape,
-                  fmt::format("A border of {:.3g} mm is shorter than the mitres of the sharp bends "
-                              "at its ends.",
-                              along.norm()),
-                  place(topology()[border]));
+      return fail(refuse::border_shorter_than_mitres,
+                  {{"border", place::pointer(pointer_to(topology()[border]))},
+                   {"length", along.norm(), unit::mm},
+                   {"at", place::point(points_[start].reference)}},
+                  row_text(topology()[border]));
     edges_[border].reference = builder_.straight_edge(reference_[start], reference_[end]);
     edges_[border].other = builder_.straight_edge(other_[start], other_[end]);
     return {};
@@ -274,23 +277,20 @@ Result<TopoDS_Solid> checked_solid(const TopoDS_Shell& shell) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(solid, properties);
   if (!(properties.Mass() > 0.0))
-    return fail(ErrorCode::internal,
-                fmt::format("The folded solid has a volume of {:.6g} mm³: its faces point inwards.",
-                            properties.Mass()));
-  if (!is_sound(shell))
-    return fail(ErrorCode::internal, "The CAD kernel finds the folded solid invalid.");
+    return fail(refuse::solid_inside_out, {{"volume", properties.Mass(), unit::mm3}});
+  if (!is_sound(shell)) return fail(refuse::solid_invalid);
   return solid;
 }
 
 }  // namespace
 
 Result<TopoDS_Solid> thicken(const Sheet& sheet, const ThickenOptions& options) {
-  if (auto sound = check_input(sheet); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_input(sheet); !sound) return pass_on(sound);
   SheetCorners corners(sheet);
   auto points = corner_points(sheet, corners);
-  if (!points) return tl::unexpected(points.error());
+  if (!points) return pass_on(points);
   auto shell = Thickener(sheet, options, std::move(corners), std::move(*points)).shell();
-  if (!shell) return tl::unexpected(shell.error());
+  if (!shell) return pass_on(shell);
   return checked_solid(*shell);
 }
 

@@ -13,7 +13,9 @@
 #include <new>
 #include <utility>
 
+namespace code = planish::code;
 namespace job = planish::job;
+namespace process = planish::process;
 using planish::Error;
 using planish::ErrorCode;
 
@@ -100,25 +102,25 @@ planish::Result<planish_options> read_options(const planish_options* given) {
   planish_options options = PLANISH_OPTIONS_INIT;
   if (!given) return options;
   if (given->size < sizeof options)
-    return planish::fail(ErrorCode::bad_option,
+    return planish::fail(code::bad_option,
                          fmt::format("planish_options.size must be at least {}, not {}: begin with "
                                      "PLANISH_OPTIONS_INIT",
                                      sizeof options, given->size),
                          "planish_options.size");
   options = *given;
   if (options.where != PLANISH_APART && options.where != PLANISH_HERE)
-    return planish::fail(ErrorCode::bad_option,
+    return planish::fail(code::bad_option,
                          "planish_options.where must be PLANISH_APART or PLANISH_HERE",
                          "planish_options.where");
   if (!(options.time_limit >= 0.0 && options.time_limit <= kLongestTime))
-    return planish::fail(ErrorCode::bad_option,
+    return planish::fail(code::bad_option,
                          "planish_options.time_limit must be a number of seconds, at least 0",
                          "planish_options.time_limit");
   return options;
 }
 
-job::Limits limits_of(const planish_options& options) {
-  job::Limits limits;
+process::Limits limits_of(const planish_options& options) {
+  process::Limits limits;
   if (options.time_limit > 0.0)
     limits.time = std::chrono::ceil<std::chrono::milliseconds>(
         std::chrono::duration<double>(options.time_limit));
@@ -129,9 +131,9 @@ job::Limits limits_of(const planish_options& options) {
 
 planish::Result<job::RunResult> run(const char* request, const planish_options* given) {
   if (!request)
-    return planish::fail(ErrorCode::invalid_input, "request: it is a null pointer, not JSON");
+    return planish::fail(code::invalid_input, "request: it is a null pointer, not JSON");
   const auto options = read_options(given);
-  if (!options) return tl::unexpected(options.error());
+  if (!options) return pass_on(options);
   Caller caller(*options);
   if (options->where == PLANISH_HERE) return job::run(request, caller.progress());
   return job::run_apart(request, caller.progress(), limits_of(*options));
@@ -147,9 +149,9 @@ void run_into(planish_result& result, const char* request, const planish_options
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& defect) {
-    set_error(result, {ErrorCode::internal, defect.what(), {}});
+    set_error(result, {code::internal, defect.what(), {}});
   } catch (...) {
-    set_error(result, {ErrorCode::internal, "an exception of unknown type", {}});
+    set_error(result, {code::internal, "an exception of unknown type", {}});
   }
 }
 

@@ -2,12 +2,12 @@
 
 #include "joined_face.hpp"
 #include "orientation.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/connect/codes.hpp>
 #include <planish/sheet/builder.hpp>
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ Result<JointBorders> add_plates(SheetBuilder& sheet, const Parts& parts, const O
   JointBorders borders;
   for (int plate = 0; plate < static_cast<int>(parts.plates.size()); ++plate) {
     auto made = plate_face(parts, plate, sides.plates[plate]);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return pass_on(made);
     made->face.part_of = sheet.add_flange();
     const FaceId id = sheet.add_face(std::move(made->face));
     for (const auto& joint : made->joints)
@@ -59,11 +59,9 @@ Result<void> check_folds(const Parts& parts) {
     if (!fit.fold || fit.fold->reference_inside) continue;
     for (std::size_t side = 0; side < 2; ++side)
       if (!fit.fold->at_corner[side][0] || !fit.fold->at_corner[side][1])
-        return fail(ErrorCode::no_bend_fits,
-                    fmt::format("folds of inside radius 0 in both directions need edges of equal "
-                                "length; plate {} has a longer one: give it an inside radius of "
-                                "{} mm or more",
-                                parts.ids[fit.report.plates[side]], kSmallestInsideRadius));
+        return fail(refuse::folds_both_ways,
+                    {{"plate", place::plate(parts.ids[fit.report.plates[side]])},
+                     {"least", kSmallestInsideRadius, unit::mm}});
   }
   return {};
 }
@@ -121,9 +119,9 @@ BendId add_bend(SheetBuilder& sheet, const Parts& parts, int bend, int sense,
 Result<Assembled> assembled(Parts parts) {
   SheetBuilder sheet(parts.thickness);
   const Orientation sides = settled(parts);
-  if (auto sound = check_folds(parts); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_folds(parts); !sound) return pass_on(sound);
   const auto borders = add_plates(sheet, parts, sides);
-  if (!borders) return tl::unexpected(borders.error());
+  if (!borders) return pass_on(borders);
   Assembled made;
   for (int plate = 0; plate < static_cast<int>(parts.plates.size()); ++plate)
     made.plate_faces.push_back(static_cast<FaceId>(plate));  // the first faces of the sheet
@@ -135,7 +133,7 @@ Result<Assembled> assembled(Parts parts) {
   }
   sheet.number_edges();
   auto built = std::move(sheet).build();
-  if (!built) return tl::unexpected(built.error());
+  if (!built) return pass_on(built);
   made.sheet = std::move(*built);
   if (!parts.plates.empty()) made.root = made.plate_faces[parts.root];
   return made;

@@ -144,7 +144,7 @@ std::vector<Chain> of_kind(std::vector<Chain> chains, EdgeKind kind) {
 
 Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
   auto found = search_edges(choice.chains, choice.frame.beta, wanted);
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   choice.search = std::move(*found);
   return {};
 }

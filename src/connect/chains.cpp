@@ -1,5 +1,6 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/edge_search.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ double signed_area_of(const std::vector<Vec2>& outline) {
   const Vec2 from = outline.front();
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i] - from, b = outline[(i + 1) % outline.size()] - from;
-    twice += a.x() * b.y() - a.y() * b.x();
+    twice += cross(a, b);
   }
   return 0.5 * twice;
 }

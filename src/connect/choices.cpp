@@ -4,12 +4,15 @@
 #include "sharp_fit.hpp"
 #include "tolerances.hpp"
 
-#include <fmt/format.h>
+#include <planish/connect/codes.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <string_view>
 #include <utility>
 
 // All that a request leaves open is tried until a fit keeps to the checks: edges nearest and widest
@@ -75,11 +78,6 @@ bool is_drawn_up(const BendFit& fit, double thickness) {
   return fit.report.extension_area <= kContact * thickness * fit.report.width;
 }
 
-Error placed(Error error, const FitTask& task) {
-  if (error.where.empty()) error.where = task.pointer;
-  return error;
-}
-
 /// Tries choices and remembers why they failed.
 class Trial {
  public:
@@ -90,16 +88,16 @@ class Trial {
   bool take(Result<BendFit> fit) {
     ++tries_;
     if (!fit) return failed(fit.error());
-    if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error(), task_));
+    if (auto sound = checks_.must(*fit); !sound) return failed(in_request(task_, sound.error()));
     const bool drawn_up = is_drawn_up(*fit, task_.thickness);
     if (!drawn_up)
       if (auto flat = checks_.flat(*fit); !flat) {
         if (tries_ == 1) fallback_ = std::move(*fit);
-        return failed(placed(flat.error(), task_));
+        return failed(in_request(task_, flat.error()));
       }
     if (auto room = checks_.room(*fit); !room) {
       fall_back_to(std::move(*fit), !drawn_up);
-      return failed(placed(room.error(), task_));
+      return failed(in_request(task_, room.error()));
     }
     found_ = std::move(*fit);
     return true;
@@ -108,7 +106,9 @@ class Trial {
   bool take(const PairChoice& choice, const BendRequest& request) {
     FitTask task = task_;
     task.request = request;
-    return take(fit_choice(task, choice, options_));
+    auto fit = fit_choice(task, choice, options_);
+    if (!fit) fit = fail(in_request(task, fit.error()));
+    return take(std::move(fit));
   }
 
   bool tired() const { return tries_ >= kMostTries; }
@@ -133,25 +133,16 @@ class Trial {
     auto& [count, first] = failures_[rank(error.code)];
     if (count++ == 0) first = error;
     if (tries_ == 1) first_ = error;
-    if (error.code == ErrorCode::plates_touch && !touch_) touch_ = error;
+    if (error.code == code::plates_touch && !touch_) touch_ = error;
     return false;
   }
 
   // How far a choice with this error came.
-  static int rank(ErrorCode code) {
-    switch (code) {
-      case ErrorCode::radius_too_small:
-      case ErrorCode::plates_touch:
-        return 1;
-      case ErrorCode::no_common_width:
-        return 2;
-      case ErrorCode::overlap:
-        return 3;
-      case ErrorCode::too_far_apart:
-        return 4;
-      default:
-        return 0;
-    }
+  static int rank(const ErrorCode& code) {
+    if (code == code::radius_too_small || code == code::plates_touch) return 1;
+    if (code == code::no_common_width) return 2;
+    if (code == code::overlap) return 3;
+    return code == code::too_far_apart ? 4 : 0;
   }
 
   Error why() const {
@@ -160,15 +151,18 @@ class Trial {
     if (touch_) error = *touch_;
     if (rank(first_.code) == 1 || tries_ == 1) error = first_;
     if (tries_ == 1) return error;
-    constexpr std::array kWhat{"fit no tangent line", "are too near for the thickness",
-                               "have no width on which the bend runs over neither plate",
-                               "would cut or cover a plate", "are too long"};
-    std::string counts;
+    constexpr std::array<std::string_view, 5> kCounts{
+        "{count} without a tangent line", "{count} too near for the thickness",
+        "{count} without a width on which the bend runs over neither plate",
+        "{count} that would cut or cover a plate", "{count} too long"};
+    Facts facts{{"choices", tries_}};
     for (const auto& [rank, failure] : failures_)
-      counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", failure.first, kWhat[rank]);
-    error.message = fmt::format(
-        "{}; none of {} choices of edges, lateral boundaries and surfaces works ({})",
-        error.message, tries_, counts);
+      facts.emplace_back("counts", tell(kCounts[rank], {{"count", failure.first}}).sentence);
+    Told tried = tell(
+        "None of {choices} choices of edges, lateral boundaries and surfaces works: {counts}.",
+        facts);
+    error.message += " " + tried.sentence;
+    std::ranges::move(tried.numbers, std::back_inserter(error.numbers));
     return error;
   }
 
@@ -223,9 +217,9 @@ Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& opti
   auto fit = fit_between(task, options);
   if (!fit) return fit;
   for (const auto& check : {checks.must, checks.room})
-    if (auto sound = check(*fit); !sound) return tl::unexpected(placed(sound.error(), task));
+    if (auto sound = check(*fit); !sound) return fail(in_request(task, sound.error()));
   if (!is_drawn_up(*fit, task.thickness))
-    if (auto flat = checks.flat(*fit); !flat) return tl::unexpected(placed(flat.error(), task));
+    if (auto flat = checks.flat(*fit); !flat) return fail(in_request(task, flat.error()));
   return fit;
 }
 

@@ -1,6 +1,7 @@
 #include "chain_pair.hpp"
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/connect/codes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +22,15 @@ using namespace connect_detail;
 using Sides = std::array<std::vector<Chain>, 2>;
 
 /// The place of given edges: the chain, and the positions of the first and the last.
-struct Place {
+struct Spot {
   int chain = 0;
   std::pair<int, int> run;
 };
 
 /// Several where bends have left parts of an edge.
-std::vector<Place> places_in(const std::vector<Chain>& chains, const std::vector<int>& edges) {
+std::vector<Spot> places_in(const std::vector<Chain>& chains, const std::vector<int>& edges) {
   const std::set<int> wanted(edges.begin(), edges.end());
-  std::vector<Place> places;
+  std::vector<Spot> places;
   for (std::size_t c = 0; c < chains.size(); ++c) {
     int first = -1, last = -1, found = 0;
     for (std::size_t j = 0; j < chains[c].edges.size(); ++j) {
@@ -44,14 +45,14 @@ std::vector<Place> places_in(const std::vector<Chain>& chains, const std::vector
   return places;
 }
 
-std::string listed(const std::vector<int>& edges) {
-  std::string text;
-  for (const int e : edges)
-    text += (text.empty() ? "" : ", ") + std::to_string(e);
-  return text;
+tl::unexpected<Error> no_bend_on(const std::vector<int>& edges) {
+  Facts facts{{"noun", edges.size() == 1 ? "edge" : "edges"}};
+  for (const int edge : edges)
+    facts.emplace_back("edge", edge);
+  return fail(refuse::edges_of_no_bend, facts);
 }
 
-using Places = std::array<std::optional<std::vector<Place>>, 2>;
+using Places = std::array<std::optional<std::vector<Spot>>, 2>;
 
 /// The places of the given edges.
 Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
@@ -59,12 +60,7 @@ Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (!options.edges[i]) continue;
     places[i] = places_in(sides[i], *options.edges[i]);
-    if (places[i]->empty())
-      return fail(ErrorCode::unknown_edge,
-                  fmt::format("edges {} cannot carry one bend: they must follow each other, look "
-                              "the same way, towards the line where the plates' planes meet or "
-                              "away from it, lie on one side of it and be free",
-                              listed(*options.edges[i])));
+    if (places[i]->empty()) return no_bend_on(*options.edges[i]);
   }
   return places;
 }
@@ -79,8 +75,8 @@ Envelopes envelopes_of(const Sides& sides) {
   return envelopes;
 }
 
-const Place* place_in(const std::optional<std::vector<Place>>& places, std::size_t chain) {
-  for (const Place& place : *places)
+const Spot* place_in(const std::optional<std::vector<Spot>>& places, std::size_t chain) {
+  for (const Spot& place : *places)
     if (place.chain == static_cast<int>(chain)) return &place;
   return nullptr;
 }
@@ -186,18 +182,10 @@ bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
                      [&](const Chain& chain) { return chain.kind == kind; });
 }
 
-Error nothing_fits(const Sides& sides) {
+tl::unexpected<Error> nothing_fits(const Sides& sides) {
   for (const EdgeKind kind : {EdgeKind::facing, EdgeKind::averted})
-    if (faces(sides[0], kind) && faces(sides[1], kind))
-      return {ErrorCode::no_bend_fits,
-              "no tangent line that leaves both plates whole fits between any of their edges, with "
-              "what is given",
-              {}};
-  return {ErrorCode::no_bend_fits,
-          fmt::format("no edges look the same way on both plates (of {} and {} chains of edges): "
-                      "turn a plate over or move it to the other side",
-                      sides[0].size(), sides[1].size()),
-          {}};
+    if (faces(sides[0], kind) && faces(sides[1], kind)) return fail(refuse::no_line);
+  return fail(refuse::no_edges_alike, {{"chains", sides[0].size()}, {"chains", sides[1].size()}});
 }
 
 /// The next best choices: the best of each other pair of chains, nearest pairs first.
@@ -233,11 +221,11 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
 
 Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearchOptions& options) {
   const auto places = places_of(sides, options);
-  if (!places) return tl::unexpected(places.error());
+  if (!places) return pass_on(places);
   Search search{sides, *places, beta, options};
   search.candidates = candidates_of(search);
   const double noise = noise_of(search), length = shortest_length(search, noise);
-  if (!std::isfinite(length)) return tl::unexpected(nothing_fits(sides));
+  if (!std::isfinite(length)) return nothing_fits(sides);
   EdgeSearch found;
   found.reference_length = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : search.candidates) {

@@ -1,9 +1,10 @@
 #include "general_fit.hpp"
 
-#include <planish/base/tolerance.hpp>
-#include <planish/connect/edge_search.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
+#include <planish/connect/codes.hpp>
+#include <planish/connect/edge_search.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -101,14 +102,13 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
   const Vec3 foot = frame.origin + (point - frame.origin).dot(frame.d) * frame.d;
   const double off = (point - foot).norm();
   if (off > kOnLine * extent)
-    return fail(
-        ErrorCode::no_bend_fits,
-        fmt::format("the tangent point lies {:.4g} mm off the line where the plates' planes meet",
-                    off),
-        "/tangent_point");
+    return fail(refuse::tangent_point_off, {{"at", place::point(point)},
+                                            {"off", off, unit::mm},
+                                            {"foot", place::point(foot)},
+                                            {"field", place::pointer("/tangent_point")}});
   if ((foot - apex).norm() <= kOnLine * extent)
-    return fail(ErrorCode::no_bend_fits, "the tangent point is the apex of the bend",
-                "/tangent_point");
+    return fail(refuse::tangent_point_at_apex,
+                {{"at", place::point(point)}, {"field", place::pointer("/tangent_point")}});
   return foot;
 }
 
@@ -117,29 +117,19 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
 Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
                                    std::optional<double> apex) {
   if (edges == EdgeKind::averted)
-    return fail(ErrorCode::no_bend_fits,
-                "a general bend joins edges that look towards each other; these look away from "
-                "each other: choose a cylinder or a cone",
-                "/surface");
+    return fail(refuse::general_of_averted, {{"field", place::pointer("/surface")}});
   if (apex && !beyond(*apex, corners))
-    return fail(
-        ErrorCode::apex_in_span,
-        fmt::format(
-            "the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm",
-            *apex, low_x(corners), high_x(corners)),
-        "/apex");
+    return fail(refuse::apex_between, {{"apex", *apex, unit::mm},
+                                       {"low", low_x(corners), unit::mm},
+                                       {"high", high_x(corners), unit::mm},
+                                       {"field", place::pointer("/apex")}});
   std::optional<GeneralLines> best;
   for (const double x : apex ? std::vector{*apex} : edge_apexes(corners)) {
     if (!beyond(x, corners)) continue;
     const auto lines = lines_from(x, corners);
     if (lines && (!best || lines->area < best->area)) best = *lines;
   }
-  if (!best)
-    return fail(
-        ErrorCode::no_bend_fits,
-        "no edge runs towards the line where the plates' planes meet, so a general bend has "
-        "no apex: give one, or choose a cylinder or a cone",
-        "/surface");
+  if (!best) return fail(refuse::general_without_apex, {{"field", place::pointer("/surface")}});
   return *best;
 }
 
@@ -164,7 +154,7 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
   Vec3 meet = equidistant(frame, apex, ends);
   if (tangent_point) {
     const auto given = checked_tangent_point(frame, apex, *tangent_point, extent);
-    if (!given) return tl::unexpected(given.error());
+    if (!given) return pass_on(given);
     meet = *given;
   }
   SpaceCurve arc = conic_arc(ends[0], meet, ends[1]);

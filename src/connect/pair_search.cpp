@@ -2,9 +2,10 @@
 
 #include "better_edges.hpp"
 #include "outline_run.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
-#include <fmt/format.h>
+#include <planish/connect/codes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
   if (!chains) return chains;
   PairChoice choice = std::move(*chains);
   const EdgeSearchOptions wanted = search_options(task, frame, options.alternatives);
-  if (auto searched = search(choice, wanted); !searched) return tl::unexpected(searched.error());
+  if (auto searched = search(choice, wanted); !searched) return pass_on(searched);
   choice = with_better_edges(std::move(choice), wanted);
   if (is_too_near(task, choice)) {
     PairChoice farther = choice;
@@ -188,12 +189,8 @@ Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
       choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
   }
   if (frame.parallel() && beside(outlines))
-    return fail(
-        ErrorCode::plates_offset,
-        fmt::format(
-            "the plates lie in parallel planes {:.4g} mm apart and beside each other; a "
-            "half-turn joins plates that lie over each other: put a third plate between them",
-            frame.rise.norm()));
+    return fail(refuse::beside_each_other,
+                about(task, {{"distance", frame.rise.norm(), unit::mm}}));
   return choice;
 }
 
@@ -222,13 +219,10 @@ std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& 
 
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options) {
   const PlanePair kind = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
-  if (kind == PlanePair::coplanar)
-    return fail(ErrorCode::plates_coplanar,
-                "the plates lie in one plane, so there is nothing to bend between them: make them "
-                "one plate");
+  if (kind == PlanePair::coplanar) return fail(refuse::in_one_plane, about(task, {}));
   const std::optional<EdgeKind> natural = natural_kind(task, options);
   std::optional<PairChoice> best;
-  Error why{ErrorCode::no_bend_fits, "no edges of the two plates look towards each other", {}};
+  Error why = error_of(refuse::no_edges_facing, about(task, {}));
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], kind)) {
     auto choice = search_frame(task, frame, options, natural);
     if (!choice) {

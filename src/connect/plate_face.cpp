@@ -53,7 +53,7 @@ Result<JoinedFace> plate_face(const Parts& parts, int plate, int sense) {
   made.face.surface = skin_frame(placed, parts.thickness, sense);
   for (int ring = 0; ring < placed.ring_count(); ++ring) {
     const auto outline = extended_outline(placed, bends, parts.ids[plate], ring);
-    if (!outline) return tl::unexpected(outline.error());
+    if (!outline) return pass_on(outline);
     const std::vector<Edge> edges = seen_from_outside(outline->edges, sense);
     for (std::size_t i = 0; i < edges.size(); ++i)
       if (edges[i].bend) made.joints.push_back({plate, *edges[i].bend, static_cast<int>(i), ring});

@@ -122,9 +122,7 @@ Box2 arc_bounds(const Arc& arc) {
 }
 
 Nearest nearest_on_segment(const Segment& s, const Vec2& p) {
-  const Vec2 d = s.b - s.a;
-  const double square = d.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - s.a).dot(d) / square, 0.0, 1.0) : 0.0;
+  const double t = nearest_share(s, p);
   return {(point_at(s, t) - p).norm(), t};
 }
 

@@ -2,8 +2,6 @@
 
 #include <planish/inspect/missing_relief.hpp>
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace planish::inspect_detail {
@@ -134,32 +132,31 @@ Severity severity(const FlatBend& bend, const Relief& relief, const Limits& limi
   return severity_of(relief.depth + setback, limits.depth + setback, kHalf, rules);
 }
 
-std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits& limits,
-                        const Rules& rules, double thickness) {
-  const double setback = measured_setback(bend, thickness);
-  const std::string width = fmt::format("{} ({})", mm_text(limits.width),
-                                        factors_text(rules.relief_width_t));
-  const std::string depth = fmt::format("{} ({})", mm_text(limits.depth + setback),
-                                        factors_text(rules.relief_depth_t, rules.relief_depth_r));
-  if (relief.missing && !asks_for_cut(relief, limits)) {
-    return fmt::format("bend {} ends flush with an edge at {}, where the corner bulges a little",
-                       bend.id, point_text(relief.at));
-  }
-  if (relief.missing) {
-    return fmt::format(
-        "bend {} ends {} at {} without relief; it needs one {} wide and, from the "
-        "outside of the bend, {} "
-        "deep",
-        bend.id, relief.flush ? "flush with an edge" : "inside an edge", point_text(relief.at),
-        width, depth);
-  }
-  if (relief.width < limits.width - kDrawn) {
-    return fmt::format("the relief of bend {} at {} is {} wide; at least {} is needed", bend.id,
-                       point_text(relief.at), mm_text(relief.width), width);
-  }
-  return fmt::format(
-      "the relief of bend {} at {} is {} deep from the outside of the bend; at least {} is needed",
-      bend.id, point_text(relief.at), mm_text(relief.depth + setback), depth);
+FindingPlace relief_breach(const FlatBend& bend, const Relief& relief, const Limits& limits,
+                           const Rules& rules, double thickness) {
+  const double setback = measured_setback(bend, thickness), depth = limits.depth + setback;
+  const std::string width_rule = factors_text(rules.relief_width_t),
+                    depth_rule = factors_text(rules.relief_depth_t, rules.relief_depth_r);
+  Facts facts{{"bend", place::at(place::bend(bend.id), relief.at)},
+              {"at", place::point(relief.at)}};
+  const auto say = [&](say::Sentence sentence, const Facts& more) {
+    facts.insert(facts.end(), more.begin(), more.end());
+    return breach(severity(bend, relief, limits, rules, thickness), sentence, facts, {relief.at});
+  };
+  if (relief.missing && !asks_for_cut(relief, limits)) return say(say::flush_bend, {});
+  if (relief.missing)
+    return say(relief.flush ? say::no_relief_at_flush_edge : say::no_relief,
+               {{"wanted_width", limits.width, unit::mm},
+                {"width_rule", width_rule},
+                {"wanted_depth", depth, unit::mm},
+                {"depth_rule", depth_rule}});
+  if (relief.width < limits.width - kDrawn)
+    return say(say::narrow_relief, {{"measured", relief.width, unit::mm},
+                                    {"wanted", limits.width, unit::mm},
+                                    {"rule", width_rule}});
+  return say(say::shallow_relief, {{"measured", relief.depth + setback, unit::mm},
+                                   {"wanted", depth, unit::mm},
+                                   {"rule", depth_rule}});
 }
 
 /// What the rules ask for beside a bend. Measured from the outside of the bend, like flanges: from
@@ -254,9 +251,7 @@ std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules
   for (const ShortRelief& found : short_reliefs(workpiece, rules))
     result.push_back(
         {asks_for_cut(found.relief, found.limits) ? "bend_relief" : "flush_bend",
-         {severity(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
-          relief_text(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
-          {found.relief.at}},
+         relief_breach(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
          excess(found)});
   return result;
 }

@@ -2,8 +2,6 @@
 
 #include <planish/base/tolerance.hpp>
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace planish::inspect_detail {
@@ -14,9 +12,20 @@ std::vector<Vec2> middle_of(const Workpiece& workpiece, size_t bend) {
   return {0.5 * (workpiece.spans[bend]->start + workpiece.spans[bend]->end)};
 }
 
+/// A length at a bend, and the least that a rule allows.
+struct Measured {
+  double measured, wanted;  // mm
+  std::string rule;
+};
+
 Observation bend_observation(const Workpiece& workpiece, size_t bend, const char* code,
-                             Severity severity, std::string message, double excess) {
-  return {code, {severity, std::move(message), middle_of(workpiece, bend)}, excess};
+                             Severity severity, say::Sentence sentence, const Measured& length) {
+  const Facts facts{{"bend", workpiece.place_of(bend)},
+                    {"measured", length.measured, unit::mm},
+                    {"wanted", length.wanted, unit::mm},
+                    {"rule", length.rule}};
+  return {code, breach(severity, sentence, facts, middle_of(workpiece, bend)),
+          length.measured - length.wanted};
 }
 
 void observe_radius(const Workpiece& workpiece, size_t b, const Rules& rules,
@@ -27,9 +36,7 @@ void observe_radius(const Workpiece& workpiece, size_t b, const Rules& rules,
   // A shop bends with the tools that it has; its radius changes the flat length a little.
   result.push_back(bend_observation(
       workpiece, b, "inside_radius", rules.strict ? Severity::warning : Severity::info,
-      fmt::format("the inside radius of bend {} is {}; at least {} ({}) is needed", bend.id,
-                  mm_text(bend.inside_radius), mm_text(limit), factors_text(rules.inside_radius_t)),
-      bend.inside_radius - limit));
+      say::small_radius, {bend.inside_radius, limit, factors_text(rules.inside_radius_t)}));
 }
 
 void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
@@ -39,10 +46,8 @@ void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
   const double least_diameter = rules.hem_diameter_t * workpiece.thickness;
   if (diameter < least_diameter - kDrawn) {
     result.push_back(bend_observation(
-        workpiece, b, "hem", severity_of(diameter, least_diameter, kHalf, rules),
-        fmt::format("the hem at bend {} is {} wide inside; at least {} ({}) is needed", bend.id,
-                    mm_text(diameter), mm_text(least_diameter), factors_text(rules.hem_diameter_t)),
-        diameter - least_diameter));
+        workpiece, b, "hem", severity_of(diameter, least_diameter, kHalf, rules), say::narrow_hem,
+        {diameter, least_diameter, factors_text(rules.hem_diameter_t)}));
   }
   const double least_return = rules.hem_return_t * workpiece.thickness;
   const double outside = bend.inside_radius + workpiece.thickness;
@@ -55,12 +60,8 @@ void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
   const double measured = shortest.length + outside;
   if (measured >= least_return - kDrawn) return;
   Observation one = bend_observation(
-      workpiece, b, "hem", severity_of(measured, least_return, kHalf, rules),
-      fmt::format("the return of the hem at bend {} is {} long from the outside "
-                  "of the bend; at least {} ({}) is needed",
-                  bend.id, mm_text(measured), mm_text(least_return),
-                  factors_text(rules.hem_return_t)),
-      measured - least_return);
+      workpiece, b, "hem", severity_of(measured, least_return, kHalf, rules), say::short_return,
+      {measured, least_return, factors_text(rules.hem_return_t)});
   one.place.at = {shortest.at};
   result.push_back(std::move(one));
 }
@@ -86,22 +87,22 @@ void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
   }
   for (const std::vector<size_t>& group : alike) {
     const FlatBend& first = bends[group.front()];
-    const std::string who = group.size() == 1
-                                ? "bend " + first.id
-                                : fmt::format("{} bends ({} is the first)", group.size(), first.id);
-    const std::string source = first.allowance.source.empty()
-                                   ? ""
-                                   : fmt::format(" ({})", first.allowance.source);
-    FindingPlace place{
-        Severity::warning,
-        fmt::format("{} {} the K-factor {}{}, outside [{}, {}], the range of measured ones", who,
-                    group.size() == 1 ? "has" : "have", number_text(first.allowance.k_factor),
-                    source, number_text(rules.k_low), number_text(rules.k_high)),
-        {}};
-    for (const size_t b : group)
+    const std::string& source = first.allowance.source;
+    Facts facts{{"measured", first.allowance.k_factor, unit::none},
+                {"low", rules.k_low, unit::none},
+                {"high", rules.k_high, unit::none},
+                {"source", source.empty() ? source : " (" + source + ")"},
+                {"bend", workpiece.place_of(group.front())}};
+    const bool one = group.size() == 1;
+    if (!one) facts.emplace_back("count", group.size());
+    std::vector<Vec2> at;
+    for (const size_t b : group) {
+      if (b != group.front()) facts.emplace_back("more", workpiece.place_of(b));
       for (const Vec2& p : middle_of(workpiece, b))
-        place.at.push_back(p);
-    result.push_back({"k_factor", std::move(place)});
+        at.push_back(p);
+    }
+    result.push_back({"k_factor", breach(Severity::warning, one ? say::odd_k : say::odd_k_of_many,
+                                         facts, std::move(at))});
   }
 }
 

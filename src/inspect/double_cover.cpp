@@ -13,28 +13,28 @@ using namespace inspect_detail;
 namespace {
 
 /// Overlaps that meet, and are one place.
-struct Place {
-  std::vector<std::string> parts;
+struct Cover {
+  std::vector<Place> parts;
   double area = 0.0;
   std::vector<Vec2> points;
   Box2 box;
 };
 
-void add_part(Place& place, const std::string& name) {
-  if (std::find(place.parts.begin(), place.parts.end(), name) == place.parts.end())
-    place.parts.push_back(name);
+void add_part(Cover& place, const Place& part) {
+  if (std::find(place.parts.begin(), place.parts.end(), part) == place.parts.end())
+    place.parts.push_back(part);
 }
 
-void take(Place& place, const Place& other) {
-  for (const std::string& name : other.parts)
-    add_part(place, name);
+void take(Cover& place, const Cover& other) {
+  for (const Place& part : other.parts)
+    add_part(place, part);
   place.area += other.area;
   place.points.insert(place.points.end(), other.points.begin(), other.points.end());
   place.box.add(other.box);
 }
 
 /// Boxes that come within `reach` of each other belong to one place.
-std::vector<Place> joined_places(std::vector<Place> places, double reach) {
+std::vector<Cover> joined_places(std::vector<Cover> places, double reach) {
   const auto meet = [reach](const Box2& a, const Box2& b) {
     return ((a.lo.array() - reach) <= b.hi.array()).all() &&
            ((b.lo.array() - reach) <= a.hi.array()).all();
@@ -49,11 +49,13 @@ std::vector<Place> joined_places(std::vector<Place> places, double reach) {
   return places;
 }
 
-DoubleCover cover_of(const Place& place) {
+DoubleCover cover_of(const Cover& place) {
   const EnclosingRectangle box = smallest_rectangle(place.points);
   DoubleCover cover;
-  for (size_t i = 0; i < place.parts.size(); ++i)
-    cover.who += (i == 0 ? "" : i + 1 < place.parts.size() ? ", " : " and ") + place.parts[i];
+  std::vector<std::string> names;
+  for (const Place& part : place.parts)
+    names.push_back(text_of(part));
+  cover.who = listed(names);
   cover.area = place.area;
   cover.size = box.size;
   cover.along = {std::cos(box.angle), std::sin(box.angle)};
@@ -63,6 +65,8 @@ DoubleCover cover_of(const Place& place) {
     extent.add(Vec2(p.dot(cover.along), p.dot(across)));
   const Vec2 middle = (extent.lo + extent.hi) / 2;
   cover.middle = middle.x() * cover.along + middle.y() * across;
+  for (const Place& part : place.parts)
+    cover.parts.push_back(place::at(part, cover.middle));
   return cover;
 }
 
@@ -73,12 +77,12 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
   PLANISH_ASSERT(layout.images.size() == sheet.faces.size());
   const double clearance = contact_clearance(pattern);
   const Regions regions = regions_of(sheet, layout, 0.25 * clearance);
-  std::vector<Place> places;
+  std::vector<Cover> places;
   for (const Shared& shared : shared_areas(regions, clearance))
     for (const auto& ring : shared.overlap.outline) {
-      Place& place = places.emplace_back();
-      add_part(place, part_name(pattern, shared.first));
-      add_part(place, part_name(pattern, shared.second));
+      Cover& place = places.emplace_back();
+      add_part(place, part_place(pattern, shared.first));
+      add_part(place, part_place(pattern, shared.second));
       place.area = std::abs(ring_area(ring));
       place.points = ring;
       for (const Vec2& p : ring)
@@ -86,7 +90,7 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
     }
   std::vector<DoubleCover> covers;
   // Each was shrunk by the clearance.
-  for (const Place& place : joined_places(std::move(places), 4.0 * clearance))
+  for (const Cover& place : joined_places(std::move(places), 4.0 * clearance))
     covers.push_back(cover_of(place));
   return covers;
 }

@@ -1,7 +1,5 @@
 #include "rule_checks.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 namespace planish::inspect_detail {
@@ -29,6 +27,52 @@ std::pair<double, size_t> first_other_bend(const Workpiece& workpiece, size_t be
     }
   });
   return {nearest, which};
+}
+
+/// The flanges that a bend joins.
+std::set<FlangeId> flanges_at(const Sheet& sheet, BendId bend) {
+  std::set<FlangeId> flanges;
+  const auto part = [&](const BorderRef& ref) { return sheet[ref.face].part_of; };
+  for (const Joint& joint : sheet.joints) {
+    if (joint.sharp != bend && part(joint.a) != PartId(bend) && part(joint.b) != PartId(bend))
+      continue;
+    for (const BorderRef& ref : {joint.a, joint.b})
+      if (const PartId found = part(ref); std::holds_alternative<FlangeId>(found))
+        flanges.insert(std::get<FlangeId>(found));
+  }
+  return flanges;
+}
+
+/// The flange beside a bend, if the sheet tells: of those at the bend, or at both of a web, the one
+/// whose border is nearest to where the flat length ends.
+std::optional<FlangeId> flange_beside(const Workpiece& workpiece, const BendSide& side,
+                                      const FlatLength& flat) {
+  const auto& bends = workpiece.pattern.bends;
+  std::set<FlangeId> flanges = flanges_at(workpiece.sheet, bends[side.bend].bend);
+  if (flat.other_bend) {
+    const auto others = flanges_at(workpiece.sheet, bends[*flat.other_bend].bend);
+    std::erase_if(flanges, [&](FlangeId flange) { return !others.contains(flange); });
+    return flanges.size() == 1 ? std::optional(*flanges.begin()) : std::nullopt;
+  }
+  const Vec2 end = flat.at + flat.length * side.outward;
+  std::optional<FlangeId> best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto take = [&](const Contour& contour) {
+    for (const auto& origins : contour.origins)
+      for (const Origin& origin : origins) {
+        if (origin.gap || !workpiece.sheet.faces.has(origin.border.face)) continue;
+        const auto* flange = std::get_if<FlangeId>(&workpiece.sheet[origin.border.face].part_of);
+        if (!flange || !flanges.contains(*flange)) continue;
+        const double distance = nearest(origin.image, end).distance;
+        if (distance >= least) continue;
+        least = distance;
+        best = *flange;
+      }
+  };
+  take(workpiece.pattern.outer);
+  for (const Contour& opening : workpiece.pattern.openings)
+    take(opening);
+  return best;
 }
 
 bool on_material(const BendSide& side, const Vec2& p) {
@@ -87,19 +131,17 @@ std::vector<Observation> observe_flange_heights(const Workpiece& workpiece, cons
     if (nothing_flat && (flat.other_bend || is_rolled(bend, workpiece.thickness))) continue;
     if (flat.other_bend && !webs.insert(std::minmax(side.bend, *flat.other_bend)).second) continue;
     const double setback = measured_setback(bend, workpiece.thickness);
-    const std::string rule = factors_text(rules.flange_height_t, rules.flange_height_r);
-    const std::string where = flat.other_bend
-                                  ? fmt::format("between bends {} and {}", bend.id,
-                                                workpiece.pattern.bends[*flat.other_bend].id)
-                                  : fmt::format("at bend {}", bend.id);
-    result.push_back(
-        {"flange_height",
-         {Severity::warning,
-          fmt::format(
-              "the flange {} is {} high from the outside of the bend; at least {} ({}) is needed",
-              where, mm_text(flat.length + setback), mm_text(wanted + setback), rule),
-          {flat.at}},
-         flat.length - wanted});
+    Facts facts{{"bend", workpiece.place_of(side.bend)},
+                {"measured", flat.length + setback, unit::mm},
+                {"wanted", wanted + setback, unit::mm},
+                {"rule", factors_text(rules.flange_height_t, rules.flange_height_r)}};
+    if (flat.other_bend) facts.emplace_back("bend", workpiece.place_of(*flat.other_bend));
+    if (const auto flange = flange_beside(workpiece, side, flat))
+      facts.emplace_back("flange", place::flange(index_of(*flange) + 1));
+    result.push_back({"flange_height",
+                      breach(Severity::warning, flat.other_bend ? say::low_web : say::low_flange,
+                             facts, {flat.at}),
+                      flat.length - wanted});
   }
   return result;
 }

@@ -2,18 +2,16 @@
 
 #include <planish/base/assert.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace planish::inspect_detail {
 namespace {
 
 std::string term_text(double factor, const char* name) {
-  return factor == 1.0 ? name : fmt::format("{} {}", number_text(factor), name);
+  return factor == 1.0 ? name : number_text(factor) + " " + name;
 }
 
 /// What the places of a rule have in common; follows their number.
@@ -35,16 +33,27 @@ const char* many_of(std::string_view code) {
   return found->second;
 }
 
+/// What does away with all places of a rule.
+std::vector<Remedy> remedies_of(std::string_view code) {
+  if (code != "bend_relief") return {};
+  return {{"bend_relief", "square", "Cut square reliefs"},
+          {"bend_relief", "round", "Cut round reliefs"}};
+}
+
 Finding finding_of(const char* code, std::vector<const Observation*> alike) {
   std::stable_sort(alike.begin(), alike.end(), [](const Observation* a, const Observation* b) {
     if (a->place.severity != b->place.severity) return a->place.severity > b->place.severity;
     return a->excess < b->excess;
   });
   const FindingPlace& worst = alike.front()->place;
-  Finding result{code, worst.severity, worst.message, {}};
-  if (alike.size() > 1)
-    result.message = fmt::format("{} {}; the worst: {}", alike.size(), many_of(code),
-                                 worst.message);
+  Finding result{code, worst.severity, worst.message, {},
+                 {},   worst.places,   worst.numbers, remedies_of(code)};
+  if (alike.size() > 1) {
+    Told many = told("{count} {what}; the worst: {worst}",
+                     {{"count", alike.size()}, {"what", many_of(code)}, {"worst", worst.message}});
+    result.message = std::move(many.sentence);
+    result.numbers.insert(result.numbers.begin(), many.numbers.begin(), many.numbers.end());
+  }
   for (const Observation* one : alike) {
     result.places.push_back(one->place);
     result.at.insert(result.at.end(), one->place.at.begin(), one->place.at.end());
@@ -77,18 +86,19 @@ std::vector<Finding> grouped(const std::vector<Observation>& observations) {
   return findings;
 }
 
-std::string number_text(double value) {
-  constexpr double kHalfDigit = 0.0005;
-  std::string text = fmt::format("{:.3f}", std::abs(value) < kHalfDigit ? 0.0 : value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
+Told told(say::Sentence sentence, const Facts& facts) {
+  Told result = tell(sentence, facts);
+  char& first = result.sentence.front();
+  if (sentence.starts_with("{@") && first >= 'A' && first <= 'Z')
+    first = static_cast<char>(first - 'A' + 'a');
+  return result;
 }
 
-std::string mm_text(double value) { return number_text(value) + " mm"; }
-
-std::string point_text(const Vec2& p) {
-  return fmt::format("({}, {})", number_text(p.x()), number_text(p.y()));
+FindingPlace breach(Severity severity, say::Sentence sentence, const Facts& facts,
+                    std::vector<Vec2> at) {
+  Told text = told(sentence, facts);
+  return {severity, std::move(text.sentence), std::move(at), std::move(text.places),
+          std::move(text.numbers)};
 }
 
 std::string factors_text(double t_factor, double r_factor) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sentences.hpp"
+
 #include <planish/inspect/findings.hpp>
 
 #include <string>
@@ -29,11 +31,12 @@ Severity severity_of(double measured, double limit, double share, const Rules& r
 /// its places the worst first: warnings before info, then by excess.
 std::vector<Finding> grouped(const std::vector<Observation>& observations);
 
-/// A number as a shop writes it: at most three decimals, no trailing zeros.
-std::string number_text(double value);
-std::string mm_text(double value);
-/// "(12.5, 40)".
-std::string point_text(const Vec2& p);
+/// `tell`, with no capital at a place that a sentence begins with.
+Told told(say::Sentence sentence, const Facts& facts);
+/// A place where a rule is broken, as a sentence tells it.
+FindingPlace breach(Severity severity, say::Sentence sentence, const Facts& facts,
+                    std::vector<Vec2> at);
+
 /// The terms of a limit, "1.5 T + R"; a factor of 0 omits its term.
 std::string factors_text(double t_factor, double r_factor = 0.0);
 

@@ -1,7 +1,5 @@
 #include "rule_checks.hpp"
 
-#include <fmt/format.h>
-
 // Openings by bends, by edges and by each other. Distances are measured through material only,
 // since what lies beyond a gap is no web; candidates come from trees of boxes. Of an opening the
 // nearest neighbour counts, as a perforation would have too many pairs, and of each bend the
@@ -11,17 +9,15 @@
 namespace planish::inspect_detail {
 namespace {
 
-std::string opening_text(const Opening& opening) {
-  return fmt::format("the opening {} at {}", opening.size_text, point_text(opening.center));
-}
-
-/// "…; at least 4 mm (2 T) is needed".
-std::string wanted_text(double limit, double factor) {
-  return fmt::format("; at least {} ({}) is needed", mm_text(limit), factors_text(factor));
+Facts facts_of(const Opening& opening, double measured, double wanted, double factor) {
+  return {{"opening", place::point(opening.center)},
+          {"size", opening.size_text},
+          {"measured", measured, unit::mm},
+          {"wanted", wanted, unit::mm},
+          {"rule", factors_text(factor)}};
 }
 
 Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b) {
-  const FlatBend& bend = workpiece.pattern.bends[b];
   int limits_cut = 0;
   for (const BendSide& side : workpiece.sides_of(b)) {
     const auto ends_at_opening = [&](const Segment& s) {
@@ -32,19 +28,12 @@ Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b
   }
   // A cut from flange to flange is deliberate; an edge within the zone tears open.
   const bool through = limits_cut == 2;
-  const std::string what = opening_text(opening);
-  if (through)
-    return {"opening_in_bend",
-            {Severity::info,
-             fmt::format("{} is cut through bend {}; its edges in the bend will be distorted", what,
-                         bend.id),
-             {opening.center}}};
-  return {"opening_in_bend",
-          {Severity::warning,
-           fmt::format("{} reaches into bend {}, where it will be distorted; move it away or "
-                       "extend it through the whole bend",
-                       what, bend.id),
-           {opening.center}}};
+  const Facts facts{{"bend", workpiece.place_of(b)},
+                    {"opening", place::point(opening.center)},
+                    {"size", opening.size_text}};
+  return {"opening_in_bend", breach(through ? Severity::info : Severity::warning,
+                                    through ? say::opening_through_bend : say::opening_in_bend,
+                                    facts, {opening.center})};
 }
 
 /// An opening too near to a tangent line.
@@ -84,14 +73,12 @@ std::vector<Observation> observe_openings_by_bends(const Workpiece& workpiece, c
       if (!is_rolled(workpiece.pattern.bends[b], workpiece.thickness))
         result.push_back(in_bend(workpiece, opening, b));
     for (const auto& [gap, bend] : near_bends(workpiece, opening, limit)) {
-      result.push_back(
-          {"opening_to_bend",
-           {severity_of(gap.distance, limit, kQuarter, rules),
-            fmt::format("{} is {} from the tangent line of bend {}{}", opening_text(opening),
-                        mm_text(gap.distance), workpiece.pattern.bends[bend].id,
-                        wanted_text(limit, rules.opening_to_bend_t)),
-            {gap.a}},
-           gap.distance - limit});
+      Facts facts = facts_of(opening, gap.distance, limit, rules.opening_to_bend_t);
+      facts.emplace(facts.begin(), "bend", workpiece.place_of(bend));
+      result.push_back({"opening_to_bend",
+                        breach(severity_of(gap.distance, limit, kQuarter, rules),
+                               say::opening_near_bend, facts, {gap.a}),
+                        gap.distance - limit});
     }
   }
   return result;
@@ -111,10 +98,8 @@ std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, c
     if (nearest.distance >= limit - kDrawn) continue;
     result.push_back(
         {"opening_to_edge",
-         {severity_of(nearest.distance, limit, kHalf, rules),
-          fmt::format("{} is {} from the outer edge{}", opening_text(opening),
-                      mm_text(nearest.distance), wanted_text(limit, rules.opening_to_edge_t)),
-          {nearest.a}},
+         breach(severity_of(nearest.distance, limit, kHalf, rules), say::opening_near_edge,
+                facts_of(opening, nearest.distance, limit, rules.opening_to_edge_t), {nearest.a}),
          nearest.distance - limit});
   }
   return result;
@@ -157,8 +142,6 @@ std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece
   const double by_thickness = rules.opening_to_opening_t * workpiece.thickness;
   const bool is_thin = by_thickness < rules.opening_to_opening_mm && by_thickness > 0.0;
   const double limit = is_thin ? rules.opening_to_opening_mm : by_thickness;
-  const std::string wanted = is_thin ? fmt::format("; at least {} is needed", mm_text(limit))
-                                     : wanted_text(limit, rules.opening_to_opening_t);
   const auto& openings = workpiece.openings;
   const std::vector<Neighbour> nearest = nearest_neighbours(workpiece, limit);
   std::vector<Observation> result;
@@ -166,13 +149,14 @@ std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece
     const Neighbour& n = nearest[i];
     if (!(n.gap.distance < limit)) continue;
     if (n.other < i && nearest[n.other].other == i) continue;  // reported with the other
-    result.push_back(
-        {"opening_to_opening",
-         {severity_of(n.gap.distance, limit, kHalf, rules),
-          fmt::format("{} is {} from {}{}", opening_text(openings[i]), mm_text(n.gap.distance),
-                      opening_text(openings[n.other]), wanted),
-          {n.gap.a, n.gap.b}},
-         n.gap.distance - limit});
+    Facts facts = facts_of(openings[i], n.gap.distance, limit, rules.opening_to_opening_t);
+    facts.emplace_back("other", place::point(openings[n.other].center));
+    facts.emplace_back("other_size", openings[n.other].size_text);
+    result.push_back({"opening_to_opening",
+                      breach(severity_of(n.gap.distance, limit, kHalf, rules),
+                             is_thin ? say::openings_near_in_thin_sheet : say::openings_near, facts,
+                             {n.gap.a, n.gap.b}),
+                      n.gap.distance - limit});
   }
   return result;
 }

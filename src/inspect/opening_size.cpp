@@ -2,8 +2,6 @@
 
 #include <planish/base/tolerance.hpp>
 
-#include <fmt/format.h>
-
 // The largest circle within an opening. It touches the opening, so places of contact are tried
 // along its curves: a circle that touches there is shrunk until it touches the point nearest to its
 // centre too, and the best place is refined by halving steps. Search stops at what the rule asks
@@ -98,12 +96,13 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const
     if (opening.is_cut) continue;
     const double width = 2.0 * inscribed_radius(opening, 0.5 * (limit - kDrawn));
     if (width >= limit - kDrawn) continue;
+    const Facts facts{{"opening", place::point(opening.center)},
+                      {"size", opening.size_text},
+                      {"measured", width, unit::mm},
+                      {"wanted", limit, unit::mm},
+                      {"rule", factors_text(rules.smallest_opening_t)}};
     result.push_back({"smallest_opening",
-                      {Severity::warning,
-                       fmt::format("the opening {} at {} is {} wide; at least {} ({}) is needed",
-                                   opening.size_text, point_text(opening.center), mm_text(width),
-                                   mm_text(limit), factors_text(rules.smallest_opening_t)),
-                       {opening.center}},
+                      breach(Severity::warning, say::small_opening, facts, {opening.center}),
                       width - limit});
   }
   return result;

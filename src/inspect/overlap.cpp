@@ -7,8 +7,6 @@
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,18 +45,30 @@ SharedByParts shared_by_parts(const Regions& regions, double clearance) {
   return result;
 }
 
+Finding overlap_told(say::Sentence sentence, const Facts& facts, std::vector<Vec2> at) {
+  Told text = told(sentence, facts);
+  return {"overlap",
+          Severity::error,
+          std::move(text.sentence),
+          std::move(at),
+          {},
+          std::move(text.places),
+          std::move(text.numbers),
+          {{"write_overlapping", "true", "Write it anyway"}}};
+}
+
 Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, PartId>& parts,
                         const SharedArea& shared) {
-  const std::string first = part_name(pattern, parts.first);
-  const std::string who = parts.first == parts.second
-                              ? first + " overlaps itself"
-                              : fmt::format("{} and {} overlap", first,
-                                            part_name(pattern, parts.second));
-  const std::string where = shared.places > 1 ? fmt::format(" in {} places", shared.places)
-                                              : std::string();
-  return {"overlap", Severity::error,
-          fmt::format("{} by {:.4g} mm²{} in the flat pattern", who, shared.area, where),
-          shared.outline};
+  const Vec2& at = shared.outline.front();
+  Facts facts{{"area", shared.area, unit::mm2},
+              {"part", place::at(part_place(pattern, parts.first), at)}};
+  const bool itself = parts.first == parts.second, often = shared.places > 1;
+  if (!itself) facts.emplace_back("part", place::at(part_place(pattern, parts.second), at));
+  if (often) facts.emplace_back("count", shared.places);
+  if (itself)
+    return overlap_told(often ? say::overlaps_itself_often : say::overlaps_itself, facts,
+                        shared.outline);
+  return overlap_told(often ? say::overlap_often : say::overlap, facts, shared.outline);
 }
 
 // ---- contours that cross themselves
@@ -95,9 +105,9 @@ std::vector<Vec2> true_crossings(const Loop& loop, double clearance, double chor
   return found;
 }
 
-/// Skips crossings within an overlap that was already found.
-void add_crossing(const Loop& loop, const std::string& name, double clearance, double chord,
-                  std::vector<Finding>& findings) {
+/// An opening is named by its middle. Skips crossings within an overlap that was already found.
+void add_crossing(const Loop& loop, const std::optional<Vec2>& opening, double clearance,
+                  double chord, std::vector<Finding>& findings) {
   std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);
   std::erase_if(crossings, [&](const Vec2& p) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
@@ -110,22 +120,21 @@ void add_crossing(const Loop& loop, const std::string& name, double clearance, d
     });
   });
   if (crossings.empty()) return;
-  const std::string more = crossings.size() > 1
-                               ? fmt::format(" and {} more places", crossings.size() - 1)
-                               : std::string();
-  findings.push_back({"overlap", Severity::error,
-                      fmt::format("{} crosses itself at {} mm{} in the flat pattern", name,
-                                  point_text(crossings.front()), more),
-                      crossings});
+  Facts facts{{"at", place::point(crossings.front())}};
+  const bool often = crossings.size() > 1;
+  if (often) facts.emplace_back("more", crossings.size() - 1);
+  if (opening) facts.emplace_back("opening", place::point(*opening));
+  const say::Sentence once = opening ? say::opening_crosses : say::outer_crosses;
+  const say::Sentence several = opening ? say::opening_crosses_often : say::outer_crosses_often;
+  findings.push_back(overlap_told(often ? several : once, facts, std::move(crossings)));
 }
 
 void add_crossings(const FlatPattern& pattern, double clearance, double chord,
                    std::vector<Finding>& findings) {
-  add_crossing(pattern.outer.loop, "the outer contour", clearance, chord, findings);
+  add_crossing(pattern.outer.loop, std::nullopt, clearance, chord, findings);
   for (const Contour& opening : pattern.openings) {
     const Box2 box = bounds(opening.loop);
-    const std::string name = "the opening at " + point_text(0.5 * (box.lo + box.hi));
-    add_crossing(opening.loop, name, clearance, chord, findings);
+    add_crossing(opening.loop, 0.5 * (box.lo + box.hi), clearance, chord, findings);
   }
 }
 

@@ -112,12 +112,12 @@ class SizeTeller {
   std::string operator()(const Loop& loop) {
     if (const Arc* arc = loop.size() == 1 ? std::get_if<Arc>(&loop.front()) : nullptr;
         arc && std::abs(arc->sweep) > std::numbers::pi * 1.999)
-      return "Ø " + mm_text(2.0 * arc->radius);
+      return fmt::format("Ø {} mm", number_text(2.0 * arc->radius));
     const auto rounded = [](double value) { return std::llround(value / kDrawn); };
     std::string& text = known_[{loop.size(), rounded(length(loop)), rounded(signed_area(loop))}];
     if (text.empty()) {
       const Vec2 size = smallest_rectangle(sampled(loop, 0.1 * kDrawn)).size;
-      text = fmt::format("{} × {}", number_text(size.x()), mm_text(size.y()));
+      text = fmt::format("{} × {} mm", number_text(size.x()), number_text(size.y()));
     }
     return text;
   }
@@ -186,8 +186,15 @@ std::vector<std::vector<Vec2>> slit_rings(const FlatPattern& pattern) {
 
 }  // namespace
 
-Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
-    : pattern(flat),
+Place Workpiece::place_of(size_t bend) const {
+  const Place place = place::bend(pattern.bends[bend].id);
+  if (!spans[bend]) return place;
+  return place::at(place, Vec2(0.5 * (spans[bend]->start + spans[bend]->end)));
+}
+
+Workpiece::Workpiece(const Sheet& made, const FlatPattern& flat)
+    : sheet(made),
+      pattern(flat),
       thickness(flat.thickness),
       contours({}),
       slits(slit_rings(flat)),

@@ -46,10 +46,12 @@ struct Opening {
   std::set<size_t> reaches_in;  ///< bends from whose zone it takes material
 };
 
-/// A flat pattern prepared for queries by place. Holds references: the pattern must outlive it.
+/// A flat pattern prepared for queries by place. Holds references: sheet and pattern must outlive
+/// it.
 struct Workpiece {
   Workpiece(const Sheet& sheet, const FlatPattern& pattern);
 
+  const Sheet& sheet;
   const FlatPattern& pattern;
   double thickness;
   RingIndex contours;  ///< ring 0 is the outer contour, ring i + 1 opening i
@@ -64,6 +66,8 @@ struct Workpiece {
 
   /// The sides of one bend.
   std::span<const BendSide> sides_of(size_t bend) const;
+  /// A bend by its name, and the middle of its line.
+  Place place_of(size_t bend) const;
   bool material(const Vec2& p) const { return contours.odd(p); }
   /// Whether the straight line from a to b, both on contours or tangent lines, is all material.
   bool joined_by_material(const Vec2& a, const Vec2& b) const;

@@ -1,8 +1,10 @@
 #include "cairo_library.hpp"
 
-#include <dlfcn.h>
-#include <fmt/format.h>
+#include "refusals.hpp"
 
+#include <planish/io/codes.hpp>
+
+#include <dlfcn.h>
 namespace planish::io_detail {
 namespace {
 
@@ -27,19 +29,14 @@ class Symbols {
 
 Result<Cairo> load() {
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr)
-    return fail(ErrorCode::cannot_draw,
-                fmt::format("a PDF needs {}, which this machine does not have: install libcairo2",
-                            kLibrary));
+  if (library == nullptr) return fail(refuse::no_cairo, {{"library", kLibrary}});
   Cairo cairo;
   Symbols symbols(library);
 #define PLANISH_CAIRO_FIND(name) symbols.find(cairo.name, "cairo_" #name);
   PLANISH_CAIRO_FUNCTIONS(PLANISH_CAIRO_FIND)
 #undef PLANISH_CAIRO_FIND
   if (symbols.missing() != nullptr)
-    return fail(ErrorCode::cannot_draw,
-                fmt::format("{} of this machine has no {}: install a newer libcairo2", kLibrary,
-                            symbols.missing()));
+    return fail(refuse::old_cairo, {{"library", kLibrary}, {"function", symbols.missing()}});
   return cairo;
 }
 
@@ -47,7 +44,7 @@ Result<Cairo> load() {
 
 Result<const Cairo*> cairo() {
   static const Result<Cairo> loaded = load();
-  if (!loaded) return tl::unexpected(loaded.error());
+  if (!loaded) return pass_on(loaded);
   return &*loaded;
 }
 

@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 
 #include <fmt/format.h>
@@ -33,8 +35,7 @@ File opened(const fs::path& path, const char* mode) {
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 tl::unexpected<Error> cannot_write(const fs::path& target, const std::error_code& reason) {
-  return fail(ErrorCode::cannot_write,
-              fmt::format("cannot write {}: {}", target.string(), reason.message()),
+  return fail(refuse::cannot_write, {{"file", target.string()}, {"reason", reason.message()}},
               target.string());
 }
 
@@ -63,29 +64,29 @@ Result<void> write_directly(const fs::path& target, const std::string& content) 
 }
 
 /// Where a target's bytes go.
-struct Place {
+struct Target {
   fs::path real;                         ///< behind symbolic links
   std::optional<fs::perms> permissions;  ///< of the file that is there
   bool direct = false;                   ///< a device or pipe
 };
 
-Result<Place> place_of(const fs::path& target) {
+Result<Target> place_of(const fs::path& target) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
-  if (!fs::exists(status)) return Place{target, {}};
-  if (!fs::is_regular_file(status) && !fs::is_directory(status)) return Place{target, {}, true};
+  if (!fs::exists(status)) return Target{target, {}};
+  if (!fs::is_regular_file(status) && !fs::is_directory(status)) return Target{target, {}, true};
   // Renaming would also replace a write-protected file; opening it shows that.
   if (!opened(target, "r+b")) return cannot_write(target, last_error());
   const fs::path real = fs::canonical(target, error);
   if (error) return cannot_write(target, error);
-  return Place{real, status.permissions()};
+  return Target{real, status.permissions()};
 }
 
 /// A file that stands beside its target until it takes its place, and goes with this if it never
 /// does.
 class Part {
  public:
-  Part(fs::path target, Place place)
+  Part(fs::path target, Target place)
       : target_(std::move(target)), place_(std::move(place)), part_(name_beside(place_.real)) {}
   Part(Part&& other) noexcept
       : target_(std::move(other.target_)),
@@ -119,7 +120,7 @@ class Part {
 
  private:
   fs::path target_;
-  Place place_;
+  Target place_;
   fs::path part_;
 };
 
@@ -127,7 +128,7 @@ class Part {
 
 Result<void> write_file(const fs::path& target, const std::string& content) {
   auto place = place_of(target);
-  if (!place) return tl::unexpected(place.error());
+  if (!place) return pass_on(place);
   if (place->direct) return write_directly(target, content);
   Part part(target, std::move(*place));
   if (auto written = part.write(content); !written) return written;
@@ -139,7 +140,7 @@ Result<void> write_files(const std::vector<OutputFile>& files) {
   std::vector<const OutputFile*> direct;
   for (const OutputFile& file : files) {
     auto place = place_of(file.path);
-    if (!place) return tl::unexpected(place.error());
+    if (!place) return pass_on(place);
     if (place->direct) {
       direct.push_back(&file);
       continue;
@@ -158,14 +159,13 @@ Result<void> make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (!failed) return {};
-  return fail(ErrorCode::cannot_write,
-              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+  return fail(refuse::cannot_make_folder, {{"file", folder.string()}, {"reason", failed.message()}},
               folder.string());
 }
 
 Result<void> check_writable(const fs::path& target) {
   const auto place = place_of(target);
-  if (!place) return tl::unexpected(place.error());
+  if (!place) return pass_on(place);
   const fs::path folder = place->real.has_parent_path() ? place->real.parent_path() : ".";
   const char* needed = place->direct ? target.c_str() : folder.c_str();
   if (access(needed, W_OK) != 0) return cannot_write(target, last_error());

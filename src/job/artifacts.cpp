@@ -34,7 +34,7 @@ Bytes write_folded_step(const Made& made, int piece, const Request&) {
 
 Bytes mesh_as(const Result<Mesh>& mesh, const std::string& name,
               std::string (*text)(const Mesh&, const std::string&)) {
-  if (!mesh) return tl::unexpected(mesh.error());
+  if (!mesh) return pass_on(mesh);
   return text(*mesh, name);
 }
 
@@ -45,7 +45,7 @@ std::string mould_name(const Made& made) { return made.report().body + " mould";
 
 Bytes write_mould_step(const Made& made, int, const Request&) {
   const auto mesh = made.mould_mesh();
-  if (!mesh) return tl::unexpected(mesh.error());
+  if (!mesh) return pass_on(mesh);
   return mesh_solid_step(*mesh, mould_name(made));
 }
 
@@ -92,7 +92,7 @@ const std::vector<Artifact>& artifacts() {
 
 bool Artifact::may_be_missing(const Error& why) const {
   const bool beside = role == Role::folded || role == Role::mould;
-  return beside && why.code != ErrorCode::cancelled;
+  return beside && why.code != code::cancelled;
 }
 
 void note_missing(Report& report, const Artifact& artifact, const Error& why) {
@@ -113,7 +113,7 @@ Result<std::vector<WrittenArtifact>> write(const Artifact& artifact, const Made&
   const int pieces = artifact.by_piece() ? made.pieces() : 1;
   for (int piece = 0; piece < pieces; ++piece) {
     auto bytes = artifact.write(made, piece, request);
-    if (!bytes) return tl::unexpected(bytes.error());
+    if (!bytes) return pass_on(bytes);
     const std::string number = pieces > 1 ? fmt::format("-{}", piece + 1) : std::string();
     files.push_back(
         {&artifact, fmt::format("{}{}{}", stem, number, artifact.file_end), std::move(*bytes)});

@@ -1,11 +1,11 @@
 #include "asked.hpp"
 
-#include "json_reading.hpp"
 #include "request_schema.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/bend.hpp>
-#include <planish/job/json_depth.hpp>
+#include <planish/schema/json_depth.hpp>
+#include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +13,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 using Task = Asked::Task;
@@ -29,12 +30,12 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
                                      const std::string& pointer) {
   if (const auto wrong = first_mistake(options_schema(files), options)) {
     const std::string where = pointer + wrong->pointer;
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
   }
   for (const auto& [name, value] : options.items())
     if (!maker.takes(name) && !value.is_null())
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
                   pointer + "/" + name);
   OptionValues values = values_of(options);
@@ -47,7 +48,7 @@ Result<void> check_folder(const Maker& maker, const InputFile& file) {
   if (file.folder || !maker.named_files) return {};
   const auto named = maker.named_files(file.content);
   if (named.empty()) return {};
-  return fail(ErrorCode::invalid_input,
+  return fail(code::invalid_input,
               fmt::format("request: /input/folder is missing: the {} names the file {} at {}; say "
                           "in which folder it is",
                           maker.input_kind(), named.front().file, named.front().pointer),
@@ -75,11 +76,11 @@ Result<void> choose_maker(Asked& asked, const std::string& name, const Catalogue
   if (asked.task == Task::bend) {
     if (!asked.content) {
       auto file = read_input_file(asked.request.input, "input file");
-      if (!file) return tl::unexpected(file.error());
+      if (!file) return pass_on(file);
       asked.content = std::move(*file);
     }
     const auto maker = catalogue.maker_for(asked.content->name, asked.content->content);
-    if (!maker) return tl::unexpected(maker.error());
+    if (!maker) return pass_on(maker);
     asked.maker = *maker;
   }
   if (asked.maker && asked.content) return check_folder(*asked.maker, *asked.content);
@@ -91,7 +92,7 @@ Result<void> read_options(Asked& asked, const Json& options) {
                       : asked.task == Task::bend ? bending_with(*asked.maker)
                                                  : *asked.maker;
   const auto values = checked_options(options, maker, OptionFiles::path_or_content, kOptions);
-  if (!values) return tl::unexpected(values.error());
+  if (!values) return pass_on(values);
   if (auto entered = values->enter(asked.request); !entered)
     return tl::unexpected(at_pointer(entered.error(), kOptions));
   return {};
@@ -120,10 +121,10 @@ Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& ca
     const auto name = names[i].get<std::string>();
     const Artifact* artifact = written(asked, name, catalogue);
     if (!artifact && asked.task == Task::info)
-      return fail(ErrorCode::bad_option, "info writes no files: leave `artifacts` out",
+      return fail(code::bad_option, "info writes no files: leave `artifacts` out",
                   fmt::format("/artifacts/{}", i));
     if (!artifact)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("{} cannot write \"{}\"; it writes {}",
                               asked.task == Task::bend ? kBend : asked.maker->name, shortened(name),
                               fmt::join(names_written(asked, catalogue), ", ")),
@@ -145,10 +146,9 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
   read_input(asked, json["input"]);
   if (bytes && asked.content) asked.content->content = std::move(*bytes);
   if (auto chosen = choose_maker(asked, json["maker"].get<std::string>(), catalogue); !chosen)
-    return tl::unexpected(chosen.error());
+    return pass_on(chosen);
   if (json.contains("options"))
-    if (auto read = read_options(asked, json["options"]); !read)
-      return tl::unexpected(read.error());
+    if (auto read = read_options(asked, json["options"]); !read) return pass_on(read);
   if (json.value("effort", "full") == "draft") asked.request.effort = Effort::draft;
   if (asked.task == Task::bend) {
     asked.request.effort = Effort::full;
@@ -156,31 +156,29 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
   }
   asked.sheets = json.value("sheets", false);
   if (asked.sheets && asked.task != Task::info)
-    return fail(ErrorCode::bad_option, "`sheets` is of info alone: leave it out", "/sheets");
+    return fail(code::bad_option, "`sheets` is of info alone: leave it out", "/sheets");
   if (json.contains("artifacts"))
     if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
-      return tl::unexpected(known.error());
+      return pass_on(known);
   return asked;
 }
 
 Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& progress) {
   const auto work = asked.content ? asked.maker->open(*asked.content, progress)
                                   : open_input(*asked.maker, asked.request, progress);
-  if (!work) return tl::unexpected(work.error());
+  if (!work) return pass_on(work);
   auto made = (*work)->make(asked.request, progress);
   if (!made) return made;
-  if (auto shown = piece_of(**made, asked.request.piece); !shown)
-    return tl::unexpected(shown.error());
+  if (auto shown = piece_of(**made, asked.request.piece); !shown) return pass_on(shown);
   return made;
 }
 
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
                                   const std::string& pointer) {
   if (const auto byte = too_deep_at(json))
-    return fail(ErrorCode::invalid_input, "the options " + too_deep_sentence(json, *byte), pointer);
+    return fail(code::invalid_input, "the options " + too_deep_sentence(json, *byte), pointer);
   const Json options = Json::parse(json, nullptr, false);
-  if (options.is_discarded())
-    return fail(ErrorCode::invalid_input, "the options are not JSON", pointer);
+  if (options.is_discarded()) return fail(code::invalid_input, "the options are not JSON", pointer);
   return checked_options(options, maker, files, pointer);
 }
 

@@ -1,15 +1,16 @@
 #include "bend_order_json.hpp"
 #include "bending.hpp"
 #include "bending_options.hpp"
-#include "json_reading.hpp"
 #include "plan_report.hpp"
 
 #include <planish/job/bend_order.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr int kMostStrokes = 10'000;  // of an order that is read
@@ -44,7 +45,7 @@ Result<std::vector<OrderedStroke>> parse_order(const std::string& json, const Re
     for (const JsonPlace& name : row["bends"].items())
       names.push_back(name.text());
     auto bends = bends_named(report, names);
-    if (!bends) return fail(ErrorCode::invalid_input, bends.error().message, row.pointer());
+    if (!bends) return fail(code::invalid_input, bends.error().message, row.pointer());
     OrderedStroke stroke{std::move(*bends)};
     if (row["press_line"].given()) stroke.press_line = row["press_line"].whole() - 1;
     stroke.flattening = row["flattening"].given() && row["flattening"].yes();
@@ -52,7 +53,7 @@ Result<std::vector<OrderedStroke>> parse_order(const std::string& json, const Re
   }
   if (order.size() > kMostStrokes)
     return fail(
-        ErrorCode::invalid_input,
+        code::invalid_input,
         fmt::format("the order has {} strokes; at most {} are read", order.size(), kMostStrokes),
         "/order");
   return order;
@@ -63,7 +64,7 @@ Result<std::vector<OrderedStroke>> parse_order(const std::string& json, const Re
 Result<Bending> read_bending(const std::string& json, const std::string& pointer,
                              const Bending& otherwise) {
   const auto values = read_options(json, brake_options(), OptionFiles::content, pointer);
-  if (!values) return tl::unexpected(values.error());
+  if (!values) return pass_on(values);
   Request request;
   request.bending = otherwise;
   if (auto entered = values->enter(request); !entered)
@@ -87,11 +88,11 @@ Result<BendOrder> BendOrder::make(const Report& report, Bending bending) {
   if (report.refusal) return tl::unexpected(*report.refusal);
   auto state = std::make_unique<State>(State{report, std::move(bending)});
   auto begin = bends_named(report, state->bending.begin_with);
-  if (!begin) return tl::unexpected(begin.error());
+  if (!begin) return pass_on(begin);
   state->bending.plan.begin_with = std::move(*begin);
   auto checker = OrderChecker::make(report.sheet, report.layout, state->tools(),
                                     state->bending.plan);
-  if (!checker) return tl::unexpected(checker.error());
+  if (!checker) return pass_on(checker);
   state->checker = std::move(*checker);
   return BendOrder(std::move(state));
 }
@@ -101,7 +102,7 @@ Result<std::string> BendOrder::plan(const Progress& progress) {
   progress.at("ordering the bends", 0.1);
   auto plan = plan_bending(report.sheet, report.layout, state_->tools(), state_->bending.plan,
                            progress);
-  if (!plan) return tl::unexpected(plan.error());
+  if (!plan) return pass_on(plan);
   std::vector<OrderedStroke> order;
   for (const Stroke& stroke : plan->strokes)
     order.push_back(ordered(stroke));
@@ -109,7 +110,7 @@ Result<std::string> BendOrder::plan(const Progress& progress) {
     for (const BendId bend : state_->bending.plan.begin_with)
       order.push_back({{bend}});
   const auto checked = state_->checker->check(order, progress);
-  if (!checked) return tl::unexpected(checked.error());
+  if (!checked) return pass_on(checked);
   Json json = planned_order_json(*plan, state_->bending, report);
   add_order(json, *checked, report, state_->tools());
   return text_of(json);
@@ -117,9 +118,9 @@ Result<std::string> BendOrder::plan(const Progress& progress) {
 
 Result<std::string> BendOrder::check(const std::string& order, const Progress& progress) {
   const auto strokes = parse_order(order, state_->report);
-  if (!strokes) return tl::unexpected(strokes.error());
+  if (!strokes) return pass_on(strokes);
   const auto checked = state_->checker->check(*strokes, progress);
-  if (!checked) return tl::unexpected(checked.error());
+  if (!checked) return pass_on(checked);
   Json json = checked_order_json(*checked);
   add_order(json, *checked, state_->report, state_->tools());
   return text_of(json);

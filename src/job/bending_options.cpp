@@ -1,6 +1,6 @@
 #include "bending_options.hpp"
 
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,9 +8,12 @@
 #include <array>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
-constexpr Range kSpringback{"an angle of at least 0 and below 45 degrees", 0.0, 45.0, true, false};
+constexpr schema::Range kSpringback{"an angle of at least 0 and below 45 degrees", 0.0, 45.0, true,
+                                    false};
 
 struct Weight {
   std::string_view name;
@@ -49,7 +52,7 @@ const std::string& words_of(const OptionValue& value) { return std::get<std::str
 Result<void> set_tools(Request& to, const OptionValue& value) {
   const OptionFile& file = std::get<OptionFile>(value);
   auto tools = parse_tools(file.text, file.name);
-  if (!tools) return tl::unexpected(tools.error());
+  if (!tools) return pass_on(tools);
   to.bending.tools = std::move(*tools);
   return {};
 }
@@ -72,7 +75,7 @@ Result<void> set_weights(Request& to, const OptionValue& value) {
     const auto number = equals == std::string::npos ? std::nullopt
                                                     : parse_number(word.substr(equals + 1));
     if (weight == kStrokeWeights.end() || !number || *number < 0.0)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("`weights` must be like turn_over=3,rotate=2, each a number of at "
                               "least 0 for one of turn_over, rotate, tool_change, stroke, "
                               "ungauged, not \"{}\"",

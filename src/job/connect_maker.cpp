@@ -10,6 +10,7 @@
 #include <planish/job/plates_json.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -60,7 +61,7 @@ Result<PlatesFile> parse(const InputFile& input) { return parse_plates(input.con
 Result<std::unique_ptr<Made>> make(const PlatesFile& file, const Request& request,
                                    const Progress& progress) {
   auto report = connect_plates(file, request, progress);
-  if (!report) return tl::unexpected(report.error());
+  if (!report) return pass_on(report);
   return std::make_unique<MadeConnection>(std::move(*report), file.structure.plates);
 }
 

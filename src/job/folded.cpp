@@ -25,7 +25,7 @@ std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Re
                           const Progress& progress) {
   progress.at("folding it", 0.3);
   auto folded = folded_body(to_fold, report.body);
-  if (progress.should_stop()) return Error{ErrorCode::cancelled, "cancelled", {}};
+  if (progress.should_stop()) return Error{code::cancelled, "cancelled", {}};
   if (folded) {
     sheet.volume = folded->volume();
     solid = std::move(folded);
@@ -42,15 +42,15 @@ void leave_unfolded(Report& report, const Error& why, Result<Body>& solid) {
 }
 
 Result<std::string> checked_step(const Result<Body>& solid) {
-  if (!solid) return tl::unexpected(solid.error());
+  if (!solid) return pass_on(solid);
   auto text = step_text(*solid);
   if (!text) return text;
   const auto read = read_step_text(*text, solid->name());
-  if (!read) return tl::unexpected(read.error());
+  if (!read) return pass_on(read);
   constexpr double kSame = 1e-4;  // of the volume: texts round, what is lost is more
   const double written = read->bodies.front().volume();
   if (std::abs(written - solid->volume()) <= kSame * solid->volume()) return text;
-  return fail(ErrorCode::internal,
+  return fail(code::internal,
               fmt::format("the folded solid has {:.9g} mm³ and, read back from its STEP text, "
                           "{:.9g} mm³: a file of it would be wrong",
                           solid->volume(), written),

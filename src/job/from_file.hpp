@@ -13,9 +13,9 @@ auto from_file(const Request& request, const std::string& kind, const Parse& par
     -> decltype(make(*parse(InputFile()), request, progress)) {
   const auto start = std::chrono::steady_clock::now();
   const auto input = read_input_file(request.input, kind);
-  if (!input) return tl::unexpected(input.error());
+  if (!input) return pass_on(input);
   const auto file = parse(*input);
-  if (!file) return tl::unexpected(file.error());
+  if (!file) return pass_on(file);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   auto report = make(*file, request, progress);
   if (report) report->read_seconds = taken.count();

@@ -69,7 +69,7 @@ Result<InfoReport> info(const InfoRequest& request, const Progress& progress) {
   progress.at("reading", 0.0);
   constexpr double kRead = 0.7;
   const auto file = read_input(request.input, part_of(progress, 0.0, kRead));
-  if (!file) return tl::unexpected(file.error());
+  if (!file) return pass_on(file);
   return info_of(*file, request, part_of(progress, kRead, 1.0));
 }
 
@@ -78,7 +78,7 @@ Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
   int first = 0, last = static_cast<int>(file.bodies.size());
   if (!request.body.empty()) {
     const auto chosen = choose_body(file, request.body);
-    if (!chosen) return tl::unexpected(chosen.error());
+    if (!chosen) return pass_on(chosen);
     first = *chosen;
     last = first + 1;
   }
@@ -90,7 +90,7 @@ Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
   report.surface_bodies = file.surface_bodies;
   report.units = request.units;
   for (int i = first; i < last; ++i) {
-    if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+    if (progress.should_stop()) return fail(code::cancelled, "cancelled");
     const Body& body = file.bodies[i];
     progress.at(fmt::format("body {} ({})", i + 1, body.name()),
                 double(i - first) / (last - first));

@@ -1,14 +1,16 @@
 #include "facts.hpp"
-#include "json_parts.hpp"
-#include "table.hpp"
-#include "units.hpp"
+#include "places_json.hpp"
 
 #include <planish/job/info.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/printable.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json size_json(const Vec3& size, const Units& units) {
@@ -20,7 +22,7 @@ Json size_json(const Vec3& size, const Units& units) {
 
 Json sheet_json(const SheetInfo& sheet, const Units& units) {
   Json json;
-  json["reason"] = reason_json(sheet.refusal);
+  json["reason"] = reason_json(sheet.refusal, units);
   if (sheet.refusal) return json;
   json["thickness"] = number_json(units.length(sheet.thickness));
   json["flanges"] = sheet.flanges;
@@ -103,7 +105,7 @@ std::string info_json(const InfoReport& report) {
   json["input"] = report.input;
   json["units"] = units.name();
   json["status"] = status_name(report.refusal ? Status::refused : Status::ok);
-  json["reason"] = reason_json(report.refusal);
+  json["reason"] = reason_json(report.refusal, units);
   json["schema"] = report.schema;
   json["cad_system"] = report.cad_system;
   json["file_units"] = report.file_unit;

@@ -1,8 +1,8 @@
 #include "input.hpp"
 
-#include "units.hpp"
-
-#include <planish/job/text_file.hpp>
+#include <planish/job/codes.hpp>
+#include <planish/schema/text_file.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr int kListedBodies = 12;  // in a message
@@ -48,8 +49,8 @@ std::vector<int> bodies_named(const StepFile& file, const std::string& name) {
 Result<StepFile> read_input(const std::filesystem::path& input, const Progress& progress) {
   if (input != "-") return read_step(input, progress);
   const auto text = read_text(input, "STEP file");
-  if (!text) return tl::unexpected(text.error());
-  if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+  if (!text) return pass_on(text);
+  if (progress.should_stop()) return fail(code::cancelled, "cancelled");
   return read_step_text(*text, "standard input", progress);
 }
 
@@ -57,7 +58,7 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   const int n = static_cast<int>(file.bodies.size());
   if (wanted.empty()) {
     if (n == 1) return 0;
-    return fail(ErrorCode::no_such_body,
+    return fail(code::no_such_body,
                 fmt::format("the file holds {} different bodies: choose one with `body`, by its "
                             "number or name; there are {}",
                             n, body_list(file)),
@@ -70,12 +71,12 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   const std::vector<int> named = bodies_named(file, wanted);
   if (named.size() == 1) return named.front();
   if (named.empty()) {
-    return fail(ErrorCode::no_such_body,
+    return fail(code::no_such_body,
                 fmt::format("there is no body \"{}\"; there {} {}", wanted, n == 1 ? "is" : "are",
                             body_list(file)),
                 "body");
   }
-  return fail(ErrorCode::no_such_body,
+  return fail(code::no_such_body,
               fmt::format("{} bodies are named \"{}\", choose one by its number; there are {}",
                           named.size(), wanted, body_list(file)),
               "body");

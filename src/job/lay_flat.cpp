@@ -3,18 +3,20 @@
 #include "bending.hpp"
 #include "reliefs.hpp"
 #include "self_intersections.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 #include "verdict.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 constexpr double kCubicDecimetre = 1e6;  // mm³
@@ -23,7 +25,7 @@ constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 // Bends from one table row may differ in the last digits; that still counts as one K.
 constexpr double kSameK = tolerance::kComputed;
 
-Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
+Error stopped() { return {code::cancelled, "cancelled", {}}; }
 
 void summarize_k(SheetSummary& summary, const FlatPattern& flat, const AllowanceRule& rule) {
   summary.k_factor.reset();
@@ -133,7 +135,7 @@ std::optional<Error> relieve(Report& report, const SheetToLay& given,
                                rules_of(given));
   if (!relieved) return relieved.error();
   if (mends && !overlaps.empty() && !contour_crossings(relieved->pattern).empty())
-    return Error{ErrorCode::overlap, "contours cross elsewhere", {}};
+    return Error{code::overlap, "contours cross elsewhere", {}};
   take_reliefs(report, std::move(*relieved));
   if (mends) overlaps.clear();
   return std::nullopt;
@@ -153,7 +155,9 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   const std::optional<ShopChoice>& shop = given.checks.shop;
   if (given.checks.rules.enabled)
     append(report.findings, check_rules(given.sheet, report.flat, rules_of(given)));
-  if (shop) append(report.findings, shop_findings(report, *shop));
+  if (shop)
+    append(report.findings,
+           shop_findings({report.summary.thickness, report.size, report.flat}, *shop));
   return std::nullopt;
 }
 
@@ -185,7 +189,7 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
                             const Progress& progress) {
   if (progress.should_stop()) return tl::unexpected(stopped());
   auto flat = flat_sheet(sheet, options);
-  if (!flat) return tl::unexpected(flat.error());
+  if (!flat) return pass_on(flat);
   Report report;
   const EdgeDistance unmeasured;
   const Request plain;

@@ -1,21 +1,22 @@
 #include "folded.hpp"
-#include "json_parts.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/artifact.hpp>
-#include <planish/job/json_depth.hpp>
 #include <planish/job/maker.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/json_depth.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 tl::unexpected<Error> not_made(const char* what) {
-  return fail(ErrorCode::bad_option, fmt::format("{} cannot be made of this part", what));
+  return fail(code::bad_option, fmt::format("{} cannot be made of this part", what));
 }
 
 bool looks_like_json(const std::string& content) {
@@ -42,18 +43,18 @@ Result<Mesh> Made::mould_mesh() const { return not_made("a mould"); }
 Result<const Report*> piece_of(const Made& made, int piece) {
   if (piece < made.pieces()) return &made.piece(piece);
   if (made.report().refusal) return &made.report();
-  return fail(ErrorCode::bad_option,
+  return fail(code::bad_option,
               fmt::format("there is no piece {}; the last is {}", piece, made.pieces() - 1),
               "piece");
 }
 
 Result<void> Work::edit(const InputFile&) {
-  return fail(ErrorCode::bad_option, "this kind of input cannot be edited", "/spec");
+  return fail(code::bad_option, "this kind of input cannot be edited", "/spec");
 }
 
 Result<InputFile> read_input_file(const std::filesystem::path& file, const std::string& kind) {
   auto content = read_text(file, kind);
-  if (!content) return tl::unexpected(content.error());
+  if (!content) return pass_on(content);
   return InputFile{place_name(file.string()), std::move(*content),
                    file == "-" ? std::filesystem::path() : file.parent_path()};
 }
@@ -61,8 +62,8 @@ Result<InputFile> read_input_file(const std::filesystem::path& file, const std::
 Result<std::unique_ptr<Work>> open_input(const Maker& maker, const Request& request,
                                          const Progress& progress) {
   const auto input = read_input_file(request.input, maker.input_kind());
-  if (!input) return tl::unexpected(input.error());
-  if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+  if (!input) return pass_on(input);
+  if (progress.should_stop()) return fail(code::cancelled, "cancelled");
   return maker.open(*input, progress);
 }
 
@@ -90,12 +91,11 @@ Result<const Maker*> Catalogue::maker_for(const std::string& name,
                                           const std::string& content) const {
   const bool json = looks_like_json(content);
   if (const auto byte = json ? too_deep_at(content) : std::nullopt)
-    return fail(ErrorCode::invalid_input,
-                fmt::format("{} {}", name, too_deep_sentence(content, *byte)),
+    return fail(code::invalid_input, fmt::format("{} {}", name, too_deep_sentence(content, *byte)),
                 name + ":" + line_and_column(content, *byte));
   const Json document = json ? Json::parse(content, nullptr, false) : Json();
   if (document.is_discarded())
-    return fail(ErrorCode::invalid_input, fmt::format("{} is not JSON", name), name);
+    return fail(code::invalid_input, fmt::format("{} is not JSON", name), name);
   const bool told = document.is_object() && document.contains("format") &&
                     document["format"].is_string();
   const std::string format = told ? document["format"].get<std::string>() : "";
@@ -107,11 +107,11 @@ Result<const Maker*> Catalogue::maker_for(const std::string& name,
   }
   if (told)
     return fail(
-        ErrorCode::invalid_input,
+        code::invalid_input,
         fmt::format("{} has the format \"{}\"; the known formats are {}", name, shortened(format),
                     listed(makers, [](const Maker& m) { return std::string(m.format); })),
         name + "/format");
-  return fail(ErrorCode::invalid_input,
+  return fail(code::invalid_input,
               fmt::format("{} is JSON, but not one of these: {}", name,
                           listed(makers, [](const Maker& m) { return m.input_kind(); })),
               name);

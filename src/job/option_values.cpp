@@ -1,7 +1,8 @@
-#include "shop_checks.hpp"
+
+#include "taken_shop.hpp"
 
 #include <planish/job/options.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,13 +13,15 @@
 #include <filesystem>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using ByBend = std::vector<std::pair<std::string, double>>;
 
 tl::unexpected<Error> must_be(const Option& option, const std::string& what,
                               const std::string& text) {
-  return fail(ErrorCode::bad_option, fmt::format("must be {}, not \"{}\"", what, text),
+  return fail(code::bad_option, fmt::format("must be {}, not \"{}\"", what, text),
               std::string(option.name));
 }
 
@@ -93,19 +96,19 @@ Error within_content(Error error, const Option& option, const OptionFile& file) 
 
 Result<OptionValue> read_file(const Option& option, const std::string& path) {
   auto text = read_text(path, std::string(option.file_kind));
-  if (!text) return tl::unexpected(text.error());
+  if (!text) return pass_on(text);
   return OptionValue(OptionFile{path, std::move(*text)});
 }
 
 Error without_material(const Shop& shop, const std::string& name, bool reads_files) {
-  return {ErrorCode::bad_option,
+  return {code::bad_option,
           fmt::format("the shop profile has no material \"{}\"{}: it has {}", name,
                       reads_files ? " and there is no such file" : "", material_names(shop)),
           "material"};
 }
 
 Error not_a_content(const Option& option) {
-  return {ErrorCode::bad_option,
+  return {code::bad_option,
           fmt::format("`{}` is the name of a material only beside `shop`: give the content of the "
                       "{}",
                       option.name, option.file_kind),
@@ -121,7 +124,7 @@ Result<bool> enter_shop_material(const std::string& name, Request& request, bool
   std::error_code ignored;
   if (!reads_files || !std::filesystem::exists(name, ignored))
     return tl::unexpected(without_material(request.shop->shop, name, reads_files));
-  if (request.allowance) return fail(ErrorCode::bad_option, kOneK, "material");
+  if (request.allowance) return fail(code::bad_option, kOneK, "material");
   return false;
 }
 
@@ -130,13 +133,13 @@ Result<void> enter_one(const Option& option, const OptionValue& value, Request& 
   const auto* path = std::get_if<std::string>(&value);
   if (option.name == "material" && path && request.shop) {
     const auto done = enter_shop_material(*path, request, reads_files);
-    if (!done) return tl::unexpected(done.error());
+    if (!done) return pass_on(done);
     if (*done) return {};
   }
   if (option.kind == OptionKind::file && path) {
     if (!reads_files) return tl::unexpected(not_a_content(option));
     const auto content = read_file(option, *path);
-    if (!content) return tl::unexpected(content.error());
+    if (!content) return pass_on(content);
     return option.set(request, *content);
   }
   auto done = option.set(request, value);
@@ -149,7 +152,7 @@ Result<void> enter_one(const Option& option, const OptionValue& value, Request& 
 
 Result<void> OptionValues::set_text(const Option& option, const std::string& text) {
   auto value = value_of(option, text);
-  if (!value) return tl::unexpected(value.error());
+  if (!value) return pass_on(value);
   set(option, std::move(*value));
   return {};
 }
@@ -203,7 +206,7 @@ Result<void> OptionValues::check_together() const {
            {given("tick_length") && text("bend_marks") != "ticks",
             "`tick_length` goes with `bend_marks` ticks", "tick_length"},
        })
-    if (one.holds) return fail(ErrorCode::bad_option, one.sentence, one.option);
+    if (one.holds) return fail(code::bad_option, one.sentence, one.option);
   return {};
 }
 

@@ -1,10 +1,10 @@
 #include "bending_options.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/job/material_json.hpp>
 #include <planish/job/options.hpp>
-#include <planish/job/rules_json.hpp>
+#include <planish/shop/material_json.hpp>
+#include <planish/shop/rules_json.hpp>
 
 #include <fmt/format.h>
 
@@ -13,6 +13,8 @@
 #include <filesystem>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using Done = Result<void>;
@@ -25,21 +27,21 @@ bool yes(const OptionValue& value) { return std::get<bool>(value); }
 Done set_k_table(Request& to, const OptionValue& value) {
   const std::string name = std::filesystem::path(file_of(value).name).filename().string();
   auto table = parse_bend_table(file_of(value).text, name);
-  if (!table) return tl::unexpected(table.error());
+  if (!table) return pass_on(table);
   to.allowance = std::move(*table);
   return {};
 }
 
 Done set_shop(Request& to, const OptionValue& value) {
   auto shop = parse_shop(file_of(value).text, file_of(value).name);
-  if (!shop) return tl::unexpected(shop.error());
+  if (!shop) return pass_on(shop);
   take_shop(to, std::move(*shop));
   return {};
 }
 
 Done set_material(Request& to, const OptionValue& value) {
   auto material = parse_material(file_of(value).text, file_of(value).name);
-  if (!material) return tl::unexpected(material.error());
+  if (!material) return pass_on(material);
   to.allowance = std::move(*material);
   return {};
 }
@@ -51,7 +53,7 @@ Done set_process(Request& to, const OptionValue& value) {
 
 Done set_rules(Request& to, const OptionValue& value) {
   const auto rules = parse_rules(file_of(value).text, file_of(value).name, to.rules);
-  if (!rules) return tl::unexpected(rules.error());
+  if (!rules) return pass_on(rules);
   to.rules = *rules;
   return {};
 }
@@ -121,7 +123,7 @@ Done set_rip_edges(Request& to, const OptionValue& value) {
     int edge = 0;
     const auto [stop, error] = std::from_chars(at, end, edge);
     if (error != std::errc() || edge < 1 || (stop != end && *stop != ','))
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("`rip_edges` must be numbers of edges with commas between them, as "
                               "in 21,56, not \"{}\"",
                               text),

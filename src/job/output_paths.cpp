@@ -12,7 +12,7 @@ Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& i
   for (const fs::path& input : inputs) {
     std::error_code absent;
     if (fs::equivalent(output, input, absent) && !absent)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("the output {} is the input {}, which would be lost", output.string(),
                               input.string()));
   }
@@ -23,7 +23,7 @@ Result<void> folder_exists(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return {};
-  return fail(ErrorCode::cannot_write,
+  return fail(code::cannot_write,
               fmt::format("cannot write {}: there is no folder {}", file.string(), folder.string()),
               file.string());
 }
@@ -33,7 +33,7 @@ Result<void> all_different(const std::vector<fs::path>& outputs) {
   for (const fs::path& path : outputs) {
     std::error_code ignored;
     if (!taken.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("two outputs are to be written to {}", path.string()));
   }
   return {};

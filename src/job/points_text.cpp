@@ -62,7 +62,7 @@ Result<std::vector<Vec3>> parse_points(const std::string& text, const std::strin
     }
     Vec3 p;
     if (!take_number(line, p.x()) || !take_number(line, p.y()) || !take_number(line, p.z()))
-      return fail(ErrorCode::invalid_input, "a line of a scan must begin with three numbers, x y z",
+      return fail(code::invalid_input, "a line of a scan must begin with three numbers, x y z",
                   fmt::format("{}:{}", name, number));
     points.push_back(scale * p);
   }

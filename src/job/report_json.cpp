@@ -1,12 +1,16 @@
+#include "report_json.hpp"
+
 #include "facts.hpp"
-#include "json_parts.hpp"
+#include "places_json.hpp"
 #include "plan_report.hpp"
 #include "report_schema.hpp"
-#include "units.hpp"
 
 #include <planish/job/unfold.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/units.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json line_json(const Segment& line, const Units& units) {
@@ -123,28 +127,6 @@ Json verification_json(const Report& report, const Units& units) {
   return json;
 }
 
-Json points_json(const std::vector<Vec2>& points, const Units& units) {
-  Json json = Json::array();
-  for (const Vec2& p : points)
-    json.push_back(point_json(p, units));
-  return json;
-}
-
-Json check_json(const Finding& finding, const Units& units) {
-  Json json;
-  json["code"] = finding.code;
-  json["severity"] = severity_name(finding.severity);
-  json["message"] = finding.message;
-  json["at"] = points_json(finding.at, units);
-  if (finding.places.empty()) return json;
-  json["count"] = finding.places.size();
-  for (const FindingPlace& place : finding.places)
-    json["places"].push_back({{"severity", severity_name(place.severity)},
-                              {"message", place.message},
-                              {"at", points_json(place.at, units)}});
-  return json;
-}
-
 }  // namespace
 
 Json begun_report(const Report& report, std::string_view command) {
@@ -160,7 +142,7 @@ void finish_report(Json& json, const Report& report, BendList bends, const BendD
   const Units units(report.units);
   json["units"] = units.name();
   json["status"] = status_name(report.status());
-  json["reason"] = reason_json(report.refusal);
+  json["reason"] = reason_json(report.refusal, units);
   json["sheet"] = sheet_json(report, units);
   json["flat"] = flat_json(report, units, bends, details);
   json["verification"] = verification_json(report, units);

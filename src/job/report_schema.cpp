@@ -1,10 +1,12 @@
 #include "report_schema.hpp"
 
+#include "places_json.hpp"
 #include "plan_report.hpp"
 
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Schema status_schema() { return words({"ok", "warning", "refused"}); }
@@ -62,13 +64,26 @@ Schema verification_schema() {
                                   required("refold_deviation", report_point())}))});
 }
 
+void append(std::vector<Field>& all, std::vector<Field> more) {
+  for (Field& field : more)
+    if (std::none_of(all.begin(), all.end(), [&](const Field& f) { return f.key == field.key; }))
+      all.push_back(std::move(field));
+}
+
 Schema check_schema() {
   const auto severity = [] { return words({"info", "warning", "error"}); };
-  const Schema place = object({required("severity", severity()), required("message", any_text()),
-                               required("at", list(report_point()))});
-  return object({required("code", text()), required("severity", severity()),
-                 required("message", any_text()), required("at", list(report_point())),
-                 optional("count", whole(1)), optional("places", list(place))});
+  std::vector<Field> place = place_fields();
+  append(place, {optional("severity", severity()), optional("message", any_text()),
+                 optional("points", list(report_point())), optional("numbers", numbers_schema())});
+  std::vector<Field> check{required("code", text()),
+                           required("severity", severity()),
+                           required("message", any_text()),
+                           required("at", list(report_point())),
+                           optional("count", whole(1)),
+                           required("places", list(object(std::move(place)))),
+                           required("numbers", numbers_schema())};
+  append(check, remedy_fields());
+  return object(std::move(check));
 }
 
 std::vector<Field> common_fields(const std::vector<Field>& bend_details) {
@@ -82,12 +97,6 @@ std::vector<Field> common_fields(const std::vector<Field>& bend_details) {
           optional("plan", plan_schema()),
           required("notes", list(any_text())),
           required("files", list(text()))};
-}
-
-void append(std::vector<Field>& all, std::vector<Field> more) {
-  for (Field& field : more)
-    if (std::none_of(all.begin(), all.end(), [&](const Field& f) { return f.key == field.key; }))
-      all.push_back(std::move(field));
 }
 
 std::vector<Field> written_header(const char* format) {
@@ -111,8 +120,11 @@ Schema report_space_point() { return tuple(3, measured_length(), "a point [x, y,
 Schema report_line() { return tuple(2, report_point(), "two points"); }
 
 Schema reason_schema() {
-  return object(
-      {required("code", text()), required("message", any_text()), required("where", any_text())});
+  std::vector<Field> reason{
+      required("code", text()), required("message", any_text()), required("where", any_text()),
+      required("places", list(object(place_fields()))), required("numbers", numbers_schema())};
+  append(reason, remedy_fields());
+  return object(std::move(reason));
 }
 
 std::vector<Field> common_report_fields() { return common_fields({}); }

@@ -1,11 +1,14 @@
 #include "asked.hpp"
 
+#include <planish/base/packed_error.hpp>
+#include <planish/job/options.hpp>
 #include <planish/job/run.hpp>
 
 #include <mutex>
 #include <shared_mutex>
 
 namespace planish::job {
+using namespace process;
 namespace {
 
 /// Held by those who work in this process; by who copies it, alone: the copy would find every lock
@@ -17,7 +20,7 @@ std::shared_mutex& working_here() {
 
 Result<RunResult> run_maker(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   RunResult result;
   Report& report = (*made)->report();
   const std::string stem = report.body;
@@ -28,7 +31,7 @@ Result<RunResult> run_maker(const Asked& asked, const Progress& progress) {
       note_missing(report, *artifact, files.error());
       continue;
     }
-    if (!files) return tl::unexpected(files.error());
+    if (!files) return pass_on(files);
     for (WrittenArtifact& file : *files)
       result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
                                   std::string(artifact->media_type), std::move(file.bytes)});
@@ -53,12 +56,12 @@ Result<RunResult> done(const Asked& asked, const Progress& progress) {
                                                       : run_maker(asked, progress));
 }
 
-constexpr std::size_t kOfResult = 4, kOfRefusal = 4, kOfFile = 4;
+constexpr std::size_t kOfResult = 5, kOfFile = 4;
 
 Texts texts_of(const RunResult& result) {
+  const Texts refusal = result.refusal ? packed(*result.refusal) : Texts();
   Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report,
-              result.summary};
-  const Texts refusal = result.refusal ? job::texts_of(*result.refusal) : Texts(kOfRefusal);
+              result.summary, std::to_string(refusal.size())};
   texts.insert(texts.end(), refusal.begin(), refusal.end());
   for (const ArtifactFile& file : result.artifacts)
     texts.insert(texts.end(), {file.artifact, file.name, file.media_type, file.bytes});
@@ -66,16 +69,19 @@ Texts texts_of(const RunResult& result) {
 }
 
 std::optional<RunResult> result_in(const Texts& texts) {
-  constexpr std::size_t kHead = kOfResult + kOfRefusal;
-  if (texts.size() < kHead || texts[0] != "result") return std::nullopt;
-  if ((texts.size() - kHead) % kOfFile != 0) return std::nullopt;
+  if (texts.size() < kOfResult || texts[0] != "result") return std::nullopt;
+  const auto of_refusal = parse_number(texts[4]);
+  if (!of_refusal || *of_refusal < 0 || *of_refusal > static_cast<double>(texts.size() - kOfResult))
+    return std::nullopt;
+  const std::size_t head = kOfResult + static_cast<std::size_t>(*of_refusal);
+  if ((texts.size() - head) % kOfFile != 0) return std::nullopt;
   RunResult result;
   for (const Status status : {Status::ok, Status::warning, Status::refused})
     if (texts[1] == std::to_string(static_cast<int>(status))) result.status = status;
   result.report = texts[2];
   result.summary = texts[3];
-  result.refusal = error_in({texts.begin() + kOfResult, texts.begin() + kHead});
-  for (std::size_t i = kHead; i < texts.size(); i += kOfFile)
+  result.refusal = unpacked(std::span(texts).subspan(kOfResult, head - kOfResult));
+  for (std::size_t i = head; i < texts.size(); i += kOfFile)
     result.artifacts.push_back({texts[i], texts[i + 1], texts[i + 2], texts[i + 3]});
   return result;
 }
@@ -86,7 +92,7 @@ Result<RunResult> run(const std::string& request, const Progress& progress,
                       const Catalogue& catalogue) {
   const std::shared_lock here(working_here());
   const auto asked = read_asked(request, catalogue);
-  if (!asked) return tl::unexpected(asked.error());
+  if (!asked) return pass_on(asked);
   return done(*asked, progress);
 }
 
@@ -94,11 +100,11 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress,
                          std::optional<std::string> bytes, const Catalogue& catalogue) {
   const std::shared_lock here(working_here());
   auto asked = read_asked(request, catalogue, std::move(bytes));
-  if (!asked) return tl::unexpected(asked.error());
+  if (!asked) return pass_on(asked);
   if (!asked->maker)
-    return fail(ErrorCode::bad_option, "info makes nothing: ask for it by `info`", "/maker");
+    return fail(code::bad_option, "info makes nothing: ask for it by `info`", "/maker");
   auto made = at_request(make_asked(*asked, progress));
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   (*made)->report().of_bending = asked->task == Asked::Task::bend;
   return MadeRequest{asked->maker, std::move(asked->request), std::move(*made)};
 }
@@ -109,19 +115,19 @@ Result<RunResult> run_apart(const std::string& request, const Progress& progress
   const auto answering = [&](const Texts&, const Parent& parent) {
     alone.unlock();  // the copy's own
     const auto asked = read_asked(request, catalogue);
-    if (!asked) return texts_of(asked.error());
+    if (!asked) return packed(asked.error());
     parent.note({asked->request.input.string()});
     const auto result = done(*asked, parent.progress);
-    return result ? texts_of(*result) : texts_of(result.error());
+    return result ? texts_of(*result) : packed(result.error());
   };
   const auto child = ChildProcess::copy(answering, limits.memory);
   alone.unlock();
-  if (!child) return tl::unexpected(child.error());
+  if (!child) return pass_on(child);
   std::string input = "the request";
   const auto name = [&](const Texts& note) { input = note.empty() ? input : note.front(); };
   const auto answer = (*child)->ask({}, limits.time, {progress, name});
   if (!answer) return tl::unexpected(error_of(answer.error(), input, limits));
-  if (auto error = error_in(*answer)) return tl::unexpected(std::move(*error));
+  if (auto error = unpacked(*answer)) return tl::unexpected(std::move(*error));
   if (auto result = result_in(*answer)) return std::move(*result);
   return tl::unexpected(error_of({{}, kDamagedAnswer}, input, limits));
 }

@@ -17,7 +17,7 @@ Result<std::string> bytes_of(const Artifact& artifact, const Made& made,
 
 Result<RunResult> run_bend(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   Report& report = (*made)->report();
   report.of_bending = true;
   RunResult result;
@@ -29,7 +29,7 @@ Result<RunResult> run_bend(const Asked& asked, const Progress& progress) {
     if (pages.empty() && artifact->role != Role::report)
       pages = bend_plan_pages(**made, asked.request.bending);
     auto bytes = bytes_of(*artifact, **made, pages);
-    if (!bytes) return tl::unexpected(bytes.error());
+    if (!bytes) return pass_on(bytes);
     result.artifacts.push_back({std::string(artifact->name),
                                 report.body + "_plan" + std::string(artifact->suffix),
                                 std::string(artifact->media_type), std::move(*bytes)});

@@ -7,13 +7,13 @@
 namespace planish::job {
 namespace {
 
-constexpr double kRead = 0.7;  // share of the time
+constexpr double kInfoRead = 0.7;  // share of the time
 
 Result<InfoReport> info_of_content(const InputFile& file, const InfoRequest& request,
                                    const Progress& progress) {
-  const auto read = read_step_text(file.content, file.name, part_of(progress, 0.0, kRead));
-  if (!read) return tl::unexpected(read.error());
-  return info_of(*read, request, part_of(progress, kRead, 1.0));
+  const auto read = read_step_text(file.content, file.name, part_of(progress, 0.0, kInfoRead));
+  if (!read) return pass_on(read);
+  return info_of(*read, request, part_of(progress, kInfoRead, 1.0));
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ Result<RunResult> run_info(const Asked& asked, const Progress& progress) {
                             asked.request.units.value_or(LengthUnit::mm)};
   const auto report = asked.content ? info_of_content(*asked.content, request, progress)
                                     : info(request, progress);
-  if (!report) return tl::unexpected(report.error());
+  if (!report) return pass_on(report);
   RunResult result;
   result.report = info_json(*report);
   result.summary = info_text(*report);

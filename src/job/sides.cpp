@@ -1,6 +1,7 @@
 #include "sides.hpp"
 
-#include "schema.hpp"
+#include <planish/schema/schema.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +13,8 @@
 #include <vector>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using FaceTest = std::function<bool(const Face&)>;
@@ -42,7 +45,7 @@ Result<int> face_number(const std::string& text, const std::string& option,
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error == std::errc() && stop == end) return number;
   return fail(
-      ErrorCode::bad_option,
+      code::bad_option,
       fmt::format("`{}` must be {} or the number of a face, not \"{}\"", option, words, text),
       option);
 }
@@ -50,11 +53,11 @@ Result<int> face_number(const std::string& text, const std::string& option,
 Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& root) {
   if (root == "largest") return std::optional<FaceId>();
   const Result<int> number = face_number(root, "root", "largest");
-  if (!number) return tl::unexpected(number.error());
+  if (!number) return pass_on(number);
   const auto found = face_numbered(sheet, *number, is_flange_face);
   if (found) return found;
   return fail(
-      ErrorCode::no_such_face,
+      code::no_such_face,
       fmt::format("face {} is not a flange of the skin that is unfolded; the faces that can be "
                   "the root are {}",
                   *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
@@ -66,10 +69,10 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
   if (up == "reference") return UpSide::reference;
   if (up == "other") return UpSide::other;
   const Result<int> number = face_number(up, "up", "auto, reference, other");
-  if (!number) return tl::unexpected(number.error());
+  if (!number) return pass_on(number);
   const FaceTest any = [](const Face&) { return true; };
   if (face_numbered(sheet, *number, any)) return UpSide::reference;
-  return fail(ErrorCode::no_such_face,
+  return fail(code::no_such_face,
               fmt::format("face {} is not on the reference skin, which has the faces {}; "
                           "`up` other makes the opposite skin face up",
                           *number, fmt::join(numbers(sheet, any), ", ")),
@@ -85,7 +88,7 @@ Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
     while (number < count && id != fmt::format("B{}", number + 1))
       ++number;
     if (number == count)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   count == 0
                       ? fmt::format("there is no bend \"{}\": the sheet has none", id)
                       : fmt::format("there is no bend \"{}\"; the bends are B1 to B{}", id, count),
@@ -104,13 +107,13 @@ Result<FlattenOptions> flatten_options(const Sheet& sheet, const Request& reques
                       : request.shop    ? shop_k(*request.shop, sheet.thickness)
                                         : ConstantK{};
   const auto bend_k = single_bends(sheet, request);
-  if (!bend_k) return tl::unexpected(bend_k.error());
+  if (!bend_k) return pass_on(bend_k);
   options.bend_k = *bend_k;
   const auto root = root_face(sheet, request.root);
-  if (!root) return tl::unexpected(root.error());
+  if (!root) return pass_on(root);
   options.root = *root;
   const auto up = up_side(sheet, request.up);
-  if (!up) return tl::unexpected(up.error());
+  if (!up) return pass_on(up);
   options.up = *up;
   return options;
 }

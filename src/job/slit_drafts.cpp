@@ -20,13 +20,13 @@ Result<void> SlitDrafts::solve(const Progress& progress) {
   options.seconds = 0.05;
   options.function_tolerance = kUnseen;
   const auto solved = session_->solve(options, progress);
-  if (!solved) return tl::unexpected(solved.error());
+  if (!solved) return pass_on(solved);
   return {};
 }
 
 Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
   auto started = SlitSession::start(file.design);
-  if (!started) return tl::unexpected(started.error());
+  if (!started) return pass_on(started);
   session_ = std::move(*started);
   motion_ = Eigen::Isometry3d::Identity();
   aligned_ = file.align_scans;
@@ -34,7 +34,7 @@ Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
   // Scans lie only roughly where the sheet is: move them to the first shape.
   if (auto solved = solve(progress); !solved) return solved;
   const auto motion = session_->align_scans();
-  if (!motion) return tl::unexpected(motion.error());
+  if (!motion) return pass_on(motion);
   motion_ = *motion;
   return {};
 }

@@ -3,10 +3,11 @@
 #include "lay_flat.hpp"
 #include "made_report.hpp"
 #include "strip_meetings.hpp"
-#include "units.hpp"
 
 #include <planish/job/slit.hpp>
+#include <planish/schema/units.hpp>
 #include <planish/sheet/slots.hpp>
+#include <planish/slit/codes.hpp>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ constexpr double kOutline = 1e-9;
 
 Result<void> solve(SlitSession& session, const Progress& progress) {
   const auto done = session.solve({}, progress);
-  return done ? Result<void>() : tl::unexpected(done.error());
+  return done ? Result<void>() : pass_on(done);
 }
 
 /// Scans lie only roughly where the sheet is: the strips follow them as far as they can, then the
@@ -32,7 +33,7 @@ Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progre
   for (int round = 0; round < kRounds; ++round) {
     if (auto done = solve(session, progress); !done) return done;
     const auto step = session.align_scans();
-    if (!step) return tl::unexpected(step.error());
+    if (!step) return pass_on(step);
     motion = *step * motion;
     const double turned = Eigen::AngleAxisd(step->linear()).angle() *
                           session.design().sheet.reach();
@@ -48,7 +49,7 @@ Result<SlitSession> solved(const SlitFile& file, SlitReport& report, const Progr
     if (level > 0) session->subdivide();
     const auto done = level == 0 && file.align_scans ? align(*session, report.scan_motion, progress)
                                                      : solve(*session, progress);
-    if (!done) return tl::unexpected(done.error());
+    if (!done) return pass_on(done);
   }
   return session;
 }
@@ -81,7 +82,7 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
     constexpr double kThere = 1e-6;  // mm
     if (strip.shortfall < kThere)
       return Error{
-          ErrorCode::out_of_reach,
+          code::out_of_reach,
           fmt::format("the end of strip {} is where it must be, but no folding was found "
                       "in which it also points the right way: half a turn is missing; turn "
                       "its direction, its ridge or the second panel around, or leave one of them "
@@ -95,7 +96,7 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
                            report.strips[i].shortfall);
   }
   if (count == 0) return std::nullopt;
-  return Error{ErrorCode::out_of_reach,
+  return Error{code::out_of_reach,
                fmt::format("{} not reach where {} must end: strip {}; make the strips longer, "
                            "bring the leg curves nearer, or loosen the ends",
                            counted(count, "strip") + (count == 1 ? " does" : " do"),
@@ -163,7 +164,7 @@ double flat_deviation(const Sheet& sheet, const Layout& layout) {
 
 /// Slots that cannot be cut are a mistake in the file, not on the command line.
 Error at_kerf(Error error, const SlitFile& file) {
-  if (error.code == ErrorCode::bad_option) error.code = ErrorCode::invalid_input;
+  if (error.code == code::bad_option) error.code = code::invalid_input;
   error.where = file.stop_hole > file.kerf ? "/stop_hole" : "/kerf";
   return error;
 }

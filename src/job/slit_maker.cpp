@@ -12,6 +12,7 @@
 #include <planish/slit/mould.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -78,7 +79,7 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
   Result<Mesh> folded_mesh() const override { return mesh_of(made_.folded); }
   Result<Mesh> mould_mesh() const override {
     const auto mould = mould_of(made_.folded, mould_);
-    if (!mould) return tl::unexpected(mould.error());
+    if (!mould) return pass_on(mould);
     return mesh_of(*mould);
   }
   // There are too many ridges to label; strips are labelled.
@@ -110,7 +111,7 @@ class SlitWork : public Work {
 
   Result<void> edit(const InputFile& input) override {
     auto file = parse_slits(input.content, input.name, input.folder);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return pass_on(file);
     file_ = std::move(*file);
     return {};
   }
@@ -118,7 +119,7 @@ class SlitWork : public Work {
   Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
     auto report = request.effort == Effort::draft ? draft(request, progress)
                                                   : slit_sheet(file_, request, progress);
-    if (!report) return tl::unexpected(report.error());
+    if (!report) return pass_on(report);
     return std::make_unique<MadeSlitSheet>(std::move(*report), file_, request.effort);
   }
 
@@ -142,7 +143,7 @@ class SlitWork : public Work {
 
 Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
   auto file = parse_slits(input.content, input.name, input.folder);
-  if (!file) return tl::unexpected(file.error());
+  if (!file) return pass_on(file);
   return std::make_unique<SlitWork>(std::move(*file));
 }
 

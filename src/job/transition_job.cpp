@@ -2,7 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition.hpp>
@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 /// Outlines are this accurate because nets are compared with closed forms and with each other (mm).
@@ -32,8 +33,8 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (constant) return ConstantK{constant->k, "constant"};
-    return fail(ErrorCode::bad_option,
-                "a transition has no inside radius, so its K is one number: `k`", "k");
+    return fail(code::bad_option, "a transition has no inside radius, so its K is one number: `k`",
+                "k");
   }
   if (request.shop && gauge_of(*request.shop, spec.thickness))
     return shop_k(*request.shop, spec.thickness);

@@ -9,6 +9,7 @@
 #include <planish/job/transition_json.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -53,7 +54,7 @@ Result<TransitionFile> parse(const InputFile& input) {
 Result<std::unique_ptr<Made>> make(const TransitionFile& file, const Request& request,
                                    const Progress& progress) {
   auto report = transition_between(file, request, progress);
-  if (!report) return tl::unexpected(report.error());
+  if (!report) return pass_on(report);
   // Nobody reads them during a drag, and they would be half of what is sent.
   if (request.effort == Effort::draft) report->transition.true_lengths.clear();
   return std::make_unique<MadeTransition>(std::move(*report));

@@ -12,7 +12,7 @@
 namespace planish::job {
 namespace {
 
-constexpr double kRead = 0.2;  // share of the progress taken by reading
+constexpr double kUnfoldRead = 0.2;  // share of the progress taken by reading
 
 struct TimedFile {
   StepFile file;
@@ -22,8 +22,8 @@ struct TimedFile {
 Result<TimedFile> timed_read(const Request& request, const Progress& progress) {
   progress.at("reading", 0.0);
   const auto start = std::chrono::steady_clock::now();
-  auto file = read_input(request.input, part_of(progress, 0.0, kRead));
-  if (!file) return tl::unexpected(file.error());
+  auto file = read_input(request.input, part_of(progress, 0.0, kUnfoldRead));
+  if (!file) return pass_on(file);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return TimedFile{std::move(*file), taken.count()};
 }
@@ -34,9 +34,9 @@ Result<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
   try {
     return unfold_body(body, request, progress);
   } catch (const std::exception& defect) {
-    return fail(ErrorCode::crashed, fmt::format("unfolding it crashed ({})", defect.what()));
+    return fail(code::crashed, fmt::format("unfolding it crashed ({})", defect.what()));
   } catch (...) {
-    return fail(ErrorCode::crashed, "unfolding it crashed (an exception of unknown type)");
+    return fail(code::crashed, "unfolding it crashed (an exception of unknown type)");
   }
 }
 
@@ -74,9 +74,9 @@ UnfoldReport failed_unfold(const Request& request, const Error& error) {
 
 Result<UnfoldReport> unfold(const Request& request, const Progress& progress) {
   const auto read = timed_read(request, progress);
-  if (!read) return tl::unexpected(read.error());
+  if (!read) return pass_on(read);
   const auto index = choose_body(read->file, request.body);
-  if (!index) return tl::unexpected(index.error());
+  if (!index) return pass_on(index);
   auto report = unfold_body(read->file.bodies[*index], request, progress);
   if (!report) return report;
   report->input = request.input.string();
@@ -89,21 +89,21 @@ Result<UnfoldReport> unfold(const Request& request, const Progress& progress) {
 Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress,
                                              const AllBodies& all) {
   const auto read = timed_read(request, progress);
-  if (!read) return tl::unexpected(read.error());
+  if (!read) return pass_on(read);
   std::vector<UnfoldReport> reports;
   const int count = static_cast<int>(read->file.bodies.size());
-  const Progress unfolding = part_of(progress, kRead, 1.0);
+  const Progress unfolding = part_of(progress, kUnfoldRead, 1.0);
   for (int i = 0; i < count; ++i) {
     const Body& body = read->file.bodies[i];
-    if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+    if (progress.should_stop()) return fail(code::cancelled, "cancelled");
     if (all.wanted && !all.wanted(i)) continue;
     if (all.begins) all.begins(i);
     const auto given_up = all.given_up.find(i);
     auto report = given_up != all.given_up.end()
                       ? Result<UnfoldReport>(tl::unexpect, given_up->second)
                       : unfold_carefully(body, request, share_of(unfolding, i, count, body.name()));
-    if (!report && report.error().code == ErrorCode::cancelled) {
-      return tl::unexpected(report.error());
+    if (!report && report.error().code == code::cancelled) {
+      return pass_on(report);
     }
     reports.push_back(report ? std::move(*report) : refused(body, request, report.error()));
     reports.back().input = request.input.string();

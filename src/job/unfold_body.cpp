@@ -1,7 +1,7 @@
 #include "found_sheet.hpp"
 #include "lay_flat.hpp"
-#include "shop_checks.hpp"
 #include "sides.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
@@ -34,7 +34,11 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
                           const Request& request, const Progress& progress) {
   if (!found) {
     Error why = found.error();
-    if (why.code == ErrorCode::bad_option) why.where = "rip_edges";
+    if (why.code == code::bad_option) why.where = "rip_edges";
+    // Another rip comes after those asked for.
+    for (Remedy& remedy : why.remedies)
+      if (remedy.option == "rip_edges" && !request.rip_edges.empty())
+        remedy.value = fmt::format("{},{}", fmt::join(request.rip_edges, ","), remedy.value);
     return why;
   }
   report.summary = summary_of(found->sheet);

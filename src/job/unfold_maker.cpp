@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -43,7 +44,9 @@ class MadeUnfolded : public MadeReport<UnfoldReport> {
 
   Result<Mesh> folded_mesh() const override {
     if (!body_) return Made::folded_mesh();
-    return body_mesh(*body_).map([](MeshOfFaces&& surface) { return std::move(surface.mesh); });
+    auto surface = body_mesh(*body_);
+    if (!surface) return pass_on(surface);
+    return std::move(surface->mesh);
   }
   // Shows what was refused, but for faces that the kernel cannot mesh.
   std::optional<MeshOfFaces> refused_solid() const override {
@@ -69,11 +72,11 @@ class UnfoldWork : public Work {
 
   Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
     const auto index = choose_body(file_, request.body);
-    if (!index) return tl::unexpected(index.error());
+    if (!index) return pass_on(index);
     const Body& body = file_.bodies[*index];
     auto report = unfold_recognized(body, sheet_of(*index, request.rip_edges, progress), request,
                                     progress);
-    if (!report) return tl::unexpected(report.error());
+    if (!report) return pass_on(report);
     report->input = request.input.string();
     report->number = *index + 1;
     report->bodies_in_file = static_cast<int>(file_.bodies.size());
@@ -88,7 +91,7 @@ class UnfoldWork : public Work {
                                      const Progress& progress) {
     const auto known = found_.find({body, rips});
     const auto stopped = [](const Result<Recognized>& found) {
-      return !found && found.error().code == ErrorCode::cancelled;
+      return !found && found.error().code == code::cancelled;
     };
     if (known != found_.end() && !stopped(known->second)) return known->second;
     progress.at("finding the sheet", 0.2);
@@ -103,7 +106,7 @@ class UnfoldWork : public Work {
 
 Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress& progress) {
   auto file = read_step_text(input.content, input.name, part_of(progress, 0.0, kRead));
-  if (!file) return tl::unexpected(file.error());
+  if (!file) return pass_on(file);
   return std::make_unique<UnfoldWork>(input.name, std::move(*file));
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 tl::unexpected<Error> wrong(const GivenFile& file, int line, const std::string& what) {
   const std::string where = fmt::format("{}:{}", file.name, line);
-  return fail(ErrorCode::invalid_input, fmt::format("{}: {}", where, what), where);
+  return fail(code::invalid_input, fmt::format("{}: {}", where, what), where);
 }
 
 /// Where each column stands; -1: it is not there.
@@ -73,10 +73,10 @@ bool fits(const std::string& pattern, const std::string& name) {
 
 Result<Materials> Materials::parse(const GivenFile& file) {
   const auto records = split_csv(file.text, file.name);
-  if (!records) return tl::unexpected(records.error());
+  if (!records) return pass_on(records);
   if (records->empty()) return wrong(file, 1, "the list of materials is empty");
   const auto columns = columns_of(file, records->front());
-  if (!columns) return tl::unexpected(columns.error());
+  if (!columns) return pass_on(columns);
   Materials materials;
   for (std::size_t i = 1; i < records->size(); ++i) {
     const CsvRecord& record = (*records)[i];

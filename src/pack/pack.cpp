@@ -43,9 +43,9 @@ Result<DxfOptions> dxf_options(const PackOptions& options, const job::Catalogue&
   for (const auto& [name, value] : given.items())
     if (maker.takes(name)) drawn[name] = value;
   const auto values = job::read_options(drawn.dump(), maker, job::OptionFiles::path_or_content, "");
-  if (!values) return tl::unexpected(values.error());
+  if (!values) return pass_on(values);
   job::Request request;
-  if (const auto entered = values->enter(request); !entered) return tl::unexpected(entered.error());
+  if (const auto entered = values->enter(request); !entered) return pass_on(entered);
   return request.dxf;
 }
 
@@ -69,20 +69,18 @@ class Making {
 
   Result<PackResult> run(PartList list, const DxfOptions& dxf) {
     list_ = std::move(list);
-    if (auto drawn = write_patterns(dxf); !drawn) return tl::unexpected(drawn.error());
+    if (auto drawn = write_patterns(dxf); !drawn) return pass_on(drawn);
     if (options_.drawings)
-      if (auto drawn = write_drawings(); !drawn) return tl::unexpected(drawn.error());
+      if (auto drawn = write_drawings(); !drawn) return pass_on(drawn);
     if (options_.stock)
-      if (auto laid = write_sheets(*options_.stock, dxf); !laid)
-        return tl::unexpected(laid.error());
+      if (auto laid = write_sheets(*options_.stock, dxf); !laid) return pass_on(laid);
     if (options_.drawings)
-      if (auto drawn = write_cover(); !drawn) return tl::unexpected(drawn.error());
-    if (auto added = add("parts.csv", parts_csv(list_, currency_)); !added)
-      return tl::unexpected(added.error());
+      if (auto drawn = write_cover(); !drawn) return pass_on(drawn);
+    if (auto added = add("parts.csv", parts_csv(list_, currency_)); !added) return pass_on(added);
     if (options_.zip)
       if (auto added = folder_.add("pack.zip", std::move(zip_).take()); !added)
-        return tl::unexpected(added.error());
-    if (auto done = folder_.finish(); !done) return tl::unexpected(done.error());
+        return pass_on(added);
+    if (auto done = folder_.finish(); !done) return pass_on(done);
     return result();
   }
 
@@ -100,7 +98,7 @@ class Making {
       DxfOptions drawn = dxf;
       drawn.units = part.units;
       const auto text = dxf_text(part.flat, drawn);
-      if (!text) return tl::unexpected(text.error());
+      if (!text) return pass_on(text);
       if (auto added = add(part.stem + ".dxf", *text); !added) return added;
     }
     return {};
@@ -110,7 +108,7 @@ class Making {
                            const std::string& title) {
     if (cancelled_()) return tl::unexpected(batch::interruption());
     const auto pdf = pages_pdf(pages, title);
-    if (!pdf) return tl::unexpected(pdf.error());
+    if (!pdf) return pass_on(pdf);
     return add(name, *pdf);
   }
 
@@ -125,13 +123,12 @@ class Making {
     Progress progress;
     progress.cancelled = cancelled_;
     auto laid = lay_on_stock(list_, stock, progress);
-    if (!laid && laid.error().code == ErrorCode::cancelled)
-      return tl::unexpected(batch::interruption());
-    if (!laid) return tl::unexpected(laid.error());
+    if (!laid && laid.error().code == code::cancelled) return tl::unexpected(batch::interruption());
+    if (!laid) return pass_on(laid);
     stock_ = std::move(*laid);
     for (const StockSheet& sheet : stock_.sheets) {
       const auto text = sheet_dxf(list_, sheet, stock, dxf);
-      if (!text) return tl::unexpected(text.error());
+      if (!text) return pass_on(text);
       if (auto added = add(fmt::format("sheets/{}.dxf", sheet.stem), *text); !added) return added;
     }
     return add("sheets.csv", sheets_csv(list_, stock_.sheets));
@@ -171,14 +168,14 @@ Result<fs::path> batch_of(const std::vector<std::string>& words, const fs::path&
                           const std::function<bool()>& cancelled) {
   if (words.size() == 1 && batch::is_batch(words.front())) return fs::path(words.front());
   const auto inputs = batch::inputs_of(words, out, catalogue);
-  if (!inputs) return tl::unexpected(inputs.error());
+  if (!inputs) return pass_on(inputs);
   batch::BatchOptions asked;
   asked.formats = {batch::kViews};
   asked.options = batch_options(options);
   asked.workers = options.workers;
   asked.limits = options.limits;
   const auto done = batch::run_batch(*inputs, out / kBatch, asked, catalogue, report, cancelled);
-  if (!done) return tl::unexpected(done.error());
+  if (!done) return pass_on(done);
   return out / kBatch;
 }
 
@@ -191,7 +188,7 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   Materials materials;
   if (options.materials) {
     auto read = Materials::parse(*options.materials);
-    if (!read) return tl::unexpected(read.error());
+    if (!read) return pass_on(read);
     materials = std::move(*read);
   }
   if (const Json given = Json::parse(options.options); given.contains("density"))
@@ -199,20 +196,20 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   std::optional<Rates> rates;
   if (options.rates) {
     auto read = Rates::parse(*options.rates);
-    if (!read) return tl::unexpected(read.error());
+    if (!read) return pass_on(read);
     rates = std::move(*read);
   }
   const auto dxf = dxf_options(options, catalogue);
-  if (!dxf) return tl::unexpected(dxf.error());
+  if (!dxf) return pass_on(dxf);
   const auto batch = batch_of(words, out, options, catalogue, report, cancelled);
-  if (!batch) return tl::unexpected(batch.error());
+  if (!batch) return pass_on(batch);
   auto list = part_list(*batch, materials);
-  if (!list) return tl::unexpected(list.error());
+  if (!list) return pass_on(list);
   const bool planned = options.plan && *batch == out / kBatch;
   for (PackPart& part : list->parts)
     if (planned && part.plan == kNotPlanned) part.plan = kNoStroke;
   if (rates)
-    if (auto applied = rates->apply(*list); !applied) return tl::unexpected(applied.error());
+    if (auto applied = rates->apply(*list); !applied) return pass_on(applied);
   return Making(out, options, cancelled, title_of(words), rates ? rates->currency() : std::string())
       .run(std::move(*list), *dxf);
 }

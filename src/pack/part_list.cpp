@@ -3,7 +3,7 @@
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/outputs.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 #include <planish/sheet/same_part.hpp>
 
 #include <fmt/format.h>
@@ -166,7 +166,7 @@ class Collecting {
                          std::size_t piece) {
     auto flat = read_flat_json(from.shapes[piece]);
     if (!flat)
-      return fail(ErrorCode::cannot_read,
+      return fail(code::cannot_read,
                   fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
     const bool alone = from.shapes.size() == 1;
     PackPart part;
@@ -200,8 +200,8 @@ class Collecting {
       if (note.is_string()) part.notes.push_back(note.get<std::string>());
     part.mass = mass_of(report, part.flat, row, materials_.density_of_all, from.shapes.size() == 1);
     measure(part);
-    if (const auto text = job::read_text(from.files / batch::view_name(piece), "view"))
-      if (auto view = job::read_view_json(*text)) part.view = std::move(*view);
+    if (const auto text = schema::read_text(from.files / batch::view_name(piece), "view"))
+      if (auto view = drawing::read_view_json(*text)) part.view = std::move(*view);
   }
 
   OfMaterial& of(const std::string& material) {
@@ -235,7 +235,7 @@ Result<PartList> part_list(const std::filesystem::path& batch, const Materials& 
   Collecting collecting(materials);
   const auto taken = batch::for_each_part(
       batch, [&](const batch::BatchPart& part) { return collecting.add(part); });
-  if (!taken) return tl::unexpected(taken.error());
+  if (!taken) return pass_on(taken);
   return std::move(collecting).finish();
 }
 

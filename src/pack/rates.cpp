@@ -31,7 +31,7 @@ std::string in_pointer(const std::string& key) {
 
 tl::unexpected<Error> wrong_rates(const GivenFile& file, const std::string& pointer,
                                   const std::string& what) {
-  return fail(ErrorCode::invalid_input, fmt::format("{}{}: {}", file.name, pointer, what),
+  return fail(code::invalid_input, fmt::format("{}{}: {}", file.name, pointer, what),
               file.name + pointer);
 }
 
@@ -83,7 +83,7 @@ Result<Rates> Rates::parse(const GivenFile& file) {
     } else if (key == "materials" && value.is_object()) {
       for (const auto& [material, row] : value.items()) {
         auto read = rates_row(file, at + "/" + in_pointer(material), row);
-        if (!read) return tl::unexpected(read.error());
+        if (!read) return pass_on(read);
         rates.rows_.emplace(material, *read);
       }
     } else {
@@ -103,13 +103,13 @@ Result<void> Rates::apply(PartList& list) const {
       std::vector<std::string> known;
       for (const auto& [material, rates] : rows_)
         known.push_back(material);
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("{} has no rates for the material \"{}\" of {}; it has {}", name_,
                               part.material, part.name, fmt::join(known, ", ")),
                   "rates");
     }
     if (row->second.kg > 0.0 && !part.mass)
-      return fail(ErrorCode::bad_option,
+      return fail(code::bad_option,
                   fmt::format("the mass of {} is not known, and {} asks for its kg: give the "
                               "density of {} by --materials or --density",
                               part.name, name_, part.material),

@@ -23,7 +23,7 @@ Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
         parts,
         {.length = stock.length, .width = stock.width, .gap = stock.gap, .grain = stock.grain},
         progress);
-    if (!nesting) return tl::unexpected(nesting.error());
+    if (!nesting) return pass_on(nesting);
     for (std::size_t s = 0; s < nesting->sheets.size(); ++s) {
       StockSheet sheet{
           fmt::format("sheet_{}_{:g}mm_{}", job::safe_name(group.material), group.thickness, s + 1),

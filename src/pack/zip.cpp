@@ -46,7 +46,7 @@ std::string deflated(std::string_view bytes) {
 }
 
 tl::unexpected<Error> too_large() {
-  return fail(ErrorCode::cannot_write,
+  return fail(code::cannot_write,
               "the pack is too large for one zip file, which holds 4 GB and 65535 files: leave out "
               "--zip");
 }
@@ -56,7 +56,7 @@ tl::unexpected<Error> too_large() {
 Result<void> Zip::add(std::string_view name, std::string_view bytes) {
   if (count_ == kMostFiles || bytes.size() > kLargest) return too_large();
   const std::string packed = deflated(bytes);
-  if (packed.empty()) return fail(ErrorCode::internal, "zlib could not deflate a file of the pack");
+  if (packed.empty()) return fail(code::internal, "zlib could not deflate a file of the pack");
   std::string common;  // of both headers
   put16(common, kVersion);
   put16(common, kUtf8);

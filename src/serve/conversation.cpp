@@ -1,7 +1,7 @@
 #include "conversation.hpp"
 
 #include <planish/base/text.hpp>
-#include <planish/job/json_depth.hpp>
+#include <planish/schema/json_depth.hpp>
 
 #include <fmt/format.h>
 
@@ -58,17 +58,17 @@ Result<std::vector<std::pair<std::string, std::string>>> writes_in(const Json& p
   if (!parameters.contains("write")) return writes;
   const Json known = tool.schema["properties"].value("write", Json());
   if (known.is_null())
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("request: {} writes no files: leave `write` out", tool.name), "/write");
   const Json& given = parameters["write"];
   if (!given.is_object())
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 "request: /write must be an object with the path of each artifact", "/write");
   for (const auto& [artifact, path] : given.items()) {
     const std::string where = "/write/" + artifact;
     if (!path.is_string() || path.get<std::string>().empty() || path == "-")
-      return fail(ErrorCode::invalid_input,
-                  fmt::format("request: {} must be the path of a file", where), where);
+      return fail(code::invalid_input, fmt::format("request: {} must be the path of a file", where),
+                  where);
     writes.emplace_back(artifact, path.get<std::string>());
   }
   return writes;
@@ -92,14 +92,14 @@ void Conversation::refuse(const std::string& sentence) {
 }
 
 void Conversation::take(const std::string& message) {
-  if (const auto byte = job::too_deep_at(message))
-    return refuse("the message " + job::too_deep_sentence(message, *byte));
+  if (const auto byte = schema::too_deep_at(message))
+    return refuse("the message " + schema::too_deep_sentence(message, *byte));
   Json json;
   try {
     json = Json::parse(message);
   } catch (const Json::parse_error& error) {
     return refuse(fmt::format("the message is not JSON: it goes wrong at line:column {}",
-                              job::line_and_column(message, error.byte)));
+                              schema::line_and_column(message, error.byte)));
   }
   if (!json.is_array()) return take_one(json, single_sink(writer_));
   if (json.empty())
@@ -223,7 +223,7 @@ void Conversation::begin_work(const Call& call, const Tool& asked, Json paramete
   for (const char* key : {"write", "_meta"})
     parameters.erase(key);
   if (parameters.contains("maker"))
-    return fails({ErrorCode::invalid_input,
+    return fails({code::invalid_input,
                   "request: /maker must be left out: the method names the maker", "/maker"});
   parameters["maker"] = asked.name;
   const auto ticket = std::make_shared<Ticket>();
@@ -257,11 +257,11 @@ void Conversation::finish(const Call& call, const Wording& wording, Result<WorkD
     const auto found = at_work_.find(text_of(*call.id));
     silent = found->second.silent;
     // Cancelled at the last moment.
-    if (found->second.ticket->cancelled) done = fail(ErrorCode::cancelled, "cancelled");
+    if (found->second.ticket->cancelled) done = fail(code::cancelled, "cancelled");
     at_work_.erase(found);
   }
   if (done && !done->files.empty())
-    if (auto written = write_files(done->files); !written) done = tl::unexpected(written.error());
+    if (auto written = write_files(done->files); !written) done = pass_on(written);
   if (silent) return call.sink(std::nullopt);
   call.sink(done ? response(*call.id, wording.done(*done))
                  : wording.failed(*call.id, done.error()));

@@ -1,5 +1,7 @@
 #include "crew.hpp"
 
+#include <planish/base/packed_error.hpp>
+
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -7,18 +9,18 @@
 namespace planish::serve {
 namespace {
 
-using job::ChildEnd;
+using process::ChildEnd;
 
 /// A process, and how much it has done.
 class ServeWorker {
  public:
-  explicit ServeWorker(const job::Limits& limits) : limits_(limits) {}
+  explicit ServeWorker(const process::Limits& limits) : limits_(limits) {}
 
   Result<void> begin() {
     if (child_ && child_->is_alive()) return {};
-    auto child = job::ChildProcess::program({"serve-worker", std::to_string(limits_.memory)},
-                                            std::filesystem::current_path());
-    if (!child) return tl::unexpected(child.error());
+    auto child = process::ChildProcess::program({"serve-worker", std::to_string(limits_.memory)},
+                                                std::filesystem::current_path());
+    if (!child) return pass_on(child);
     child_ = std::move(*child);
     done_ = 0;
     return {};
@@ -26,14 +28,14 @@ class ServeWorker {
 
   Result<WorkDone> work_on(const Ticket& ticket, const std::atomic<bool>& ends) {
     for (;;) {
-      if (const auto begun = begin(); !begun) return tl::unexpected(begun.error());
-      job::Limits limits = limits_;
+      if (const auto begun = begin(); !begun) return pass_on(begun);
+      process::Limits limits = limits_;
       limits.time = ticket.time;
       std::string input = "the input";
-      const job::Parent parent{
+      const process::Parent parent{
           .progress = {.report = ticket.progress,
                        .cancelled = [&] { return ticket.cancelled.load() || ends.load(); }},
-          .note = [&](const job::Texts& note) { input = note.empty() ? input : note.front(); }};
+          .note = [&](const process::Texts& note) { input = note.empty() ? input : note.front(); }};
       const auto answer = child_->ask(texts_of(ticket.task), limits.time, parent);
       if (!answer) {
         child_.reset();
@@ -44,17 +46,17 @@ class ServeWorker {
         return tl::unexpected(error_of(answer.error(), input, limits));
       }
       ++done_;
-      if (auto error = job::error_in(*answer)) return tl::unexpected(std::move(*error));
+      if (auto error = unpacked(*answer)) return tl::unexpected(std::move(*error));
       if (auto done = done_in(*answer)) return std::move(*done);
       child_.reset();
       return tl::unexpected(
-          error_of({ChildEnd::Cause::crashed, job::kDamagedAnswer}, input, limits));
+          error_of({ChildEnd::Cause::crashed, process::kDamagedAnswer}, input, limits));
     }
   }
 
  private:
-  job::Limits limits_;
-  std::unique_ptr<job::ChildProcess> child_;
+  process::Limits limits_;
+  std::unique_ptr<process::ChildProcess> child_;
   int done_ = 0;
 };
 
@@ -63,13 +65,13 @@ Result<WorkDone> tried(ServeWorker& worker, const Ticket& ticket, const std::ato
   try {
     return worker.work_on(ticket, ends);
   } catch (const std::exception& defect) {
-    return fail(ErrorCode::internal, defect.what());
+    return fail(code::internal, defect.what());
   }
 }
 
 }  // namespace
 
-Crew::Crew(int jobs, const job::Limits& limits) : limits_(limits) {
+Crew::Crew(int jobs, const process::Limits& limits) : limits_(limits) {
   for (int i = 0; i < jobs; ++i)
     threads_.emplace_back([this, i] { work(i == 0); });
 }
@@ -112,7 +114,7 @@ void Crew::work(bool at_once) {
   // A process is there before it is needed, where one will be.
   if (at_once) (void)worker.begin();
   while (const auto ticket = next()) {
-    ticket->done(ticket->cancelled ? fail(ErrorCode::cancelled, "cancelled")
+    ticket->done(ticket->cancelled ? fail(code::cancelled, "cancelled")
                                    : tried(worker, *ticket, ends_));
     if (!ends_) (void)worker.begin();
     const std::lock_guard lock(mutex_);

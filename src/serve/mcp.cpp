@@ -1,5 +1,7 @@
 #include "mcp.hpp"
 
+#include <planish/job/reason.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,11 +65,9 @@ std::string call_result(const Error& error) {
   std::string said = fmt::format("[{}] {}", code_name(error.code), error.message);
   if (!error.where.empty() && error.message.find(error.where) == std::string::npos)
     said += fmt::format(" ({})", error.where);
-  return text_of(
-      {{"content", Json::array({text_item(said)})},
-       {"structuredContent",
-        {{"code", code_name(error.code)}, {"message", error.message}, {"where", error.where}}},
-       {"isError", true}});
+  return text_of({{"content", Json::array({text_item(said)})},
+                  {"structuredContent", Json::parse(job::reason_text(error))},
+                  {"isError", true}});
 }
 
 }  // namespace planish::serve

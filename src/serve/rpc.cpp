@@ -1,5 +1,7 @@
 #include "rpc.hpp"
 
+#include <planish/job/reason.hpp>
+
 #include <mutex>
 
 namespace planish::serve {
@@ -33,14 +35,16 @@ std::string text_of(const Json& json) {
 
 bool is_of_request(const Error& error) {
   return exit_status(error.code) == kWrongUsageStatus ||
-         (error.code == ErrorCode::invalid_input && error.message.starts_with("request"));
+         (error.code == code::invalid_input && error.where.starts_with("/"));
 }
 
 RpcError rpc_error(const Error& error) {
-  const RpcCode code = error.code == ErrorCode::cancelled ? RpcCode::cancelled
-                       : is_of_request(error)             ? RpcCode::invalid_params
-                                                          : RpcCode::failed;
-  return {code, error.message, {{"code", code_name(error.code)}, {"where", error.where}}};
+  const RpcCode code = error.code == code::cancelled ? RpcCode::cancelled
+                       : is_of_request(error)        ? RpcCode::invalid_params
+                                                     : RpcCode::failed;
+  Json data = Json::parse(job::reason_text(error));
+  data.erase("message");
+  return {code, error.message, std::move(data)};
 }
 
 std::string response(const Json& id, const std::string& result) {

@@ -122,7 +122,7 @@ Result<Json> answer_at_once(const std::string& tool, const Json& parameters,
                                             : "";
   if (text.empty())
     return fail(
-        ErrorCode::bad_option,
+        code::bad_option,
         fmt::format("there is no schema {}; there are {}", text_of(name), fmt::join(names, ", ")),
         "/name");
   return Json::parse(text);

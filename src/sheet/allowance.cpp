@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/allowance.hpp>
 
@@ -158,13 +160,9 @@ std::string deduction_text(const BendTable& table, const std::set<int>& rows) {
 
 Result<SourcedK> k_of(const BendTable& table, const BendSize& bend) {
   const std::string name = table.name.empty() ? "bend table" : "table " + table.name;
-  if (table.rows.empty())
-    return fail(ErrorCode::bad_option, fmt::format("The {} has no rows.", name), table.name);
+  if (table.rows.empty()) return fail(refuse::table_without_rows, {{"table", name}}, table.name);
   if (table.by_ratio && table.value != BendTable::Value::k_factor) {
-    return fail(
-        ErrorCode::bad_option,
-        fmt::format("The {} gives lengths by R/T, which has no unit; give R and T instead.", name),
-        table.name);
+    return fail(refuse::lengths_by_ratio, {{"table", name}}, table.name);
   }
   const double radius = table.by_ratio ? bend.radius / bend.thickness : bend.radius;
   const double thickness = table.by_ratio ? 0.0 : bend.thickness;
@@ -188,7 +186,7 @@ Result<SourcedK> k_of(const Din6935&, const BendSize& bend) {
 }
 
 Result<SourcedK> k_of(const MaterialCurves& material, const BendSize& bend) {
-  if (auto fine = check(material); !fine) return tl::unexpected(fine.error());
+  if (auto fine = check(material); !fine) return pass_on(fine);
   const double ratio = bend.radius / bend.thickness;
   const double k = plastic_k(material, ratio);
   const BendStrains strains = bend_strains(k, ratio);
@@ -202,34 +200,29 @@ Result<SourcedK> k_of(const MaterialCurves& material, const BendSize& bend) {
   return SourcedK{k, std::move(source)};
 }
 
-tl::unexpected<Error> bad_size(const char* what, double value, const char* unit) {
-  return fail(ErrorCode::bad_option, fmt::format("A bend's {}; it is {} {}.", what, value, unit));
-}
-
 }  // namespace
 
 Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness,
                                      double inside_radius, Angle angle) {
   // Negated comparisons, so that NaN is refused too.
   if (!(thickness > 0.0 && std::isfinite(thickness)))
-    return bad_size("thickness must be positive", thickness, "mm");
+    return fail(refuse::bend_thickness, {{"thickness", thickness, unit::mm}});
   if (!(inside_radius >= 0.0 && std::isfinite(inside_radius)))
-    return bad_size("inside radius must not be negative", inside_radius, "mm");
+    return fail(refuse::bend_radius, {{"radius", inside_radius, unit::mm}});
   if (!(angle.radians() >= 0.0 && std::isfinite(angle.radians())))
-    return bad_size("angle must not be negative", angle.degrees(), "°");
+    return fail(refuse::bend_angle, {{"angle", angle.degrees(), unit::degrees}});
 
   const BendSize bend{thickness, inside_radius, angle};
   const auto found = std::visit([&](const auto& r) { return k_of(r, bend); }, rule);
-  if (!found) return tl::unexpected(found.error());
+  if (!found) return pass_on(found);
   if (!(found->k >= -kBeyond && found->k <= 1.0 + kBeyond)) {
-    return fail(
-        ErrorCode::bad_option,
-        fmt::format(
-            "K-factor {:.4g} ({}) is outside [0, 1] for a bend of inside radius {:.4g} mm, "
-            "thickness "
-            "{:.4g} mm and {:.4g}°; check the value, its units and whether it is K, BA or BD.",
-            found->k, found->source, inside_radius, thickness, angle.degrees()),
-        found->source);
+    return fail(refuse::k_out_of_range,
+                {{"k", found->k, unit::none},
+                 {"source", found->source},
+                 {"angle", angle.degrees(), unit::degrees},
+                 {"radius", inside_radius, unit::mm},
+                 {"thickness", thickness, unit::mm}},
+                found->source);
   }
   BendAllowance result;
   result.k_factor = std::clamp(found->k, 0.0, 1.0);

@@ -1,8 +1,9 @@
 #include "bend_development.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
+#include <planish/sheet/places.hpp>
 
 #include <cmath>
 
@@ -58,7 +59,7 @@ Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
   IdVector<BendId, BendAllowance> allowances;
   for (const BendId id : sheet.bends.ids()) {
     auto allowance = allowance_of(sheet, id, options);
-    if (!allowance) return tl::unexpected(allowance.error());
+    if (!allowance) return pass_on(allowance);
     if (sheet[id].faces.empty() && sheet.reference_depth > 0.0)
       settle_hinge(sheet, sheet[id], *allowance);
     allowances.push_back(std::move(*allowance));
@@ -77,11 +78,11 @@ Result<IdVector<BendId, std::optional<Development>>> developments_of(
     const auto& surface = std::get<Developable>(face.surface);
     const double offset = -face.sense * neutral_depth(sheet, bend, allowances[id].k_factor);
     if (!has_radius(sheet, bend, offset))
-      return fail(ErrorCode::bad_option,
-                  fmt::format("Bend B{} has an inside radius of {:.3g} mm, so with K = {:.3g} its "
-                              "neutral surface has no radius; give it a larger K-factor.",
-                              index_of(id) + 1, bend.inside_radius, allowances[id].k_factor),
-                  fmt::format("B{}", index_of(id) + 1));
+      return fail(refuse::no_neutral_radius,
+                  {{"bend", place_of(sheet, id)},
+                   {"radius", bend.inside_radius, unit::mm},
+                   {"k", allowances[id].k_factor, unit::none}},
+                  id_text(place_of(sheet, id)));
     const Box2 box = parameter_box(face);
     development.emplace(surface, offset, 0.5 * (box.lo.x() + box.hi.x()));
   }

@@ -1,10 +1,9 @@
 #include "bend_table_columns.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/sheet/allowance.hpp>
 #include <planish/sheet/csv.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -57,25 +56,27 @@ std::string_view objection(Column column, double value) {
   return "";
 }
 
+std::string_view unit_of(Column column) {
+  if (column == Column::ratio || column == Column::k) return unit::none;
+  return column == Column::angle ? unit::degrees : unit::mm;
+}
+
 Result<double> cell_value(const CsvRecord& record, const Heading& heading,
                           const std::string& name) {
   const std::string_view column = kColumnNames[index_of(heading.column)];
   if (heading.field >= record.fields.size() || record.fields[heading.field].empty())
-    return tl::unexpected(
-        table_error(name, record.line, fmt::format("the value of {} is missing", column)));
+    return fail(table_error(refuse::cell_missing, name, record.line, {{"column", column}}));
   const std::string& text = record.fields[heading.field];
   const auto read = number(text);
   if (!read) {
-    return tl::unexpected(table_error(
-        name, record.line,
-        fmt::format("\"{}\" in column {} is not a number; write 1.5 or 1,5, units belong "
-                    "in the header",
-                    shortened(text), column)));
+    return fail(table_error(refuse::cell_not_a_number, name, record.line,
+                            {{"cell", shortened(text)}, {"column", column}}));
   }
   const double value = heading.shift + heading.scale * *read;
   if (const std::string_view why = objection(heading.column, value); !why.empty())
-    return tl::unexpected(table_error(
-        name, record.line, fmt::format("{}, but \"{}\" is given", why, shortened(text))));
+    return fail(table_error(
+        refuse::cell_out_of_range, name, record.line,
+        {{"rule", why}, {"cell", shortened(text)}, {"value", value, unit_of(heading.column)}}));
   return value;
 }
 
@@ -105,12 +106,8 @@ std::optional<Error> too_many_fields(const CsvRecord& header, const CsvRecord& r
   while (used > 0 && record.fields[used - 1].empty())
     --used;
   if (used <= header.fields.size()) return std::nullopt;
-  return table_error(
-      name, record.line,
-      fmt::format(
-          "{} fields, but the header names {}; if commas are decimal, separate the fields by "
-          "semicolons",
-          used, header.fields.size()));
+  return table_error(refuse::too_many_fields, name, record.line,
+                     {{"count", used}, {"wanted", header.fields.size()}});
 }
 
 /// Two rows for one bend: usually two materials in one file.
@@ -127,12 +124,10 @@ std::optional<Error> contradiction(const BendTable& table, const std::vector<int
     const BendTable::Row& a = table.rows[order[i]];
     const BendTable::Row& b = table.rows[order[i + 1]];
     if (key(a) != key(b) || a.value == b.value) continue;
-    return table_error(
-        table.name, lines[order[i + 1]],
-        fmt::format(
-            "the same bend as on line {} with another value ({} and {}); a table is for one "
-            "material, keep one of the rows",
-            lines[order[i]], a.value, b.value));
+    return table_error(refuse::contradicting_rows, table.name, lines[order[i + 1]],
+                       {{"value", b.value, unit::none},
+                        {"earlier", place::line(lines[order[i]])},
+                        {"earlier_value", a.value, unit::none}});
   }
   return std::nullopt;
 }
@@ -146,26 +141,22 @@ BendTable::Value value_of(Column column) {
 
 Result<BendTable> parse_bend_table(const std::string& csv, const std::string& name) {
   const auto records = split_csv(csv, name);
-  if (!records) return tl::unexpected(records.error());
-  if (records->empty())
-    return fail(ErrorCode::invalid_input,
-                "The bend table is empty; it needs a header row such as \"R/T,K\".", name);
+  if (!records) return pass_on(records);
+  if (records->empty()) return fail(refuse::empty_table, {}, name);
   const CsvRecord& header = records->front();
   const auto shape = TableShape::from(header, name);
-  if (!shape) return tl::unexpected(shape.error());
+  if (!shape) return pass_on(shape);
 
   BendTable table{value_of(shape->value()), shape->by_ratio(), shape->has(Column::angle), {}, name};
   std::vector<int> lines;
   for (auto record = records->begin() + 1; record != records->end(); ++record) {
     if (auto error = too_many_fields(header, *record, name)) return tl::unexpected(*error);
     const auto row = parse_row(*shape, *record, name);
-    if (!row) return tl::unexpected(row.error());
+    if (!row) return pass_on(row);
     table.rows.push_back(*row);
     lines.push_back(record->line);
   }
-  if (table.rows.empty())
-    return tl::unexpected(
-        table_error(name, header.line, "no rows follow the header; add at least one"));
+  if (table.rows.empty()) return fail(table_error(refuse::no_rows_follow, name, header.line));
   if (auto error = contradiction(table, lines)) return tl::unexpected(*error);
   return table;
 }

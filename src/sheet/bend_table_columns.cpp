@@ -1,5 +1,7 @@
 #include "bend_table_columns.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/text.hpp>
 
 #include <fmt/format.h>
@@ -132,7 +134,9 @@ Heading heading(const Spelling& spelling, double unit_scale, size_t field) {
 }
 
 /// The heading of one header cell; none for columns that are not ours.
-Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t field) {
+Result<std::optional<Heading>> parse_heading(const CsvRecord& header, size_t field,
+                                             const std::string& name) {
+  const std::string& cell = header.fields[field];
   const size_t open = cell.find_first_of("([");
   if (const Spelling* spelling = spelling_of(squeezed(cell.substr(0, open)))) {
     if (open == std::string::npos) return heading(*spelling, 1.0, field);
@@ -144,11 +148,8 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
     for (const UnitName& unit : kUnits)
       if (unit.text == unit_text && has_unit(spelling->column, unit))
         return heading(*spelling, unit.scale, field);
-    return fail(ErrorCode::invalid_input,
-                fmt::format("column \"{}\" has a unit that is not known here; lengths are in mm or "
-                            "inch, angles in deg "
-                            "or rad, R/T and K have none",
-                            shortened(cell)));
+    return fail(
+        table_error(refuse::unknown_unit, name, header.line, {{"column", shortened(cell)}}));
   }
   // "R_mm", "T mm", "Angle deg": the unit without brackets.
   const std::string whole = without_blanks(cell.substr(0, open));
@@ -163,46 +164,41 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
 
 }  // namespace
 
-Error table_error(const std::string& name, int line, const std::string& message) {
-  return {ErrorCode::invalid_input, fmt::format("Line {}: {}.", line, message),
-          fmt::format("{}:{}", name, line)};
+Error table_error(const Refusal& refusal, const std::string& name, int line, Facts facts) {
+  facts.emplace(facts.begin(), "line", place::line(line));
+  return error_of(refusal, facts, fmt::format("{}:{}", name, line));
 }
 
 Result<TableShape> TableShape::from(const CsvRecord& header, const std::string& name) {
   TableShape shape;
   for (size_t i = 0; i < header.fields.size(); ++i) {
-    const auto found = parse_heading(header.fields[i], i);
-    if (!found) return tl::unexpected(table_error(name, header.line, found.error().message));
+    const auto found = parse_heading(header, i, name);
+    if (!found) return pass_on(found);
     if (!found->has_value()) continue;
-    auto& place = shape.headings_[index_of((*found)->column)];
-    if (place) {
-      return tl::unexpected(table_error(
-          name, header.line,
-          fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
-                      shortened(header.fields[place->field]), shortened(header.fields[i]),
-                      kColumnNames[index_of(place->column)])));
+    auto& known = shape.headings_[index_of((*found)->column)];
+    if (known) {
+      return fail(table_error(refuse::column_twice, name, header.line,
+                              {{"first", shortened(header.fields[known->field])},
+                               {"second", shortened(header.fields[i])},
+                               {"what", kColumnNames[index_of(known->column)]}}));
     }
-    place = **found;
+    known = **found;
   }
-  if (auto problem = shape.problem(header))
-    return tl::unexpected(table_error(name, header.line, *problem));
+  if (const Refusal* problem = shape.problem()) {
+    const std::string names = fmt::format("{}", fmt::join(header.fields, "\", \""));
+    return fail(table_error(*problem, name, header.line, {{"header", shortened(names, 200)}}));
+  }
   return shape;
 }
 
-std::optional<std::string> TableShape::problem(const CsvRecord& header) const {
+const Refusal* TableShape::problem() const {
   const int values = has(Column::k) + has(Column::allowance) + has(Column::deduction);
-  if (values == 0 || (by_ratio() && !has(Column::ratio))) {
-    return fmt::format(
-        "the header must name R/T, or R and T, and one of K, BA, BD (optionally an angle); found "
-        "\"{}\"",
-        shortened(fmt::format("{}", fmt::join(header.fields, "\", \"")), 200));
-  }
-  if (values > 1) return "more than one of K, BA and BD is given; keep one of them";
+  if (values == 0 || (by_ratio() && !has(Column::ratio))) return &refuse::incomplete_header;
+  if (values > 1) return &refuse::several_values;
   if (by_ratio() && (has(Column::radius) || has(Column::thickness)))
-    return "R/T is given together with R or T; give R/T alone, or both R and T";
-  if (by_ratio() && !has(Column::k))
-    return "BA and BD are lengths and need the columns R and T, not R/T";
-  return std::nullopt;
+    return &refuse::ratio_and_lengths;
+  if (by_ratio() && !has(Column::k)) return &refuse::lengths_need_sizes;
+  return nullptr;
 }
 
 }  // namespace planish::sheet_detail

@@ -25,8 +25,8 @@ struct Heading {
   size_t field = 0;
 };
 
-/// An error in a line of a table: `message` says what is wrong and what to do.
-Error table_error(const std::string& name, int line, const std::string& message);
+/// An error in a line of a table, `{@line}` of the refusal.
+Error table_error(const Refusal& refusal, const std::string& name, int line, Facts facts = {});
 
 /// The columns of a bend table, and the kind of table that they make.
 class TableShape {
@@ -44,7 +44,8 @@ class TableShape {
   }
 
  private:
-  std::optional<std::string> problem(const CsvRecord& header) const;
+  /// What is wrong with the columns.
+  const Refusal* problem() const;
 
   std::array<std::optional<Heading>, kColumns> headings_;
 };

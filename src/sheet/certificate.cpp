@@ -1,11 +1,10 @@
 #include "curve_index.hpp"
 #include "opening_count.hpp"
+#include "refusals.hpp"
 #include "relaid.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/certificate.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +96,7 @@ Result<double> area_at_half(const Sheet& sheet, const FlatPattern& pattern, cons
   if (all_half) return written;
   const Allowances half = at_half(sheet, stated);
   const auto halfway = relaid(sheet, pattern, half);
-  if (!halfway) return tl::unexpected(halfway.error());
+  if (!halfway) return pass_on(halfway);
   double beyond = area_of_bends(sheet, laid, stated, tolerance) -
                   area_of_bends(sheet, *halfway, half, tolerance);
   if (!sheet.features.empty()) {
@@ -237,23 +236,20 @@ Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid
 
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
                             const EdgeDistance& distance, double curve_tolerance) {
-  if (auto right = check(sheet); !right) return tl::unexpected(right.error());
-  if (pattern.outer.loop.empty())
-    return fail(ErrorCode::pattern_wrong, "The flat pattern has no outer contour.");
-  if (auto right = check(pattern); !right) return tl::unexpected(right.error());
+  if (auto right = check(sheet); !right) return pass_on(right);
+  if (pattern.outer.loop.empty()) return fail(refuse::pattern_empty);
+  if (auto right = check(pattern); !right) return pass_on(right);
   if (!sheet.faces.has(pattern.root))
-    return fail(ErrorCode::pattern_wrong,
-                fmt::format("The root of the flat pattern, face {}, is not a face of the sheet.",
-                            index_of(pattern.root)));
+    return fail(refuse::pattern_root_unknown,
+                {{"root", index_of(pattern.root) + 1}, {"count", sheet.faces.size()}});
   if (!(curve_tolerance > 0.0 && curve_tolerance <= kFarthest))
-    return fail(ErrorCode::bad_option,
-                fmt::format("The curve tolerance is {} mm; it must be above 0.", curve_tolerance));
+    return fail(refuse::curve_tolerance, {{"tolerance", curve_tolerance, unit::mm}});
   const auto stated = stated_allowances(sheet, pattern);
-  if (!stated) return tl::unexpected(stated.error());
+  if (!stated) return pass_on(stated);
   const auto laid = relaid(sheet, pattern, *stated);
-  if (!laid) return tl::unexpected(laid.error());
+  if (!laid) return pass_on(laid);
   const auto half = area_at_half(sheet, pattern, *laid, *stated, curve_tolerance);
-  if (!half) return tl::unexpected(half.error());
+  if (!half) return pass_on(half);
 
   Certificate certificate;
   const double area = certificate.flat_area_half = *half;

@@ -1,5 +1,7 @@
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/sheet/codes.hpp>
+#include <planish/sheet/places.hpp>
 #include <planish/sheet/sheet.hpp>
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 namespace planish {
@@ -16,13 +19,33 @@ namespace {
 
 using Fault = std::optional<Error>;
 
-Error fault(std::string rule, std::string where) {
-  return {ErrorCode::invalid_sheet, std::move(rule), std::move(where)};
+/// The row that breaks a rule: in words, and where it stands in the value `Sheet`.
+struct SheetRow {
+  std::string where;
+  std::string pointer;
+};
+
+SheetRow whole() { return {"sheet", ""}; }
+SheetRow row_of(FaceId id) { return {fmt::format("face {}", index_of(id)), pointer_to(id)}; }
+SheetRow row_of(BendId id) { return {fmt::format("bend {}", index_of(id)), pointer_to(id)}; }
+SheetRow row_of(const BorderRef& ref) {
+  return {fmt::format("face {}, loop {}, border {}", index_of(ref.face), ref.loop, ref.border),
+          pointer_to(ref)};
+}
+/// A row of a list: "joint", 3, "/joints".
+SheetRow row_of(const char* kind, std::size_t index, const char* list) {
+  return {fmt::format("{} {}", kind, index), fmt::format("{}/{}", list, index)};
 }
 
-std::string name_of(FaceId id) { return fmt::format("face {}", index_of(id)); }
-std::string name_of(const BorderRef& ref) {
-  return fmt::format("face {}, loop {}, border {}", index_of(ref.face), ref.loop, ref.border);
+Error fault(std::string_view rule, const SheetRow& row) {
+  return error_of({code::invalid_sheet, rule}, {{"row", place::pointer(row.pointer)}}, row.where);
+}
+
+/// With the face of the solid, to show it.
+Error fault_at(std::string_view rule, const Sheet& sheet, FaceId face, const SheetRow& row) {
+  Error error = fault(rule, row);
+  if (const auto number = sheet[face].source_face) error.places.push_back(place::face(*number));
+  return error;
 }
 
 /// Where a sheet may lie, and how large its bends may be, mm: a thousand kilometres.
@@ -78,39 +101,40 @@ bool is_angle(Angle angle) { return angle.radians() >= 0.0 && std::isfinite(angl
 
 Fault fault_of_sizes(const Sheet& sheet) {
   if (!(sheet.thickness > 0.0 && is_length(sheet.thickness)))
-    return fault("The thickness of a sheet is a number above 0.", "sheet");
+    return fault("The thickness of a sheet is a number above 0.", whole());
   if (!(sheet.reference_depth >= 0.0 && sheet.reference_depth <= sheet.thickness))
-    return fault("The reference depth of a sheet is a number from 0 to the thickness.", "sheet");
+    return fault("The reference depth of a sheet is a number from 0 to the thickness.", whole());
   if (!is_length(sheet.thickness_spread))
-    return fault("The thickness spread of a sheet is a number of at least 0.", "sheet");
+    return fault("The thickness spread of a sheet is a number of at least 0.", whole());
   if (sheet.volume && !(*sheet.volume > 0.0 && std::isfinite(*sheet.volume)))
-    return fault("The volume of a sheet, where it is known, is a number above 0.", "sheet");
+    return fault("The volume of a sheet, where it is known, is a number above 0.", whole());
   if (!std::isfinite(sheet.forms_volume.value_or(0.0)) || !std::isfinite(sheet.mitres_volume))
-    return fault("The volumes of forms and mitres are numbers.", "sheet");
-  if (sheet.faces.empty()) return fault("A sheet has faces.", "sheet");
+    return fault("The volumes of forms and mitres are numbers.", whole());
+  if (sheet.faces.empty()) return fault("A sheet has faces.", whole());
   return {};
 }
 
 Fault fault_of_part(const Sheet& sheet, FaceId id) {
   const Face& face = sheet[id];
+  const auto broken = [&](std::string_view rule) { return fault_at(rule, sheet, id, row_of(id)); };
   const auto* bend = std::get_if<BendId>(&face.part_of);
   const bool known = bend ? sheet.bends.has(*bend)
                           : sheet.flanges.has(std::get<FlangeId>(face.part_of));
-  if (!known) return fault("A face names a flange or bend of its sheet.", name_of(id));
+  if (!known) return broken("A face names a flange or bend of its sheet.");
   const auto& faces = sheet.faces_of(face.part_of);
   if (std::count(faces.begin(), faces.end(), id) != 1)
-    return fault("The flange or bend of a face lists it once.", name_of(id));
+    return broken("The flange or bend of a face lists it once.");
   const auto* surface = std::get_if<Developable>(&face.surface);
   if ((surface != nullptr) != (bend != nullptr))
-    return fault("Flanges have plane faces, bends have developable ones.", name_of(id));
+    return broken("Flanges have plane faces, bends have developable ones.");
   if (surface ? face.sense != 1 && face.sense != -1 : face.sense != 1)
-    return fault("The sense of a face is 1 or −1, that of a plane 1.", name_of(id));
+    return broken("The sense of a face is 1 or −1, that of a plane 1.");
   if (surface && !regular(*surface))
-    return fault("The surface of a bend has a right-handed frame and a size above 0.", name_of(id));
+    return broken("The surface of a bend has a right-handed frame and a size above 0.");
   if (surface && !is_kind_of(sheet[*bend].kind, *surface))
-    return fault("The faces of a bend lie on surfaces of its kind.", name_of(id));
+    return broken("The faces of a bend lie on surfaces of its kind.");
   if (!surface && !regular(std::get<Frame>(face.surface)))
-    return fault("The frame of a plane is right-handed, its axes of length 1.", name_of(id));
+    return broken("The frame of a plane is right-handed, its axes of length 1.");
   return {};
 }
 
@@ -128,23 +152,27 @@ std::optional<int> open_border(const Face& face, const BorderLoop& loop) {
 
 Fault fault_of_borders(const Sheet& sheet, FaceId id) {
   const Face& face = sheet[id];
-  if (face.loops.empty()) return fault("A face has an outer loop.", name_of(id));
+  const auto broken = [&](std::string_view rule, const SheetRow& row) {
+    return fault_at(rule, sheet, id, row);
+  };
+  if (face.loops.empty()) return broken("A face has an outer loop.", row_of(id));
   for (int l = 0; l < std::ssize(face.loops); ++l) {
     if (face.loops[l].empty())
-      return fault("A loop has borders.", fmt::format("face {}, loop {}", index_of(id), l));
+      return broken("A loop has borders.", {fmt::format("face {}, loop {}", index_of(id), l),
+                                            fmt::format("{}/loops/{}", pointer_to(id), l)});
     for (int b = 0; b < std::ssize(face.loops[l]); ++b) {
       const Border& border = face.loops[l][b];
       const BorderRef ref{id, l, b};
       if (!is_regular(border.curve))
-        return fault("A border is a line, an arc or a spline of finite size.", name_of(ref));
+        return broken("A border is a line, an arc or a spline of finite size.", row_of(ref));
       if (!std::isfinite(border.edge_depth) || !is_length(border.edge_length.value_or(0.0)))
-        return fault("Depth and length of a border's edge are numbers.", name_of(ref));
+        return broken("Depth and length of a border's edge are numbers.", row_of(ref));
       if (border.feature && !sheet.features.has(*border.feature))
-        return fault("A border names a feature of its sheet.", name_of(ref));
+        return broken("A border names a feature of its sheet.", row_of(ref));
     }
     if (const auto open = open_border(face, face.loops[l]))
-      return fault("Each border of a loop starts where the one before ends.",
-                   name_of({id, l, *open}));
+      return broken("Each border of a loop starts where the one before ends.",
+                    row_of(BorderRef{id, l, *open}));
   }
   return {};
 }
@@ -172,10 +200,10 @@ Fault fault_of_lists(const Sheet& sheet) {
   for (const FlangeId id : sheet.flanges.ids())
     if (sheet[id].faces.empty() || !listed_by(id, sheet[id].faces))
       return fault("A flange has faces, and each names it.",
-                   fmt::format("flange {}", index_of(id)));
+                   row_of("flange", index_of(id), "/flanges"));
   for (const BendId id : sheet.bends.ids()) {
     const Bend& bend = sheet[id];
-    const std::string where = fmt::format("bend {}", index_of(id));
+    const SheetRow where = row_of(id);
     if (!listed_by(id, bend.faces)) return fault("Each face of a bend names it.", where);
     if (bend.faces.empty() != (bend.kind == BendKind::sharp))
       return fault("Sharp bends have no faces, all others have.", where);
@@ -193,7 +221,7 @@ Fault fault_of_joints(const Sheet& sheet) {
   std::set<BendId> folded;
   for (size_t j = 0; j < sheet.joints.size(); ++j) {
     const Joint& joint = sheet.joints[j];
-    const std::string where = fmt::format("joint {}", j);
+    const SheetRow where = row_of("joint", j, "/joints");
     for (const BorderRef& ref : {joint.a, joint.b}) {
       if (!sheet.has(ref)) return fault("A joint names borders of its sheet.", where);
       if (!joined.emplace(ref.face, ref.loop, ref.border).second)
@@ -206,7 +234,7 @@ Fault fault_of_joints(const Sheet& sheet) {
   }
   for (const BendId id : sheet.bends.ids())
     if (sheet[id].kind == BendKind::sharp && !folded.contains(id))
-      return fault("A sharp bend is named by a joint.", fmt::format("bend {}", index_of(id)));
+      return fault("A sharp bend is named by a joint.", row_of(id));
   return {};
 }
 
@@ -219,7 +247,7 @@ bool drawable(const BorderLoop& borders) {
 Fault fault_of_features(const Sheet& sheet) {
   for (const FeatureId id : sheet.features.ids()) {
     const FormedFeature& feature = sheet[id];
-    const std::string where = fmt::format("feature {}", index_of(id));
+    const SheetRow where = row_of("feature", index_of(id), "/features");
     if (!sheet.faces.has(feature.face)) return fault("A feature names a face of its sheet.", where);
     const bool cuts_drawable = std::all_of(feature.openings.begin(), feature.openings.end(),
                                            [](const FormedOpening& opening) {
@@ -242,7 +270,7 @@ Fault fault_of_marks(const Sheet& sheet) {
   if (auto found = fault_of_features(sheet)) return found;
   for (size_t i = 0; i < sheet.labels.size(); ++i)
     if (!sheet.faces.has(sheet.labels[i].face) || !sheet.labels[i].at.allFinite())
-      return fault("A label names a point on a face of its sheet.", fmt::format("label {}", i));
+      return fault("A label names a point on a face of its sheet.", row_of("label", i, "/labels"));
   return {};
 }
 

@@ -1,9 +1,9 @@
 #include "contour.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/geometry/fit.hpp>
 #include <planish/sheet/topology.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -57,10 +57,9 @@ std::optional<FeatureId> feature_of(const Sheet& sheet, const RawContour& contou
 /// Why there is no pattern where a feature reaches the outer contour: what its maker says.
 Error refusal_at_rim(const FormedFeature& feature) {
   if (!feature.at_rim.message.empty()) return feature.at_rim;
-  return {ErrorCode::unsupported_shape,
-          fmt::format("A feature ({}) reaches the outer contour; a flat pattern cannot show it.",
-                      feature.kind),
-          {}};
+  Facts facts{{"kind", feature.kind}};
+  if (feature.source_face) facts.emplace_back("face", place::face(*feature.source_face));
+  return error_of(refuse::form_at_rim, facts);
 }
 
 }  // namespace
@@ -90,9 +89,7 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
       contours.openings.push_back(std::move(contour));
     }
   }
-  if (outer_area <= 0)
-    return fail(ErrorCode::closed_loop,
-                "The sheet has no outer contour: its bends close on themselves.");
+  if (outer_area <= 0) return fail(refuse::no_outer_contour);
   return contours;
 }
 

@@ -1,8 +1,9 @@
+#include "refusals.hpp"
+
 #include <planish/sheet/csv.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <string>
 
 namespace planish {
 namespace {
@@ -28,7 +29,7 @@ class CsvReader {
     std::vector<CsvRecord> result;
     while (at_ < text_.size()) {
       auto record = next();
-      if (!record) return tl::unexpected(record.error());
+      if (!record) return pass_on(record);
       const bool empty = std::all_of(record->fields.begin(), record->fields.end(),
                                      [](const std::string& field) { return field.empty(); });
       if (!empty) result.push_back(std::move(*record));
@@ -44,7 +45,7 @@ class CsvReader {
       if (at_ < text_.size() && text_[at_] == '#') skip_comment();
       auto field = at_ < text_.size() && text_[at_] == '"' ? quoted()
                                                            : Result<std::string>(plain());
-      if (!field) return tl::unexpected(field.error());
+      if (!field) return pass_on(field);
       record.fields.push_back(trimmed(*field));
       if (at_ >= text_.size() || text_[at_] != separator_) break;
       ++at_;
@@ -92,12 +93,8 @@ class CsvReader {
       }
       field += c;
     }
-    return fail(
-        ErrorCode::invalid_input,
-        fmt::format(
-            "Line {} opens a quote (\") that is not closed; remove it or add the closing one.",
-            opened),
-        fmt::format("{}:{}", name_, opened));
+    return fail(refuse::open_quote, {{"line", place::line(opened)}},
+                name_ + ":" + std::to_string(opened));
   }
 
   void end_line() {
@@ -135,11 +132,7 @@ Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::strin
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     text.remove_prefix(kByteOrderMark.size());
   if (text.find('\0') != std::string_view::npos) {
-    return fail(ErrorCode::invalid_input,
-                "The table is not plain text (it holds zero bytes); save it as \"CSV UTF-8\" "
-                "instead of Unicode text "
-                "or a workbook.",
-                name);
+    return fail(refuse::not_plain_text, {}, name);
   }
   char separator = separator_of(text);
   std::string blank_head;

@@ -1,12 +1,12 @@
 #include "contour.hpp"
 #include "measure.hpp"
+#include "refusals.hpp"
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,9 +165,7 @@ Loop along_outline(const Loop& outline, double from, double to) {
 }
 
 tl::unexpected<Error> covered_twice(const Cutout& cutout) {
-  return fail(ErrorCode::unsupported_shape,
-              fmt::format("the relief at ({:.6g}, {:.6g}) does not part the material there",
-                          cutout.middle.x(), cutout.middle.y()));
+  return fail(refuse::relief_parts_nothing, {{"at", place::point(cutout.middle)}});
 }
 
 /// Joins the stretches along the outline to closed contours.
@@ -252,7 +250,7 @@ std::vector<Curve2> left_of_slits(const std::vector<Curve2>& slits, const Cutout
 
 double Cutout::distance(const Vec2& p) const {
   const Vec2 d = p - middle;
-  const Vec2 local(d.dot(along), along.x() * d.y() - along.y() * d.x());
+  const Vec2 local(d.dot(along), cross(along, d));
   const int corner = local.y() >= 0.0 ? (local.x() >= 0.0 ? 0 : 1) : (local.x() < 0.0 ? 2 : 3);
   const double radius = corner == sharp_corner ? 0.0 : corner_radius;
   const Vec2 q = local.cwiseAbs() - half + Vec2::Constant(radius);
@@ -299,7 +297,7 @@ Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout, do
     take(opening);
   if (!paths.empty()) {
     auto made = joined_along(std::move(paths), cutout, outline);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return pass_on(made);
     for (const Contour& contour : *made)
       kept.push_back(joined_contour(contour, tolerance));
   } else if (in_material(kept, cutout)) {

@@ -6,6 +6,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/moved_pattern.hpp>
 
 #include <algorithm>
@@ -181,7 +182,7 @@ void align(FlatSheet& flat) {
 Result<FlatPattern> pattern_of(const Sheet& sheet, const Layout& layout,
                                const FlattenOptions& options) {
   auto contours = chain_contours(sheet, layout, options);
-  if (!contours) return tl::unexpected(contours.error());
+  if (!contours) return pass_on(contours);
   FlatPattern pattern;
   pattern.thickness = sheet.thickness;
   add_features(pattern, sheet, layout, *contours, options);
@@ -200,9 +201,9 @@ Result<FlatPattern> pattern_of(const Sheet& sheet, const Layout& layout,
 
 Result<FlatSheet> flat_set_back(const Sheet& sheet, const FlattenOptions& options) {
   auto layout = lay_out(sheet, options);
-  if (!layout) return tl::unexpected(layout.error());
+  if (!layout) return pass_on(layout);
   auto pattern = pattern_of(sheet, *layout, options);
-  if (!pattern) return tl::unexpected(pattern.error());
+  if (!pattern) return pass_on(pattern);
   FlatSheet flat{std::move(*layout), std::move(*pattern)};
   if (other_side_up(flat.pattern, options.up)) {
     Isometry2 mirror = Isometry2::Identity();
@@ -217,19 +218,19 @@ Result<FlatSheet> flat_set_back(const Sheet& sheet, const FlattenOptions& option
 }  // namespace
 
 Result<FlatSheet> flat_sheet(const Sheet& made, const FlattenOptions& options) {
-  if (auto right = check(made); !right) return tl::unexpected(right.error());
+  if (auto right = check(made); !right) return pass_on(right);
   if (!needs_setback(made)) return flat_set_back(made, options);
   const auto moved = with_setback(made);
   if (moved) return flat_set_back(*moved, options);
   // Corners without room are mostly closed all around: that is the better answer.
   const auto layout = lay_out(made, options);
-  const bool closed = !layout && layout.error().code == ErrorCode::closed_loop;
+  const bool closed = !layout && layout.error().code == code::closed_loop;
   return tl::unexpected(closed ? layout.error() : moved.error());
 }
 
 Result<FlatPattern> flatten(const Sheet& sheet, const FlattenOptions& options) {
   auto flat = flat_sheet(sheet, options);
-  if (!flat) return tl::unexpected(flat.error());
+  if (!flat) return pass_on(flat);
   return std::move(flat->pattern);
 }
 

@@ -1,12 +1,12 @@
 #include "bend_development.hpp"
 #include "placement.hpp"
+#include "refusals.hpp"
 #include "unplaced.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/sheet/layout.hpp>
+#include <planish/sheet/places.hpp>
 #include <planish/sheet/topology.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,19 +23,16 @@ using namespace sheet_detail;
 
 Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
   if (options.root && !sheet.faces.has(*options.root))
-    return fail(ErrorCode::no_such_face,
-                fmt::format("The sheet has faces 0 to {}; face {}, named as the root, is none of "
-                            "them.",
-                            sheet.faces.size() - 1, index_of(*options.root)));
+    return fail(refuse::root_unknown,
+                {{"root", index_of(*options.root) + 1}, {"count", sheet.faces.size()}});
   for (const auto& [bend, k] : options.bend_k)
     if (!sheet.bends.has(bend))
-      return fail(ErrorCode::bad_option,
-                  fmt::format("A K-factor is given for bend {}; the sheet has {}.",
-                              index_of(bend) + 1, sheet.bends.size()));
+      return fail(refuse::k_for_no_bend,
+                  {{"bend", place_of(sheet, bend)}, {"count", sheet.bends.size()}});
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!positive(options.curve_tolerance) || !positive(options.merge_tolerance) ||
       !positive(options.closure_tolerance))
-    return fail(ErrorCode::bad_option, "The tolerances of a flat pattern are numbers above 0.");
+    return fail(refuse::tolerance_not_positive);
   return {};
 }
 
@@ -85,11 +82,11 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
 }
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
-  return {ErrorCode::closed_loop,
-          fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses "
-                      "by {:.3g} mm).",
-                      closure),
-          between_faces(sheet, joint)};
+  return error_of(refuse::loop_misses,
+                  {{"gap", closure, unit::mm},
+                   {"face", face_at(sheet, joint.a)},
+                   {"face", face_at(sheet, joint.b)}},
+                  between_faces(sheet, joint));
 }
 
 /// Measures how far every joint is from closing, and refuses one that does not close.
@@ -144,22 +141,23 @@ namespace sheet_detail {
 std::string between_faces(const Sheet& sheet, const Joint& joint) {
   const auto number = [&](const BorderRef& ref) {
     const auto of_border = sheet[ref].source_face;
-    return (of_border ? of_border : sheet[ref.face].source_face).value_or(index_of(ref.face));
+    return std::to_string(
+        (of_border ? of_border : sheet[ref.face].source_face).value_or(index_of(ref.face)));
   };
-  return fmt::format("between face {} and face {}", number(joint.a), number(joint.b));
+  return "between face " + number(joint.a) + " and face " + number(joint.b);
 }
 
 Result<Layout> unplaced(const Sheet& sheet, const FlattenOptions& options) {
-  if (auto right = check(sheet); !right) return tl::unexpected(right.error());
-  if (auto right = check_options(sheet, options); !right) return tl::unexpected(right.error());
+  if (auto right = check(sheet); !right) return pass_on(right);
+  if (auto right = check_options(sheet, options); !right) return pass_on(right);
   auto allowances = allowances_of(sheet, options);
-  if (!allowances) return tl::unexpected(allowances.error());
+  if (!allowances) return pass_on(allowances);
 
   Layout layout;
   layout.root = options.root.value_or(largest_flange_face(sheet));
   layout.allowance = std::move(*allowances);
   auto developments = developments_of(sheet, layout.allowance);
-  if (!developments) return tl::unexpected(developments.error());
+  if (!developments) return pass_on(developments);
   layout.development = std::move(*developments);
   layout.neutral_offset = neutral_offsets_of(sheet, layout.allowance);
   return layout;
@@ -171,11 +169,11 @@ Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
   auto layout = unplaced(sheet, options);
   if (!layout) return layout;
   auto placed = placed_over(longest_first(sheet), sheet, Topology(sheet), *layout);
-  if (!placed) return tl::unexpected(placed.error());
+  if (!placed) return pass_on(placed);
   layout->tree = std::move(placed->tree);
   layout->placement = std::move(placed->placement);
   const auto closure = closure_of(sheet, *layout, options.closure_tolerance);
-  if (!closure) return tl::unexpected(closure.error());
+  if (!closure) return pass_on(closure);
   layout->closure = *closure;
   for (const FaceId id : sheet.faces.ids())
     layout->images.push_back(images_of(sheet, id, *layout, options));

@@ -1,7 +1,7 @@
+#include "refusals.hpp"
+
 #include <planish/base/assert.hpp>
 #include <planish/sheet/material.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,12 +62,9 @@ double end_of(const MeasuredCurve& curve) { return curve.points.back().strain; }
 Result<void> check(const MaterialCurves& material) {
   for (const StressStrain* curve : {&material.tension, &material.compression})
     if (!std::visit([](const auto& c) { return is_regular(c); }, *curve))
-      return fail(
-          ErrorCode::bad_option,
-          fmt::format("The curve of {} for {} must have ascending strains and stresses of "
-                      "at least 0, not all of them 0; a power law, a strength above 0 and "
-                      "an exponent from 0 to 1.",
-                      material.name, curve == &material.tension ? "tension" : "compression"));
+      return fail(refuse::material_curve,
+                  {{"material", material.name},
+                   {"side", curve == &material.tension ? "tension" : "compression"}});
   return {};
 }
 

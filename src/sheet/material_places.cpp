@@ -1,3 +1,4 @@
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/material_places.hpp>
 
 #include <algorithm>
@@ -14,13 +15,6 @@ namespace planish {
 namespace {
 
 constexpr double kChord = 0.01;  // mm, of outlines: places are shown, not cut
-
-Vec2 nearest_on(const Segment& segment, const Vec2& p) {
-  const Vec2 along = segment.b - segment.a;
-  const double square = along.squaredNorm();
-  if (!(square > 0.0)) return segment.a;
-  return segment.a + std::clamp(along.dot(p - segment.a) / square, 0.0, 1.0) * along;
-}
 
 std::vector<std::vector<Vec2>> rings_of(const Region& region) {
   std::vector<std::vector<Vec2>> rings{sampled(region.outer, kChord)};

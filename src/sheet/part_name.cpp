@@ -6,13 +6,17 @@
 
 namespace planish {
 
-std::string part_name(const FlatPattern& pattern, const PartId& part) {
+Place part_place(const FlatPattern& pattern, const PartId& part) {
   if (const auto* flange = std::get_if<FlangeId>(&part))
-    return fmt::format("flange {}", index_of(*flange) + 1);
+    return place::flange(index_of(*flange) + 1);
   const BendId id = std::get<BendId>(part);
   for (const FlatBend& bend : pattern.bends)
-    if (bend.bend == id) return "bend " + bend.id;
-  return fmt::format("bend {}", index_of(id) + 1);
+    if (bend.bend == id) return place::bend(bend.id);
+  return place::bend(fmt::format("B{}", index_of(id) + 1));
+}
+
+std::string part_name(const FlatPattern& pattern, const PartId& part) {
+  return text_of(part_place(pattern, part));
 }
 
 bool has_order(const FlatPattern& pattern) {

@@ -1,9 +1,10 @@
 #include "relaid.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
-
-#include <fmt/format.h>
+#include <planish/sheet/places.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -171,9 +172,7 @@ Result<Stated> stated_allowances(const Sheet& sheet, const FlatPattern& pattern)
     if (sheet.bends.has(bend.bend)) found[bend.bend] = bend.allowance;
   Stated stated;
   for (const BendId id : sheet.bends.ids()) {
-    if (!found[id])
-      return fail(ErrorCode::pattern_wrong,
-                  fmt::format("The flat pattern leaves out bend B{}.", index_of(id) + 1));
+    if (!found[id]) return fail(refuse::pattern_lacks_bend, {{"bend", place_of(sheet, id)}});
     stated.push_back(*found[id]);
   }
   return stated;
@@ -208,9 +207,7 @@ Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern, const Stat
   const Isometry2 whole = pattern.root_placement * seen_from_outside(sheet[pattern.root]).inverse();
   for (const FaceId id : sheet.faces.ids()) {
     const auto& motion = motions[topology.node_of(id)];
-    if (!motion)
-      return fail(ErrorCode::not_a_sheet,
-                  "The flanges of the sheet are not all connected by bends.");
+    if (!motion) return fail(refuse::unconnected, {{"face", place_of(sheet, id)}});
     laid.placement.push_back(whole * *motion * seen_from_outside(sheet[id]));
   }
   return laid;

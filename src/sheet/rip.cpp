@@ -1,10 +1,10 @@
+#include "refusals.hpp"
 #include "rip_joint.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/places.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +35,11 @@ Result<void> check_edge(const Sheet& sheet, int edge) {
   const auto joint = std::ranges::find_if(sheet.joints,
                                           [&](const Joint& j) { return is_at(sheet, j, edge); });
   if (joint == sheet.joints.end())
-    return fail(ErrorCode::bad_option,
-                fmt::format("No two faces of the skin that is unfolded meet at edge {}; a rip runs "
-                            "along an edge at which they do.",
-                            edge));
+    return fail(refuse::no_edge_to_rip, {{"edge", place::edge(edge)}});
   if (!sheet_detail::can_be_ripped(sheet, *joint))
-    return fail(ErrorCode::bad_option,
-                fmt::format("At edge {} walls meet by their outside; a rip there would leave both "
-                            "of them in the corner.",
-                            edge));
+    return fail(refuse::rip_in_corner, {{"edge", edge_at(sheet, *joint, edge)},
+                                        {"face", face_at(sheet, joint->a)},
+                                        {"face", face_at(sheet, joint->b)}});
   return {};
 }
 
@@ -121,6 +117,13 @@ Sheet without_bends(Sheet sheet, const std::set<BendId>& gone) {
   return sheet;
 }
 
+tl::unexpected<Error> parted(const Sheet& sheet, const std::vector<Joint>& rips) {
+  Facts facts;
+  for (const Joint& rip : rips)
+    facts.emplace_back("edge", edge_at(sheet, rip, *sheet[rip.a].edge));
+  return fail(rips.size() == 1 ? refuse::rip_parts : refuse::rips_part, facts);
+}
+
 }  // namespace
 
 namespace sheet_detail {
@@ -134,7 +137,7 @@ bool can_be_ripped(const Sheet& sheet, const Joint& joint) {
 Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
   if (edges.empty()) return sheet;
   for (const int edge : edges)
-    if (auto fit = check_edge(sheet, edge); !fit) return tl::unexpected(fit.error());
+    if (auto fit = check_edge(sheet, edge); !fit) return pass_on(fit);
   const auto is_ripped = [&](const Joint& joint) {
     return std::ranges::any_of(edges, [&](int edge) { return is_at(sheet, joint, edge); });
   };
@@ -155,8 +158,7 @@ Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
     *sheet.genus += static_cast<int>(rips.size()) - (Corners(sheet).count() - corners);
   const std::set<BendId> idle = idle_bends(sheet);
   sheet = without_bends(std::move(sheet), idle);
-  if (!Topology(sheet).is_connected())
-    return fail(ErrorCode::bad_option, "The rips cut the sheet into several parts; leave one out.");
+  if (!Topology(sheet).is_connected()) return parted(sheet, rips);
   return sheet;
 }
 

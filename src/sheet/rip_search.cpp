@@ -1,17 +1,19 @@
 #include "placement.hpp"
+#include "refusals.hpp"
 #include "rip_joint.hpp"
 #include "set_back.hpp"
 #include "unplaced.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/codes.hpp>
+#include <planish/sheet/places.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 #include <queue>
+#include <string>
 #include <utility>
 
 // Where to rip a sheet that does not lie flat (math.md#rips). A layout keeps joints by rank: those
@@ -115,7 +117,7 @@ int parts_of(const Sheet& sheet) {
   return parts.count();
 }
 
-tl::unexpected<Error> no_rips() { return fail(ErrorCode::closed_loop, "No rips open the sheet."); }
+tl::unexpected<Error> no_rips() { return fail(refuse::no_rips); }
 
 /// The rips of one way to choose what is kept, if what they open passes.
 Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOptions options,
@@ -137,17 +139,43 @@ Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOpti
     if (!cut || parts_of(*cut) > parts_of(sheet)) return no_rips();
     const auto passed = passes(*cut);
     if (passed) return edges;
-    if (passed.error().code != ErrorCode::closed_loop) return tl::unexpected(passed.error());
+    if (passed.error().code != code::closed_loop) return pass_on(passed);
     open = std::move(*cut);
     options.bend_k.clear();  // by number, of which rips may have taken some
   }
   return no_rips();
 }
 
-/// A refusal and what is added to its sentence.
-Error continued(Error refusal, const std::string& text) {
-  if (refusal.message.ends_with('.')) refusal.message.pop_back();
-  refusal.message += text;
+/// A refusal and what would help.
+Error continued(Error refusal, const Error& more) {
+  refusal.message += " " + more.message;
+  return refusal;
+}
+
+/// The edges as an option has them: "21,25".
+std::string edges_text(const std::vector<int>& edges) {
+  std::string text;
+  for (const int edge : edges)
+    text += (text.empty() ? "" : ",") + std::to_string(edge);
+  return text;
+}
+
+const Joint& joint_at(const Sheet& sheet, int edge) {
+  return *std::ranges::find_if(sheet.joints,
+                               [&](const Joint& joint) { return sheet[joint.a].edge == edge; });
+}
+
+/// The places are those of the rips; of the loop nothing is shown any more.
+Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& closed) {
+  const Joint& first = joint_at(sheet, rips.front());
+  Facts facts{{"edge", edge_at(sheet, first, rips.front())}, {"edges", edges_text(rips)}};
+  if (rips.size() > 1) facts.emplace_back("count", rips.size());
+  for (std::size_t i = 1; i < rips.size(); ++i)
+    facts.emplace_back("next", edge_at(sheet, joint_at(sheet, rips[i]), rips[i]));
+  Error refusal = error_of(rips.size() == 1 ? refuse::one_rip : refuse::many_rips, facts,
+                           text_of(edge_at(sheet, first, rips.front())));
+  refusal.message = closed.message + refusal.message;
+  refusal.numbers.insert(refusal.numbers.begin(), closed.numbers.begin(), closed.numbers.end());
   return refusal;
 }
 
@@ -159,7 +187,7 @@ Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& 
   for (const Keep keep : {Keep::smooth, Keep::longest, Keep::near_root}) {
     auto rips = rips_keeping(keep, sheet, options, passes);
     if (rips) return rips;
-    if (best.error().code == ErrorCode::closed_loop) best = std::move(rips);
+    if (best.error().code == code::closed_loop) best = std::move(rips);
   }
   return best;
 }
@@ -167,26 +195,15 @@ Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& 
 Error loop_refusal(const Sheet& sheet, const Error& closed, const FlattenOptions& options,
                    const SheetCheck& passes) {
   const auto rips = rips_to_open(sheet, options, passes);
-  if (!rips) switch (rips.error().code) {
-      case ErrorCode::closed_loop:
-      case ErrorCode::unsupported_shape:  // corners without room are mostly closed all around
-        return continued(closed, ", and no rips along its edges open it.");
-      case ErrorCode::overlap:
-        return continued(closed, ", and rips along its edges leave a pattern that covers itself.");
-      default:
-        return rips.error();
-    }
-  const int edge = rips->front();
-  const auto first = std::ranges::find_if(
-      sheet.joints, [&](const Joint& joint) { return sheet[joint.a].edge == edge; });
-  const std::string between = between_faces(sheet, *first);
-  const bool one = rips->size() == 1;
-  Error refusal = continued(
-      closed, one ? fmt::format("; a rip along the edge {} would open it.", between)
-                  : fmt::format("; rips along {} edges would open it, first along the edge {}.",
-                                rips->size(), between));
-  refusal.where = fmt::format("edge {} {}", edge, between);
-  return refusal;
+  if (!rips) {
+    const ErrorCode& why = rips.error().code;
+    // Corners without room are mostly closed all around.
+    if (why == code::closed_loop || why == code::unsupported_shape)
+      return continued(closed, error_of(refuse::no_rips, {}));
+    if (why == code::overlap) return continued(closed, error_of(refuse::rips_overlap, {}));
+    return rips.error();
+  }
+  return opened_by(*rips, sheet, closed);
 }
 
 }  // namespace planish

@@ -1,4 +1,5 @@
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/same_part.hpp>
 
 #include <algorithm>
@@ -59,8 +60,7 @@ Vec2 middle_of(const Loop& loop) {
     const auto along = [&](auto f) {
       return integral(curve, [&](const Vec2& p, const Vec2& d) { return f(Vec2(p - near), d); });
     };
-    area += along(
-        [](const Vec2& p, const Vec2& d) { return 0.5 * (p.x() * d.y() - p.y() * d.x()); });
+    area += along([](const Vec2& p, const Vec2& d) { return 0.5 * cross(p, d); });
     moments.x() += along([](const Vec2& p, const Vec2& d) { return 0.5 * p.x() * p.x() * d.y(); });
     moments.y() -= along([](const Vec2& p, const Vec2& d) { return 0.5 * p.y() * p.y() * d.x(); });
   }
@@ -170,8 +170,8 @@ class Comparison {
   }
 
   /// Whether each of `a` has one of `b` of its own: `place` of both are near, and they are `same`.
-  template <typename T, typename Place, typename Same>
-  bool matched(const std::vector<T>& a, const std::vector<T>& b, Place place, Same same) const {
+  template <typename T, typename PointOf, typename Same>
+  bool matched(const std::vector<T>& a, const std::vector<T>& b, PointOf place, Same same) const {
     if (a.size() != b.size()) return false;
     struct Placed {
       Vec2 at;

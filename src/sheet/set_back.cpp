@@ -1,6 +1,8 @@
 #include "set_back.hpp"
 
-#include <fmt/format.h>
+#include "refusals.hpp"
+
+#include <planish/sheet/places.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -94,13 +96,12 @@ Result<Sheet> with_setback(const Sheet& sheet) {
       Face& face = moved.faces[ref.face];
       const bool flat = std::holds_alternative<Frame>(face.surface);
       if (flat && moved_inwards(face.loops[ref.loop], ref.border, setback)) continue;
-      const std::string name = fmt::format("{}", face.source_face.value_or(index_of(ref.face)));
-      return fail(
-          ErrorCode::unsupported_shape,
-          fmt::format("Face {} has no room for the setback of {:.4g} mm that its sharp bend "
-                      "of {:.1f}° needs; model the bend with a radius.",
-                      name, setback, 2 * half_turn * 180 / std::numbers::pi),
-          "face " + name);
+      return fail(refuse::no_room_for_setback,
+                  {{"face", place_of(sheet, ref.face)},
+                   {"bend", place_of(sheet, *joint.sharp)},
+                   {"setback", setback, unit::mm},
+                   {"angle", sheet[*joint.sharp].angle.degrees(), unit::degrees}},
+                  text_of(place_of(sheet, ref.face)));
     }
   }
   return moved;

@@ -1,8 +1,9 @@
 #include "slot_shape.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,6 @@ namespace {
 using std::numbers::pi;
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 double angle_of(const Vec2& direction) { return std::atan2(direction.y(), direction.x()); }
 
 /// Curves that follow one another from a point.
@@ -77,12 +77,9 @@ MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_s
 }
 
 tl::unexpected<Error> no_room(const Slot& slot) {
-  return fail(
-      ErrorCode::bad_option,
-      fmt::format(
-          "the kerf of {:.6g} mm is too wide where the slit leaves the sheet at ({:.6g}, {:.6g})",
-          2.0 * slot.half_width, slot.axis.a.x(), slot.axis.a.y()),
-      "/kerf");
+  return fail(refuse::kerf_too_wide, {{"field", place::pointer("/kerf")},
+                                      {"kerf", 2.0 * slot.half_width, unit::mm},
+                                      {"at", place::point(slot.axis.a)}});
 }
 
 /// Parts of the line's parameter range 0 … 1 inside a disc and inside the band along the axis.
@@ -116,22 +113,6 @@ std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
 
 }  // namespace
 
-double distance(const Vec2& p, const Segment& segment) {
-  const Vec2 d = segment.b - segment.a;
-  const double t = d.squaredNorm() > 0.0
-                       ? std::clamp(d.dot(p - segment.a) / d.squaredNorm(), 0.0, 1.0)
-                       : 0.0;
-  return (segment.a + t * d - p).norm();
-}
-
-double distance(const Segment& a, const Segment& b) {
-  const auto side = [](const Segment& line, const Vec2& p) {
-    return cross(line.b - line.a, p - line.a);
-  };
-  if (side(a, b.a) * side(a, b.b) < 0.0 && side(b, a.a) * side(b, a.b) < 0.0) return 0.0;
-  return std::min({distance(a.a, b), distance(a.b, b), distance(b.a, a), distance(b.b, a)});
-}
-
 std::vector<Vec2> chain_of(const Curve2& curve) {
   if (const auto* line = std::get_if<Segment>(&curve)) return {line->a, line->b};
   constexpr double kChord = 1e-3;  // share of the length
@@ -159,10 +140,7 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
   const auto *coming = std::get_if<Segment>(&contour.loop[before]),
              *going = std::get_if<Segment>(&contour.loop[next]);
   if (coming == nullptr || going == nullptr || before == next)
-    return fail(
-        ErrorCode::unsupported_shape,
-        fmt::format("the slit that leaves the sheet at ({:.6g}, {:.6g}) meets a curve there",
-                    slot.axis.a.x(), slot.axis.a.y()));
+    return fail(refuse::slit_meets_curve, {{"at", place::point(slot.axis.a)}});
   const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();
   const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
   const MouthCorner in = mouth_corner(slot, along, left_of(along), from),

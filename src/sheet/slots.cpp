@@ -1,12 +1,12 @@
 #include "contour.hpp"
 #include "measure.hpp"
+#include "refusals.hpp"
 #include "slot_shape.hpp"
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/slots.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,23 +23,17 @@ namespace {
 using namespace sheet_detail;
 
 Result<void> check_options(const SlotOptions& options) {
-  const auto check = [](double value, const char* what, const char* where) -> Result<void> {
-    if (std::isfinite(value) && value >= 0.0) return {};
-    return fail(ErrorCode::bad_option,
-                fmt::format("the {} is {} mm; it must be 0 or above", what, value), where);
-  };
-  if (auto sound = check(options.kerf, "kerf", "/kerf"); !sound) return sound;
-  if (auto sound = check(options.stop_hole, "stop hole's diameter", "/stop_hole"); !sound)
-    return sound;
+  const auto is_width = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  const Fact kerf("kerf", options.kerf, unit::mm), hole("stop_hole", options.stop_hole, unit::mm);
+  if (!is_width(options.kerf))
+    return fail(refuse::kerf_negative, {{"field", place::pointer("/kerf")}, kerf});
+  if (!is_width(options.stop_hole))
+    return fail(refuse::stop_hole_negative, {{"field", place::pointer("/stop_hole")}, hole});
   if (!(std::isfinite(options.tolerance) && options.tolerance > 0.0))
-    return fail(ErrorCode::bad_option,
-                fmt::format("the tolerance is {} mm; it must be above 0", options.tolerance));
+    return fail(refuse::slit_tolerance, {{"tolerance", options.tolerance, unit::mm}});
   if (options.stop_hole > 0.0 && options.stop_hole < options.kerf)
-    return fail(ErrorCode::bad_option,
-                fmt::format("the stop holes have a diameter of {} mm, less than the kerf of {} mm; "
-                            "make them at least as wide",
-                            options.stop_hole, options.kerf),
-                "/stop_hole");
+    return fail(refuse::stop_hole_below_kerf,
+                {{"field", place::pointer("/stop_hole")}, hole, kerf});
   return {};
 }
 
@@ -95,11 +89,8 @@ Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const std::vector
     const auto a = corners_at(pattern, slit.a, options.tolerance),
                b = corners_at(pattern, slit.b, options.tolerance);
     if (a.size() + b.size() > 1)
-      return fail(
-          ErrorCode::unsupported_shape,
-          fmt::format(
-              "the slit from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is open in more than one place",
-              slit.a.x(), slit.a.y(), slit.b.x(), slit.b.y()));
+      return fail(refuse::slit_opens_twice,
+                  {{"from", place::point(slit.a)}, {"to", place::point(slit.b)}});
     Slot slot{slit, 0.5 * options.kerf, 0.5 * options.stop_hole, std::nullopt};
     if (!b.empty()) slot.axis = {slit.b, slit.a};
     if (!a.empty()) slot.opens_at = a.front();
@@ -110,11 +101,11 @@ Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const std::vector
 }
 
 tl::unexpected<Error> too_wide(const Slot& slot, double room) {
-  return fail(ErrorCode::bad_option,
-              fmt::format("the slot from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) runs into what is "
-                          "{:.6g} mm beside it; choose a smaller kerf or stop hole",
-                          slot.axis.a.x(), slot.axis.a.y(), slot.axis.b.x(), slot.axis.b.y(), room),
-              slot.hole > slot.half_width ? "/stop_hole" : "/kerf");
+  return fail(refuse::slit_too_wide,
+              {{"field", place::pointer(slot.hole > slot.half_width ? "/stop_hole" : "/kerf")},
+               {"from", place::point(slot.axis.a)},
+               {"to", place::point(slot.axis.b)},
+               {"room", room, unit::mm}});
 }
 
 Result<void> check_room_between(const std::vector<Slot>& slots) {
@@ -169,7 +160,7 @@ Result<void> open_slots(FlatPattern& pattern, std::vector<Slot> slots, double to
   for (const Slot& slot : slots) {
     Contour& contour = *contours[slot.opens_at->contour];
     auto opened = with_open_slot(contour, slot, tolerance);
-    if (!opened) return tl::unexpected(opened.error());
+    if (!opened) return pass_on(opened);
     contour = std::move(*opened);
   }
   return {};
@@ -204,7 +195,7 @@ Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) 
 }  // namespace
 
 Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
-  if (auto sound = check_options(options); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_options(options); !sound) return pass_on(sound);
   for (Contour* contour : contours_of(pattern))
     contour->origins.resize(contour->loop.size());
   std::vector<Segment> slits = straight_slits(pattern);
@@ -212,17 +203,16 @@ Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
     slits.push_back(slit);
   if (slits.empty()) return pattern;
   auto slots = slots_of(pattern, slits, options);
-  if (!slots) return tl::unexpected(slots.error());
-  if (auto room = check_room_between(*slots); !room) return tl::unexpected(room.error());
+  if (!slots) return pass_on(slots);
+  if (auto room = check_room_between(*slots); !room) return pass_on(room);
   for (const Slot& slot : *slots)
-    if (auto room = check_room_to_contours(pattern, slot); !room)
-      return tl::unexpected(room.error());
+    if (auto room = check_room_to_contours(pattern, slot); !room) return pass_on(room);
   if (options.kerf > 0.0) {
     if (auto opened = open_slots(pattern, *slots, options.tolerance); !opened)
-      return tl::unexpected(opened.error());
+      return pass_on(opened);
     add_closed_slots(pattern, *slots);
   } else if (auto cut = cut_as_lines(pattern, *slots); !cut) {
-    return tl::unexpected(cut.error());
+    return pass_on(cut);
   }
   for (FlatBend& bend : pattern.bends)
     trim_bend(bend, [&](const Segment& line) { return outside(line, *slots); });

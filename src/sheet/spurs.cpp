@@ -1,5 +1,7 @@
 #include "spurs.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -21,7 +23,7 @@ struct TracedCurve {
 
 double distance_to_line(const Vec2& p, const Segment& line) {
   const Vec2 along = (line.b - line.a).normalized(), d = p - line.a;
-  return std::abs(along.x() * d.y() - along.y() * d.x());
+  return std::abs(cross(along, d));
 }
 
 double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }

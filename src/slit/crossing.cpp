@@ -1,6 +1,7 @@
 #include "crossing.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ std::vector<Quad> quads_of(const FoldedStrip& strip) {
 bool holds(const Quad& quad, const Vec2& p, double margin) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 side = quad.flat[(i + 1) % 4] - quad.flat[i], to = p - quad.flat[i];
-    if (side.x() * to.y() - side.y() * to.x() <= margin * side.norm()) return false;
+    if (planish::cross(side, to) <= margin * side.norm()) return false;
   }
   return true;
 }

@@ -1,17 +1,17 @@
 #include "mould_body.hpp"
 #include "mould_clear.hpp"
+#include "refusals.hpp"
 #include "rib_solid.hpp"
 
 #include <planish/geometry/mesh_volume.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/slit/mould.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 
 // A rib under each strip (math.md#mould, docs/decisions/0003). A facet is parallel to its quad,
@@ -90,7 +90,9 @@ struct Setting {
   MouldForm form = MouldForm::ribs;
 };
 
-std::string place(int strip, int quad) { return fmt::format("strip {}, quad {}", strip, quad); }
+std::string quad_of(int strip, int quad) {
+  return "strip " + std::to_string(strip) + ", quad " + std::to_string(quad);
+}
 
 MouldSide ground_side(const FoldedSlitSheet& folded) {
   double up = 0.0;  // the front's area as the ground sees it
@@ -102,6 +104,14 @@ MouldSide ground_side(const FoldedSlitSheet& folded) {
   return up < 0.0 ? MouldSide::front : MouldSide::back;
 }
 
+tl::unexpected<Error> bad_mould(const char* name, const Quantity& value, const char* range,
+                                const char* key) {
+  return fail(refuse::bad_slit_option, {{"name", name},
+                                        {"value", value.value, value.unit},
+                                        {"range", range},
+                                        {"field", place::pointer(key)}});
+}
+
 Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   Setting setting;
   const MouldSide ground = ground_side(folded);
@@ -109,29 +119,21 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
                      ? -1.0
                      : 1.0;
   if (options.up && !(options.up->allFinite() && options.up->norm() > 0.0))
-    return fail(ErrorCode::bad_option,
-                "the direction in which the sheet is lifted off has no length", "/mould/up");
+    return fail(refuse::no_way_up, {{"field", place::pointer("/mould/up")}});
   setting.up = options.up ? Vec3(options.up->normalized())
                : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY())
                                                                              : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
   if (!options.inset) setting.most_share = kNarrowest;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
-    return fail(ErrorCode::bad_option,
-                fmt::format("the mould's inset is {} mm; it must be at least 0", setting.inset),
-                "/mould/inset");
+    return bad_mould("The mould's inset", {setting.inset, unit::mm}, "0 or more", "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
-    return fail(
-        ErrorCode::bad_option,
-        fmt::format("the mould's base is {} mm below its lowest point; it must be more than 0",
-                    options.base),
-        "/mould/base");
+    return bad_mould("The depth of the mould's base", {options.base, unit::mm}, "a value above 0",
+                     "/mould/base");
   const double draft = options.draft.radians();
   if (!(draft > 0.0) || !(draft < 1.5))
-    return fail(ErrorCode::bad_option,
-                fmt::format("the mould's draft is {}°; it must be above 0 and below 86",
-                            options.draft.degrees()),
-                "/mould/draft");
+    return bad_mould("The mould's draft", {options.draft.degrees(), unit::degrees},
+                     "an angle above 0° and below 86°", "/mould/draft");
   setting.offset = 0.5 * folded.thickness;
   setting.least_lean = std::sin(draft);
   setting.form = options.form;
@@ -153,11 +155,11 @@ Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, in
   const double share = std::min(
       std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
-    return fail(ErrorCode::bad_option,
-                fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose "
-                            "ridge is {:.6g} mm long",
-                            setting.inset, number, (right - left).norm()),
-                "/mould/inset");
+    return fail(refuse::inset_takes_all,
+                {{"inset", setting.inset, unit::mm},
+                 {"strip", place::at(place::strip(number), Vec3(0.5 * (left + right)))},
+                 {"length", (right - left).norm(), unit::mm},
+                 {"field", place::pointer("/mould/inset")}});
   return std::array<Vec3, 2>{left + share * (right - left) + setting.offset * step,
                              right + share * (left - right) + setting.offset * step};
 }
@@ -169,17 +171,17 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
   std::array<Vec3, 2> near{};
   for (int at = first; at <= last + 1; ++at) {
     const auto far = working_ridge(strip, first, last, at, setting, number);
-    if (!far) return tl::unexpected(far.error());
+    if (!far) return pass_on(far);
     if (at > first) {
       const auto& from = strip.ridges[at - 1];
       const auto& to = strip.ridges[at];
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
-          return fail(ErrorCode::radius_too_small,
-                      fmt::format("{} is folded so tightly that its side towards the mould has no "
-                                  "length between the ridges",
-                                  place(number, strip.first + at - 1)),
-                      place(number, strip.first + at - 1));
+          return fail(refuse::folded_too_tightly,
+                      {{"strip", place::at(place::strip(number), to[side])},
+                       {"ridge", place::ridge(strip.first + at - 1)},
+                       {"ridge", place::ridge(strip.first + at)}},
+                      quad_of(number, strip.first + at - 1));
       rib.facets.push_back({near[0], (*far)[0], (*far)[1], near[1]});
     }
     near = *far;
@@ -204,7 +206,7 @@ Result<void> add_ribs(const WholeStrip& strip, int number, const Setting& settin
     while (last + 1 < count && carried(last + 1))
       ++last;
     auto rib = rib_under(strip, quad, last, setting, number);
-    if (!rib) return tl::unexpected(rib.error());
+    if (!rib) return pass_on(rib);
     rib->first_quad = strip.first + quad;
     mould.ribs.push_back(std::move(*rib));
     quad = last + 1;
@@ -262,9 +264,7 @@ Result<void> add_all_ribs(Mould& mould, const FoldedSlitSheet& folded, const Set
       if (auto added = add_ribs(strip, number, setting, walls, mould); !added) return added;
   }
   if (!mould.ribs.empty()) return {};
-  return fail(ErrorCode::unsupported_shape,
-              "no part of the strips faces the direction in which the sheet is lifted off; choose "
-              "another direction (mould.up) or the other side (mould.side)");
+  return fail(refuse::nothing_faces_up);
 }
 
 /// Where the base lies: one body reaches down to the panels' free edges.
@@ -290,7 +290,7 @@ Result<void> make_solids(Mould& mould, const Setting& setting, double base) {
   if (setting.form == MouldForm::ribs) return {};
   constexpr double kPlate = 0.5;  // of the base
   auto body = body_of(mould, kPlate * base, base);
-  if (!body) return tl::unexpected(body.error());
+  if (!body) return pass_on(body);
   mould.volume = volume_of(*body);
   mould.body = std::move(*body);
   return {};
@@ -303,20 +303,18 @@ Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& settin
   const WallSetting upright{base_frame(0.0, setting.up), setting.sign, setting.offset, base};
   if (setting.form == MouldForm::body) {
     auto walls = walls_of(folded, upright);
-    if (!walls) return tl::unexpected(walls.error());
+    if (!walls) return pass_on(walls);
     mould.walls = std::move(*walls);
   }
   std::vector<std::vector<WholeStrip>> strips;
   if (auto added = add_all_ribs(mould, folded, setting, upright, strips); !added)
-    return tl::unexpected(added.error());
-  if (auto raised = raise(mould.walls, strips, upright); !raised)
-    return tl::unexpected(raised.error());
+    return pass_on(added);
+  if (auto raised = raise(mould.walls, strips, upright); !raised) return pass_on(raised);
   mould.base = base_frame(lowest_point(mould, folded, setting) - base, setting.up);
   for (MouldRib& rib : mould.ribs)
     rib.footprint = footprint_of(rib, mould.base);
-  if (auto clear = check_clear(mould, strips, setting.offset); !clear)
-    return tl::unexpected(clear.error());
-  if (auto made = make_solids(mould, setting, base); !made) return tl::unexpected(made.error());
+  if (auto clear = check_clear(mould, strips, setting.offset); !clear) return pass_on(clear);
+  if (auto made = make_solids(mould, setting, base); !made) return pass_on(made);
   return mould;
 }
 
@@ -358,15 +356,15 @@ std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
 }  // namespace
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
-  if (auto sound = check(folded); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check(folded); !sound) return pass_on(sound);
   const auto given = setting_of(folded, options);
-  if (!given) return tl::unexpected(given.error());
+  if (!given) return pass_on(given);
   std::optional<Error> first_error;
   for (const Setting& setting : tries(*given, folded, options)) {
     auto mould = upright_mould(folded, setting, options.base);
     if (mould) return mould;
     if (!first_error) first_error = mould.error();
-    if (mould.error().code != ErrorCode::unsupported_shape) break;
+    if (mould.error().code != code::unsupported_shape) break;
   }
   return tl::unexpected(*first_error);
 }

@@ -1,18 +1,19 @@
 #include "align.hpp"
 #include "checks.hpp"
+#include "refusals.hpp"
 #include "snapshot.hpp"
 #include "strip_work.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/slit/codes.hpp>
 #include <planish/slit/session.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,8 +76,8 @@ Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   design.ends.resize(design.sheet.strips.size());
   bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle;
   auto panels = checked_panels(design);
-  if (!panels) return tl::unexpected(panels.error());
-  if (auto sound = check_all(design, *panels); !sound) return tl::unexpected(sound.error());
+  if (!panels) return pass_on(panels);
+  if (auto sound = check_all(design, *panels); !sound) return pass_on(sound);
   if (design.leg_curve != now.design->leg_curve || design.lean != now.design->lean ||
       design.second_panel != now.design->second_panel) {
     take_panels(next, std::move(*panels));
@@ -102,16 +103,16 @@ SlitSession& SlitSession::operator=(SlitSession&&) noexcept = default;
 SlitSession::~SlitSession() = default;
 
 Result<SlitSession> SlitSession::start(SlitDesign design) {
-  if (auto sound = check_sheet(design); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_sheet(design); !sound) return pass_on(sound);
   auto sized = with_fitted_curves(std::move(design));
-  if (!sized) return tl::unexpected(sized.error());
+  if (!sized) return pass_on(sized);
   design = std::move(*sized);
   auto panels = checked_panels(design);
-  if (!panels) return tl::unexpected(panels.error());
-  if (auto sound = check_all(design, *panels); !sound) return tl::unexpected(sound.error());
+  if (!panels) return pass_on(panels);
+  if (auto sound = check_all(design, *panels); !sound) return pass_on(sound);
   auto content = std::make_unique<Content>();
   auto points = points_by_strip(design);
-  if (!points) return tl::unexpected(points.error());
+  if (!points) return pass_on(points);
   design.scans.clear();
   design.ends.resize(design.sheet.strips.size());
   for (auto& cloud : *points)
@@ -128,19 +129,19 @@ Result<void> SlitSession::set_design(SlitDesign design) {
   number_as_subdivided(design, now.design->ridges);
   if (design.sheet != now.design->sheet || design.ridges != now.design->ridges) {
     auto begun = start(std::move(design));
-    if (!begun) return tl::unexpected(begun.error());
+    if (!begun) return pass_on(begun);
     content_->now = std::move(begun->content_->now);
     return {};
   }
   if (auto sound = check_sheet(design); !sound) return sound;
   auto sized = with_fitted_curves(std::move(design));
-  if (!sized) return tl::unexpected(sized.error());
+  if (!sized) return pass_on(sized);
   design = std::move(*sized);
   const auto scans = points_by_strip(design);
-  if (!scans) return tl::unexpected(scans.error());
+  if (!scans) return pass_on(scans);
   design.scans.clear();
   auto next = with_design(now, std::move(design));
-  if (!next) return tl::unexpected(next.error());
+  if (!next) return pass_on(next);
   for (int strip = 0; strip < now.count(); ++strip)
     if (const auto& points = (*scans)[strip]; points != scan(strip))
       take_scan(*next, strip, points);
@@ -154,7 +155,7 @@ Result<Eigen::Isometry3d> SlitSession::align_scans() {
   for (int strip = 0; strip < next.count(); ++strip)
     if (const auto& scan = next.slot(strip).scan)
       scans.push_back({scan->points(), folded_of(next, strip)});
-  if (scans.empty()) return fail(ErrorCode::empty_scan, "there is no scan to align", "/scan");
+  if (scans.empty()) return fail(refuse::no_scan, {{"field", place::pointer("/scan")}});
   const Eigen::Isometry3d motion = aligning_motion(scans);
   for (int strip = 0; strip < next.count(); ++strip) {
     if (!next.slot(strip).scan) continue;
@@ -209,7 +210,7 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
     note_crossings(now, moved);
   }
   report.strips_solved = static_cast<int>(moved.size());
-  if (cancelled) return fail(ErrorCode::cancelled, "solving the slit sheet was cancelled");
+  if (cancelled) return fail(refuse::cancelled);
   for (const auto& slot : now.slots) {
     report.converged = report.converged && slot->state.status != StripStatus::open;
     report.gap = std::max(report.gap, slot->state.gap);
@@ -249,14 +250,15 @@ FoldedSlitSheet SlitSession::folded() const {
 Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,
                                       const SlitSolveOptions& options, const Progress& progress) {
   if (subdivisions < 0 || subdivisions > kMostSubdivisions)
-    return fail(ErrorCode::bad_option, fmt::format("subdivisions is {}; it must be from 0 to {}",
-                                                   subdivisions, kMostSubdivisions));
+    return fail(refuse::bad_slit_option,
+                {{"name", "subdivisions"},
+                 {"value", subdivisions},
+                 {"range", "a number from 0 to " + std::to_string(kMostSubdivisions)}});
   auto session = SlitSession::start(std::move(design));
   if (!session) return session;
   for (int level = 0; level <= subdivisions; ++level) {
     if (level > 0) session->subdivide();
-    if (auto report = session->solve(options, progress); !report)
-      return tl::unexpected(report.error());
+    if (auto report = session->solve(options, progress); !report) return pass_on(report);
   }
   return session;
 }

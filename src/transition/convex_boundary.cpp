@@ -48,7 +48,7 @@ Vec3 tangent(const Element& element, double t) { return element.curve(t).derivat
 Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, const Vec3& towards,
                              const std::string& pointer) {
   auto plane_elements = elements_of(profile.profile, outwards, pointer);
-  if (!plane_elements) return tl::unexpected(plane_elements.error());
+  if (!plane_elements) return pass_on(plane_elements);
   Boundary boundary;
   const bool turned = profile.frame.z.dot(towards) < 0.0;
   boundary.turned = turned;

@@ -1,10 +1,9 @@
 #include "plane_profile.hpp"
 
 #include "profile_check.hpp"
+#include "refusals.hpp"
 
 #include <planish/geometry/region.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -45,13 +44,11 @@ struct ConvexPolygon {
 };
 
 Result<ConvexPolygon> convex(const PolygonProfile& given, const std::string& place) {
-  if (auto sound = check_polygon(given.corners, place); !sound)
-    return tl::unexpected(sound.error());
+  if (auto sound = check_polygon(given.corners, place); !sound) return pass_on(sound);
   ConvexPolygon polygon{given.corners, ring_area(given.corners) < 0.0, {}};
   if (polygon.reversed) std::reverse(polygon.corners.begin(), polygon.corners.end());
   const auto number = [&](int i) { return polygon.given_corner(i); };
-  if (auto sound = check_convex(polygon.corners, number, place); !sound)
-    return tl::unexpected(sound.error());
+  if (auto sound = check_convex(polygon.corners, number, place); !sound) return pass_on(sound);
   for (int i = 0; i < polygon.count(); ++i)
     if (turn_at(polygon.corners, i).sine() > kNoCorner) polygon.turns.push_back(i);
   return polygon;
@@ -101,10 +98,17 @@ struct Shaper {
   double outwards = 0.0;
   const std::string& pointer;
 
+  Facts thin_edge(const std::string& polygon, int edge, double length) const {
+    return {{"corner", edge + 1},
+            {"length", length, unit::mm},
+            {"inwards", -outwards, unit::mm},
+            {"edge", place::pointer(polygon + "/" + std::to_string(edge))}};
+  }
+
   Elements operator()(const PolygonProfile& given) const {
     const std::string place = pointer + "/polygon";
     const auto polygon = convex(given, place);
-    if (!polygon) return tl::unexpected(polygon.error());
+    if (!polygon) return pass_on(polygon);
     std::vector<Vec2> turning;
     for (const int i : polygon->turns)
       turning.push_back(polygon->corners[i]);
@@ -116,11 +120,8 @@ struct Shaper {
       PlaneElement plane_element = straight(moved[k], moved[next], static_cast<int>(k));
       add_given(plane_element, *polygon, k, edge.norm());
       if ((moved[next] - moved[k]).dot(edge) <= 0.0)
-        return fail(ErrorCode::radius_too_small,
-                    fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the "
-                                "neutral surface lies {:.4g} mm within the polygon that is given",
-                                plane_element.edges.front().number, edge.norm(), -outwards),
-                    place);
+        return fail(refuse::thicker_than_edge,
+                    thin_edge(place, plane_element.edges.front().number, edge.norm()), place);
       plane_elements.push_back(std::move(plane_element));
     }
     return plane_elements;
@@ -128,10 +129,9 @@ struct Shaper {
 
   Elements operator()(const EllipseProfile& e) const {
     const std::string place = pointer + (e.rx == e.ry ? "/circle" : "/ellipse");
-    if (auto sound = check_sizes({e.rx, e.ry}, place); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_sizes({e.rx, e.ry}, place); !sound) return pass_on(sound);
     const double tightest = std::min(e.rx * e.rx / e.ry, e.ry * e.ry / e.rx);
-    if (auto fits = check_radius(tightest, outwards, place); !fits)
-      return tl::unexpected(fits.error());
+    if (auto fits = check_radius(tightest, outwards, place); !fits) return pass_on(fits);
     std::vector<PlaneElement> plane_elements;
     for (int i = 0; i < 4; ++i)
       plane_elements.push_back(quarter(e.rx, e.ry, Vec2::Zero(), outwards, 0.5 * pi * i, 0));
@@ -140,47 +140,37 @@ struct Shaper {
 
   Elements operator()(const RoundedRectangleProfile& r) const {
     const std::string place = pointer + "/rounded_rectangle";
-    if (auto sound = check_sizes({r.width, r.height}, place); !sound)
-      return tl::unexpected(sound.error());
+    if (auto sound = check_sizes({r.width, r.height}, place); !sound) return pass_on(sound);
     const double most = 0.5 * std::min(r.width, r.height);
     if (!(r.radius >= 0.0) || !std::isfinite(r.radius) || r.radius > most)
-      return fail(
-          ErrorCode::invalid_input,
-          fmt::format(
-              "the radius is {:.6g} mm; it must be from 0 to half of the shorter side, {:.6g} mm",
-              r.radius, most),
-          place + "/radius");
+      return fail(refuse::radius_too_large, {{"radius", r.radius, unit::mm},
+                                             {"most", most, unit::mm},
+                                             {"field", place::pointer(place + "/radius")}});
     const double x = 0.5 * r.width, y = 0.5 * r.height;
     if (r.radius == 0.0) return (*this)(PolygonProfile{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}});
-    if (auto fits = check_radius(r.radius, outwards, place); !fits)
-      return tl::unexpected(fits.error());
+    if (auto fits = check_radius(r.radius, outwards, place); !fits) return pass_on(fits);
     return rounded(x - r.radius, y - r.radius, r.radius, outwards, {0, 1, 2, 3});
   }
 
   Elements operator()(const ObroundProfile& o) const {
     const std::string place = pointer + "/obround";
-    if (auto sound = check_sizes({o.length, o.width}, place); !sound)
-      return tl::unexpected(sound.error());
+    if (auto sound = check_sizes({o.length, o.width}, place); !sound) return pass_on(sound);
     if (o.length < o.width)
-      return fail(ErrorCode::invalid_input,
-                  fmt::format("the length of {:.6g} mm, over both half circles, is less than the "
-                              "width of {:.6g} mm",
-                              o.length, o.width),
-                  place + "/length");
+      return fail(refuse::obround_too_short, {{"length", o.length, unit::mm},
+                                              {"width", o.width, unit::mm},
+                                              {"field", place::pointer(place + "/length")}});
     const double radius = 0.5 * o.width;
-    if (auto fits = check_radius(radius, outwards, place); !fits)
-      return tl::unexpected(fits.error());
+    if (auto fits = check_radius(radius, outwards, place); !fits) return pass_on(fits);
     return rounded(0.5 * o.length - radius, 0.0, radius, outwards, {0, -1, 1, -1});
   }
 
   Elements operator()(const SplineProfile& given) const {
     const std::string place = pointer + "/spline";
     std::vector<Vec2> points = given.points;
-    if (auto sound = check_polygon(points, place); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_polygon(points, place); !sound) return pass_on(sound);
     if (ring_area(points) < 0.0) std::reverse(points.begin(), points.end());
     const PeriodicSpline spline(points);
-    if (auto sound = check_convex(spline, outwards, place); !sound)
-      return tl::unexpected(sound.error());
+    if (auto sound = check_convex(spline, outwards, place); !sound) return pass_on(sound);
     const PlaneCurve curve = set_off(spline, outwards);
     const auto& knots = spline.knots();
     constexpr int kParts = 4;  // of a plane_element of the spline: none turns by more than 90°

@@ -1,6 +1,6 @@
 #include "ring.hpp"
 
-#include <fmt/format.h>
+#include "refusals.hpp"
 
 #include <limits>
 
@@ -38,9 +38,9 @@ Vec3 middle_of(const Boundary& boundary) {
 Result<std::array<Boundary, 2>> boundaries_of(const TransitionSpec& spec) {
   const double outwards = set_off(spec);
   const auto first = boundary_of(spec.from, outwards, spec.from.frame.z, "/from/profile");
-  if (!first) return tl::unexpected(first.error());
+  if (!first) return pass_on(first);
   const auto second = boundary_of(spec.to, outwards, spec.to.frame.z, "/to/profile");
-  if (!second) return tl::unexpected(second.error());
+  if (!second) return pass_on(second);
   const Vec3 towards = middle_of(*second) - middle_of(*first);
   return std::array{*boundary_of(spec.from, outwards, towards, "/from/profile"),
                     *boundary_of(spec.to, outwards, towards, "/to/profile")};
@@ -52,12 +52,12 @@ Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
     if (patch.plane()) continue;
     const double radius = patch.smallest_radii(0.0, 1.0).end;
     if (radius > inside) continue;
-    return fail(ErrorCode::radius_too_small,
-                fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a "
-                            "radius of {:.4g} mm and needs more than "
-                            "{:.4g} mm, the part of the thickness that lies inside it",
-                            spec.thickness, radius, inside),
-                "/thickness");
+    const auto [p, q] = patch.ruling(0.5);
+    return fail(refuse::neutral_too_tight, {{"thickness", spec.thickness, unit::mm},
+                                            {"radius", radius, unit::mm},
+                                            {"least", inside, unit::mm},
+                                            {"field", place::pointer("/thickness")},
+                                            {"bend", place::point(Vec3(0.5 * (p + q)))}});
   }
   return {};
 }
@@ -66,14 +66,14 @@ Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
 
 Result<Ring> ring_of(const TransitionSpec& spec, const TransitionOptions& options) {
   auto boundaries = boundaries_of(spec);
-  if (!boundaries) return tl::unexpected(boundaries.error());
+  if (!boundaries) return pass_on(boundaries);
   const double size = extent_of(*boundaries);
   auto hull = lateral_hull(std::move((*boundaries)[0]), std::move((*boundaries)[1]), size);
-  if (!hull) return tl::unexpected(hull.error());
+  if (!hull) return pass_on(hull);
   Ring ring{std::make_shared<const Hull>(std::move(*hull)), {}, size};
   for (const HullPatch& patch : ring.hull->patches)
     ring.patches.emplace_back(ring.hull, patch, options.tolerance * size);
-  if (auto wide = check_radii(ring, spec); !wide) return tl::unexpected(wide.error());
+  if (auto wide = check_radii(ring, spec); !wide) return pass_on(wide);
   return ring;
 }
 

@@ -1,12 +1,11 @@
 #include "piece_sheet.hpp"
 #include "presses.hpp"
+#include "refusals.hpp"
 #include "request_check.hpp"
 #include "surface_mesh.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/transition/transition.hpp>
-
-#include <fmt/format.h>
 
 namespace planish {
 namespace {
@@ -22,6 +21,7 @@ constexpr double kMostCut = 0.1;
 
 /// No transition is a kilometre wide or long, and far larger ones lose what doubles can tell; mm.
 constexpr double kLargest = 1e6;
+constexpr double kMmInKm = 1e6;
 
 /// The ring, and the parts of each piece.
 struct Division {
@@ -31,19 +31,18 @@ struct Division {
 
 Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
   if (!(options.tolerance > 0.0))
-    return fail(ErrorCode::bad_option,
-                fmt::format("The tolerance is {}; it must be positive.", options.tolerance));
-  if (auto sound = check_request(spec); !sound) return tl::unexpected(sound.error());
+    return fail(refuse::bad_transition_option, {{"name", "The tolerance"},
+                                                {"value", options.tolerance, unit::none},
+                                                {"range", "a value above 0"}});
+  if (auto sound = check_request(spec); !sound) return pass_on(sound);
   auto ring = ring_of(spec, options);
-  if (!ring) return tl::unexpected(ring.error());
+  if (!ring) return pass_on(ring);
   if (ring->size > kLargest)
-    return fail(ErrorCode::invalid_input,
-                fmt::format("the profiles are {:.4g} km wide or apart; the largest transition has "
-                            "1 km",
-                            ring->size / 1e6),
-                "/to");
+    return fail(refuse::too_large, {{"size", ring->size / kMmInKm, unit::kilometres},
+                                    {"most", kLargest / kMmInKm, unit::kilometres},
+                                    {"field", place::pointer("/to")}});
   auto cuts = cuts_of(*ring, spec.seam, spec.pieces);
-  if (!cuts) return tl::unexpected(cuts.error());
+  if (!cuts) return pass_on(cuts);
   if (ring->count() == 1) {
     const double moved = cuts->front().at;
     ring = begun_at(*ring, moved, options.tolerance * ring->size);
@@ -55,7 +54,7 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
     division.pieces.push_back(
         parts_between(division.ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]));
   if (auto pressed = check_presses(division.ring, division.pieces, spec.pressing); !pressed)
-    return tl::unexpected(pressed.error());
+    return pass_on(pressed);
   return division;
 }
 
@@ -73,7 +72,7 @@ Result<void> add_pieces(Transition& transition, const Division& division,
   for (const auto& parts : division.pieces) {
     const int piece = static_cast<int>(transition.pieces.size());
     auto sheet = named_sheet(ring, spec, parts, piece, names);
-    if (!sheet) return tl::unexpected(sheet.error());
+    if (!sheet) return pass_on(sheet);
     transition.pieces.push_back(std::move(*sheet));
   }
   transition.true_lengths = names.true_lengths();
@@ -85,8 +84,7 @@ Result<double> with_tips(double area, const Ring& ring, const std::vector<PatchP
                          const TipCuts& tips) {
   for (const PatchPart& part : parts) {
     const RuledPatch& patch = ring.patch(part.patch);
-    if (auto room = tips.leave_room(patch, part.from, part.to); !room)
-      return tl::unexpected(room.error());
+    if (auto room = tips.leave_room(patch, part.from, part.to); !room) return pass_on(room);
     area += patch.tip_area(part.from, part.to, tips.of(patch, part.from, part.to));
   }
   return area;
@@ -98,11 +96,9 @@ Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, do
   for (const PatchPart& part : parts)
     whole += ring.patch(part.patch).area(part.from, part.to);
   if (cut <= kMostCut * whole) return {};
-  return fail(ErrorCode::radius_too_small,
-              fmt::format("a sheet of {:.4g} mm is too thick to be folded there: corners in which "
-                          "bends meet would have to be cut until {:.0f} % of it are gone",
-                          spec.thickness, 100.0 * cut / whole),
-              "/thickness");
+  return fail(refuse::too_much_cut, {{"thickness", spec.thickness, unit::mm},
+                                     {"share", 100.0 * cut / whole, unit::percent},
+                                     {"field", place::pointer("/thickness")}});
 }
 
 }  // namespace
@@ -110,12 +106,12 @@ Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, do
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options,
                                    const Progress& progress) {
   if (!(options.mesh_chord > 0.0))
-    return fail(
-        ErrorCode::bad_option,
-        fmt::format("The chord of a mesh is {} mm; it must be positive.", options.mesh_chord));
+    return fail(refuse::bad_transition_option, {{"name", "The chord of the mesh"},
+                                                {"value", options.mesh_chord, unit::mm},
+                                                {"range", "a value above 0"}});
   const auto division = divided(spec, options);
-  if (!division) return tl::unexpected(division.error());
-  if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
+  if (!division) return pass_on(division);
+  if (progress.should_stop()) return fail(refuse::cancelled);
   Transition transition;
   for (const RuledPatch& ruled : division->ring.patches) {
     const TransitionPatch& patch = transition.patches.emplace_back(measured(ruled));
@@ -123,8 +119,7 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
     for (std::size_t side = 0; side < 2; ++side)
       transition.perimeters[side] += patch.border[side];
   }
-  if (auto added = add_pieces(transition, *division, spec); !added)
-    return tl::unexpected(added.error());
+  if (auto added = add_pieces(transition, *division, spec); !added) return pass_on(added);
   transition.mesh = surface_mesh(division->ring, options.mesh_chord);
   return transition;
 }
@@ -132,7 +127,7 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
 Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
                                                const TransitionOptions& options) {
   auto division = divided(spec, options);
-  if (!division) return tl::unexpected(division.error());
+  if (!division) return pass_on(division);
   const Ring& ring = division->ring;
   const double open = division->pieces.size() == 1 ? open_seam(ring, division->pieces.front())
                                                    : 0.0;
@@ -141,11 +136,10 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
   for (const auto& parts : division->pieces) {
     const PatchPart &first = parts.front(), &last = parts.back();
     const auto missing = with_tips(open, ring, parts, tips);
-    if (!missing) return tl::unexpected(missing.error());
-    if (auto enough = check_cut(ring, parts, *missing, spec); !enough)
-      return tl::unexpected(enough.error());
+    if (!missing) return pass_on(missing);
+    if (auto enough = check_cut(ring, parts, *missing, spec); !enough) return pass_on(enough);
     auto sheet = cut_sheet(ring, spec, parts, tips);
-    if (!sheet) return tl::unexpected(sheet.error());
+    if (!sheet) return pass_on(sheet);
     pieces.push_back(
         {std::move(*sheet),
          *missing,

@@ -115,8 +115,8 @@ TEST_F(JournalFile, SaysWhatIsDamaged) {
   Journal journal = opened();
   const auto parts = journal.parts_of("a");
   ASSERT_FALSE(parts);
-  EXPECT_EQ(parts.error().code, ErrorCode::cannot_read);
-  EXPECT_EQ(Journal::read(folder_ / "absent").error().code, ErrorCode::cannot_read);
+  EXPECT_EQ(parts.error().code, code::cannot_read);
+  EXPECT_EQ(Journal::read(folder_ / "absent").error().code, code::cannot_read);
 }
 
 }  // namespace

@@ -2,19 +2,22 @@
 
 #include "worker_talk.hpp"
 
+#include <planish/batch/codes.hpp>
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 namespace planish::batch {
 namespace {
 
 TEST(WorkerTalk, ATaskArrives) {
-  const FileTask task{.file = "/a/\xff.step",
-                      .name = "b\n.step",
-                      .options = R"({"k":0.4})",
-                      .formats = {"dxf", "json"},
-                      .given_up = {{3, {ErrorCode::time_limit, "too long", "b"}},
-                                   {7, {ErrorCode::worker_died, "", ""}}},
-                      .share = {2, 3}};
+  const FileTask task{
+      .file = "/a/\xff.step",
+      .name = "b\n.step",
+      .options = R"({"k":0.4})",
+      .formats = {"dxf", "json"},
+      .given_up = {{3, {code::time_limit, "too long", "b"}}, {7, {code::worker_died, "", ""}}},
+      .share = {2, 3}};
   const auto read = task_in(texts_of(task));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->file, task.file);
@@ -24,9 +27,9 @@ TEST(WorkerTalk, ATaskArrives) {
   EXPECT_EQ(read->share.number, 2);
   EXPECT_EQ(read->share.of, 3);
   ASSERT_EQ(read->given_up.size(), 2U);
-  EXPECT_EQ(read->given_up.at(3).code, ErrorCode::time_limit);
+  EXPECT_EQ(read->given_up.at(3).code, code::time_limit);
   EXPECT_EQ(read->given_up.at(3).message, "too long");
-  EXPECT_EQ(read->given_up.at(7).code, ErrorCode::worker_died);
+  EXPECT_EQ(read->given_up.at(7).code, code::worker_died);
 }
 
 TEST(WorkerTalk, APartArrives) {
@@ -56,20 +59,20 @@ TEST(WorkerTalk, ABodyIsNoPart) {
 
 // Cut off anywhere, it is either nothing or a shorter list, and is never read past its end.
 TEST(WorkerTalk, WhatIsCutOffIsNotRead) {
-  const job::Texts task = texts_of(FileTask{.file = "a",
-                                            .name = "b",
-                                            .options = "{}",
-                                            .formats = {"dxf"},
-                                            .given_up = {{3, {ErrorCode::overlap, "m", "w"}}}});
+  const process::Texts task = texts_of(FileTask{.file = "a",
+                                                .name = "b",
+                                                .options = "{}",
+                                                .formats = {"dxf"},
+                                                .given_up = {{3, {code::overlap, "m", "w"}}}});
   for (std::size_t length = 0; length < task.size(); ++length) {
     const auto read = task_in({task.begin(), task.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(read.has_value(), length == 6) << length;
   }
-  const job::Texts part = texts_of(PartDone{.folder = "f",
-                                            .report = "{}",
-                                            .refusal = {},
-                                            .shapes = {"s", "t"},
-                                            .files = {{"a", "b"}, {"c", "d"}}});
+  const process::Texts part = texts_of(PartDone{.folder = "f",
+                                                .report = "{}",
+                                                .refusal = {},
+                                                .shapes = {"s", "t"},
+                                                .files = {{"a", "b"}, {"c", "d"}}});
   for (std::size_t length = 0; length < part.size(); ++length) {
     const auto read = part_in({part.begin(), part.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(read.has_value(), length == 8 || length == 10) << length;

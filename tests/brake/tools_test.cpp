@@ -1,3 +1,6 @@
+#include "support/error_data.hpp"
+
+#include <planish/brake/codes.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <gtest/gtest.h>
@@ -5,6 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace planish {
 namespace {
@@ -52,15 +57,18 @@ Error said_of(const std::function<void(BrakeTools&)>& change) {
   BrakeTools tools = with_flat_tools();
   change(tools);
   const auto checked = check(tools);
-  return checked ? Error{ErrorCode::internal, "nothing is wrong", ""} : checked.error();
+  return checked ? Error{code::internal, "nothing is wrong", ""} : checked.error();
 }
 
 void expect_wrong(const std::string& where, const std::string& part,
                   const std::function<void(BrakeTools&)>& change) {
   const Error said = said_of(change);
-  EXPECT_EQ(said.code, ErrorCode::bad_tools);
+  EXPECT_EQ(said.code, code::bad_tools);
   EXPECT_EQ(said.where, where) << said.message;
   EXPECT_NE(said.message.find(part), std::string::npos) << said.message;
+  EXPECT_TRUE(test::is_told(said)) << said.message;
+  EXPECT_EQ(test::pointers_in(said), std::vector<std::string>{where});
+  EXPECT_EQ(said.remedies.size(), 1u) << said.message;
 }
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -193,12 +201,11 @@ TEST(CheckTools, HoldsRadiiAgainstTheEdgesThatTheyRound) {
       t.punches[0].tip_radius = radius;
     };
   };
-  EXPECT_EQ(said_of(wedge(9.99)).code, ErrorCode::internal);
+  EXPECT_EQ(said_of(wedge(9.99)).code, code::internal);
   expect_wrong("/punches/0/tip_radius", "10.01 mm", wedge(10.01));
   expect_wrong("/punches/0/tip_radius", "0 or more", wedge(-1.0));
   // The shoulder turns by 46.7°, tan of half of which is 0.432, and its flank is 11.67 mm long.
-  EXPECT_EQ(said_of([](BrakeTools& t) { t.dies[0].shoulder_radius = 26.9; }).code,
-            ErrorCode::internal);
+  EXPECT_EQ(said_of([](BrakeTools& t) { t.dies[0].shoulder_radius = 26.9; }).code, code::internal);
   expect_wrong("/dies/0/shoulder_radius", "27.1 mm",
                [](BrakeTools& t) { t.dies[0].shoulder_radius = 27.1; });
 }
@@ -233,7 +240,16 @@ TEST(CheckTools, FindsRepeatedAndMissingIds) {
   expect_wrong("/dies/1/id", "twice", [](BrakeTools& t) { t.dies[1].id = "V16"; });
   expect_wrong("/dies/0/id", "no id", [](BrakeTools& t) { t.dies[0].id = ""; });
   // A punch and a die are told apart by what they are.
-  EXPECT_EQ(said_of([](BrakeTools& t) { t.dies[0].id = "P88"; }).code, ErrorCode::internal);
+  EXPECT_EQ(said_of([](BrakeTools& t) { t.dies[0].id = "P88"; }).code, code::internal);
+}
+
+TEST(CheckTools, SaysValuesWithTheirUnits) {
+  Error said = said_of([](BrakeTools& t) { t.machine.force = -5.0; });
+  EXPECT_EQ(test::number_in(said, "value"), -5.0);
+  EXPECT_EQ(test::unit_in(said, "value"), "kN");
+  said = said_of([](BrakeTools& t) { t.dies[0].opening = 12.0; });
+  EXPECT_EQ(test::number_in(said, "opening"), 12.0);
+  EXPECT_TRUE(said.message.starts_with("The opening of die \"V16\" is 12 mm")) << said.message;
 }
 
 TEST(CheckTools, FindsForcesThatAreNone) {

@@ -2,6 +2,7 @@
 
 #include "recognised.hpp"
 
+#include <planish/brep/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
@@ -117,8 +118,12 @@ TEST(AssembleSheet, RefusesFacesThatMeetSmoothlyAlongACurve) {
   seen.groups = group_faces(seen.model, seen.outlines, seen.skins, Skin::first);
   const auto sheet = assemble_sheet(seen.view());
   ASSERT_FALSE(sheet);
-  EXPECT_EQ(sheet.error().code, ErrorCode::doubly_curved);
+  EXPECT_EQ(sheet.error().code, code::doubly_curved);
   EXPECT_EQ(sheet.error().where, "faces 1 and 2");
+  ASSERT_EQ(sheet.error().places.size(), 3u);
+  EXPECT_EQ(sheet.error().places[0], place::face(1));
+  EXPECT_EQ(sheet.error().places[1], place::face(2));
+  EXPECT_EQ(sheet.error().places[2].kind, PlaceKind::edge);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "body.hpp"
 #include "support/sheets.hpp"
 
+#include <planish/brep/codes.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
@@ -88,14 +89,14 @@ TEST(KernelShape, HoldsABodyInSeveralPlacesOnce) {
 
 TEST(KernelShape, WithoutASolidIsRefused) {
   const TopoDS_Shape face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 10, 0, 10).Shape();
-  EXPECT_EQ(read_step_text(text_of(face), "face.brep").error().code, ErrorCode::shell_not_solid);
+  EXPECT_EQ(read_step_text(text_of(face), "face.brep").error().code, code::shell_not_solid);
   TopoDS_Compound nothing;
   BRep_Builder().MakeCompound(nothing);
-  EXPECT_EQ(read_step_text(text_of(nothing), "nothing.brep").error().code, ErrorCode::no_solid);
+  EXPECT_EQ(read_step_text(text_of(nothing), "nothing.brep").error().code, code::no_solid);
   gp_Trsf far;
   far.SetTranslation(gp_Vec(2e9, 0, 0));
   EXPECT_EQ(read_step_text(text_of(bracket().Moved(far)), "far.brep").error().code,
-            ErrorCode::too_far_away);
+            code::too_far_away);
 }
 
 TEST(KernelShape, ThatWasCutShortIsAnError) {

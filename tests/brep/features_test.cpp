@@ -3,6 +3,8 @@
 #include "form_volume.hpp"
 #include "recognised.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -51,7 +53,7 @@ TEST(AddFeatures, MarksABossAsFormed) {
   const Sheet sheet = sheet_of(bossed(), kTop);
   ASSERT_EQ(sheet.features.size(), 1u);
   EXPECT_EQ(sheet.features.front().kind, "formed");
-  EXPECT_EQ(sheet.features.front().at_rim.code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(sheet.features.front().at_rim.code, code::not_a_sheet);
   EXPECT_EQ(mark_of_opening(sheet), FeatureId{0});
   EXPECT_NEAR(sheet.forms_volume.value(), pi * 64 * 4, 1e-8);
 }

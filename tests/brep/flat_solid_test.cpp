@@ -88,7 +88,7 @@ TEST(FlatSolid, KeepsCornersOfSplines) {
 TEST(FlatSolid, RefusesAPatternWithoutThickness) {
   const auto text = flat_solid_step(pattern(rectangle(10, 10), {}, 0.0), "flat");
   ASSERT_FALSE(text);
-  EXPECT_EQ(text.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(text.error().code, code::invalid_input);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
   ASSERT_TRUE(surface.has_value());
   expect_closed(surface->mesh);
   EXPECT_NEAR(volume_in(surface->mesh), body.volume(), 0.01 * area_of(surface->mesh));
-  EXPECT_EQ(body_mesh(body, 0.0).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(body_mesh(body, 0.0).error().code, code::bad_option);
 }
 
 TEST(FoldedMesh, OfPlanesIsExact) {

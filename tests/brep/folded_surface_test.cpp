@@ -87,7 +87,7 @@ TEST(FoldedSurface, LeavesAGapOpen) {
 TEST(FoldedSurface, RefusesASheetWithoutFaces) {
   const auto text = folded_surface_step(Sheet{}, "none");
   ASSERT_FALSE(text);
-  EXPECT_EQ(text.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(text.error().code, code::invalid_input);
 }
 
 }  // namespace

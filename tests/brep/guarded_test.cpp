@@ -3,6 +3,8 @@
 #include "exchange_lock.hpp"
 #include "step_out.hpp"
 
+#include <planish/brep/codes.hpp>
+
 #include <Standard_OutOfRange.hxx>
 #include <gtest/gtest.h>
 
@@ -14,14 +16,14 @@ namespace {
 TEST(Guarded, HandsBackWhatTheFunctionReturns) {
   EXPECT_EQ(guarded([] { return 3; }).value(), 3);
   EXPECT_TRUE(guarded([] {}).has_value());
-  EXPECT_EQ(guarded([]() -> Result<int> { return fail(ErrorCode::no_solid, "none"); }).error().code,
-            ErrorCode::no_solid);
+  EXPECT_EQ(guarded([]() -> Result<int> { return fail(code::no_solid, "none"); }).error().code,
+            code::no_solid);
 }
 
 TEST(Guarded, TurnsExceptionsIntoErrors) {
   const auto kernel = guarded([]() -> int { throw Standard_OutOfRange("row 7"); }, "body-1");
   ASSERT_FALSE(kernel);
-  EXPECT_EQ(kernel.error().code, ErrorCode::kernel_failed);
+  EXPECT_EQ(kernel.error().code, code::kernel_failed);
   EXPECT_NE(kernel.error().message.find("row 7"), std::string::npos);
   EXPECT_NE(kernel.error().message.find("Standard_OutOfRange"), std::string::npos);
   EXPECT_EQ(kernel.error().where, "body-1");
@@ -34,10 +36,10 @@ TEST(Guarded, TurnsExceptionsIntoErrors) {
 TEST(Guarded, SaysThatMemoryIsWanting) {
   const auto kernel = guarded([]() -> int { throw Standard_OutOfMemory("row 7"); }, "body-1");
   ASSERT_FALSE(kernel);
-  EXPECT_EQ(kernel.error().code, ErrorCode::out_of_memory);
+  EXPECT_EQ(kernel.error().code, code::out_of_memory);
   const auto library = guarded([] { throw std::bad_alloc(); });
   ASSERT_FALSE(library);
-  EXPECT_EQ(library.error().code, ErrorCode::out_of_memory);
+  EXPECT_EQ(library.error().code, code::out_of_memory);
 }
 
 TEST(StepString, SpellsWhatIsNotAscii) {

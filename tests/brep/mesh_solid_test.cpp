@@ -19,7 +19,7 @@ Mesh tetrahedron() {
 ErrorCode code_of(const Mesh& mesh) {
   const auto text = mesh_solid_step(mesh, "mesh");
   EXPECT_FALSE(text);
-  return text ? ErrorCode::internal : text.error().code;
+  return text ? code::internal : text.error().code;
 }
 
 TEST(MeshSolid, IsTheSolidInsideTheMesh) {
@@ -60,24 +60,24 @@ TEST(MeshSolid, MakesOneFaceOfTrianglesInOnePlane) {
 TEST(MeshSolid, RefusesWhatIsNotClosed) {
   Mesh open = tetrahedron();
   open.triangles.pop_back();
-  EXPECT_EQ(code_of(open), ErrorCode::invalid_input);
-  EXPECT_EQ(code_of({}), ErrorCode::invalid_input);
+  EXPECT_EQ(code_of(open), code::invalid_input);
+  EXPECT_EQ(code_of({}), code::invalid_input);
 }
 
 TEST(MeshSolid, RefusesWhatIsInsideOut) {
   Mesh mesh = tetrahedron();
   for (auto& t : mesh.triangles)
     std::swap(t[0], t[1]);
-  EXPECT_EQ(code_of(mesh), ErrorCode::invalid_input);
+  EXPECT_EQ(code_of(mesh), code::invalid_input);
 }
 
 TEST(MeshSolid, RefusesTrianglesThatAreNone) {
   Mesh flat = tetrahedron();
   flat.triangles.push_back({0, 1, 1});
-  EXPECT_EQ(code_of(flat), ErrorCode::invalid_input);
+  EXPECT_EQ(code_of(flat), code::invalid_input);
   Mesh beyond = tetrahedron();
   beyond.triangles.push_back({0, 1, 4});
-  EXPECT_EQ(code_of(beyond), ErrorCode::invalid_input);
+  EXPECT_EQ(code_of(beyond), code::invalid_input);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "thickness.hpp"
 
 #include <planish/brep/step.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -143,24 +144,24 @@ TEST(NarrowPlate, IsABarBentOverItsFlatOrItsEdge) {
 }
 
 TEST(NarrowPlate, IsNoBarOfSquareSection) {
-  expect_refusal(block(200, 10, 10), ErrorCode::not_a_sheet);
-  expect_refusal(bent_bar(10, 10), ErrorCode::not_a_sheet);
+  expect_refusal(block(200, 10, 10), code::not_a_sheet);
+  expect_refusal(bent_bar(10, 10), code::not_a_sheet);
 }
 
-TEST(NarrowPlate, IsNoWire) { expect_refusal(block(40, 0.45, 0.36), ErrorCode::not_a_sheet); }
+TEST(NarrowPlate, IsNoWire) { expect_refusal(block(40, 0.45, 0.36), code::not_a_sheet); }
 
 TEST(NarrowPlate, IsNoBlock) {
-  expect_refusal(block(30, 20, 20), ErrorCode::not_a_sheet);
-  expect_refusal(block(50, 40, 30), ErrorCode::not_a_sheet);
-  expect_refusal(block(100, 60, 40), ErrorCode::not_a_sheet);
+  expect_refusal(block(30, 20, 20), code::not_a_sheet);
+  expect_refusal(block(50, 40, 30), code::not_a_sheet);
+  expect_refusal(block(100, 60, 40), code::not_a_sheet);
   expect_refusal(without(block(50, 40, 30), block_at({15, 15, -1}, {20, 10, 40})),
-                 ErrorCode::not_a_sheet);
+                 code::not_a_sheet);
 }
 
 TEST(NarrowPlate, IsNoTubeHoweverShort) {
-  expect_refusal(ring(50, 48, 60), ErrorCode::closed_loop);
-  expect_refusal(ring(50, 48, 8), ErrorCode::closed_loop);
-  expect_refusal(frame(100, 60, 3, 200), ErrorCode::closed_loop);
+  expect_refusal(ring(50, 48, 60), code::closed_loop);
+  expect_refusal(ring(50, 48, 8), code::closed_loop);
+  expect_refusal(frame(100, 60, 3, 200), code::closed_loop);
 }
 
 TEST(PlateThickness, IsTheDepthBelowTheLargestPlane) {

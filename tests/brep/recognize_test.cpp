@@ -2,12 +2,16 @@
 #include "guarded.hpp"
 #include "step_out.hpp"
 
+#include <planish/brep/codes.hpp>
 #include <planish/brep/step.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffsetAPI_MakeThickSolid.hxx>
@@ -67,7 +71,7 @@ Result<Seen> see(const TopoDS_Shape& shape) {
 Error refusal_of(const TopoDS_Shape& shape) {
   const auto seen = see(shape);
   EXPECT_FALSE(seen.has_value()) << "this should have been refused";
-  if (seen) return {ErrorCode::internal, "", ""};
+  if (seen) return {code::internal, "", ""};
   EXPECT_FALSE(seen.error().message.empty());
   return seen.error();
 }
@@ -212,10 +216,10 @@ TEST(RecognizeGeneralBend, UnrollsAnEllipticShellToItsArcLength) {
 }
 
 TEST(RecognizeRefusal, OfSolidBlocksAndBars) {
-  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeBox(40, 40, 40).Shape()).code, ErrorCode::not_a_sheet);
-  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeBox(200, 10, 10).Shape()).code, ErrorCode::not_a_sheet);
-  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeSphere(20).Shape()).code, ErrorCode::not_a_sheet);
-  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeCone(20, 5, 30).Shape()).code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeBox(40, 40, 40).Shape()).code, code::not_a_sheet);
+  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeBox(200, 10, 10).Shape()).code, code::not_a_sheet);
+  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeSphere(20).Shape()).code, code::not_a_sheet);
+  EXPECT_EQ(refusal_of(BRepPrimAPI_MakeCone(20, 5, 30).Shape()).code, code::not_a_sheet);
 }
 
 TEST(RecognizeRefusal, OfPipesAsClosedLoops) {
@@ -223,7 +227,7 @@ TEST(RecognizeRefusal, OfPipesAsClosedLoops) {
                                             BRepPrimAPI_MakeCylinder(18, 100).Shape())
                                 .Shape();
   const Error error = refusal_of(pipe);
-  EXPECT_EQ(error.code, ErrorCode::closed_loop);
+  EXPECT_EQ(error.code, code::closed_loop);
 }
 
 TopoDS_Shape square_tube(double from, double to) {
@@ -234,7 +238,7 @@ TopoDS_Shape square_tube(double from, double to) {
 /// As the kernel numbers edges and faces, which CAD systems show too.
 void expect_rip_where_it_is_named(const TopoDS_Shape& shape) {
   const Error error = refusal_of(shape);
-  ASSERT_EQ(error.code, ErrorCode::closed_loop) << error.message;
+  ASSERT_EQ(error.code, code::closed_loop) << error.message;
   std::smatch named;
   ASSERT_TRUE(std::regex_match(error.where, named,
                                std::regex("edge (\\d+) between face (\\d+) and face (\\d+)")))
@@ -249,6 +253,14 @@ void expect_rip_where_it_is_named(const TopoDS_Shape& shape) {
   for (const TopoDS_Shape& face : edges(std::stoi(named[1])))
     beside.insert(faces.FindIndex(face));
   EXPECT_EQ(beside, (std::set<int>{std::stoi(named[2]), std::stoi(named[3])})) << error.where;
+  ASSERT_FALSE(error.places.empty());
+  EXPECT_EQ(error.places[0].id, Place::Id(std::stoi(named[1])));
+  EXPECT_EQ(error.places[0].faces, (std::vector<int>{std::stoi(named[2]), std::stoi(named[3])}));
+  // The place lies on the edge.
+  ASSERT_EQ(error.places[0].at.size(), 3u);
+  const std::vector<double>& at = error.places[0].at;
+  const TopoDS_Vertex here = BRepBuilderAPI_MakeVertex(gp_Pnt(at[0], at[1], at[2]));
+  EXPECT_LT(BRepExtrema_DistShapeShape(here, edges.FindKey(std::stoi(named[1]))).Value(), 1e-6);
 }
 
 TEST(RecognizeRefusal, OfSquareTubesWithTheRip) {
@@ -266,7 +278,7 @@ TEST(RecognizeRefusal, OfDomesAsDoublyCurved) {
                                 BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, -50), 100, 100, 50).Shape())
                                 .Shape();
   const Error error = refusal_of(dome);
-  EXPECT_TRUE(error.code == ErrorCode::doubly_curved || error.code == ErrorCode::not_a_sheet)
+  EXPECT_TRUE(error.code == code::doubly_curved || error.code == code::not_a_sheet)
       << error.message;
 }
 
@@ -293,21 +305,21 @@ TEST(ReadStep, TellsSurfacesFromSolids) {
   const auto file = as_file(
       BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 0, 10, 0, 10).Shape());
   ASSERT_FALSE(file);
-  EXPECT_EQ(file.error().code, ErrorCode::shell_not_solid);
+  EXPECT_EQ(file.error().code, code::shell_not_solid);
 }
 
 TEST(ReadStep, NamesWhatIsWrongWithAFile) {
-  EXPECT_EQ(read_step_text("", "a.step").error().code, ErrorCode::empty_file);
-  EXPECT_EQ(read_step_text("solid cube\nfacet", "a.stl").error().code, ErrorCode::not_step);
+  EXPECT_EQ(read_step_text("", "a.step").error().code, code::empty_file);
+  EXPECT_EQ(read_step_text("solid cube\nfacet", "a.stl").error().code, code::not_step);
   const auto text = brep::guarded([&] { return brep::step_text(plate(10, 10, 1), "part"); });
   ASSERT_TRUE(text);
   EXPECT_EQ(read_step_text(text->substr(0, text->size() / 2), "a.step").error().code,
-            ErrorCode::truncated_file);
+            code::truncated_file);
   const auto data = text->find("DATA;") + 5;
   EXPECT_EQ(
       read_step_text(text->substr(0, data) + "ENDSEC;\nEND-ISO-10303-21;\n", "a.step").error().code,
-      ErrorCode::no_solid);
-  EXPECT_EQ(read_step("/no/such/file.step").error().code, ErrorCode::cannot_read);
+      code::no_solid);
+  EXPECT_EQ(read_step("/no/such/file.step").error().code, code::cannot_read);
 }
 
 TEST(ReadStep, ConvertsInchesToMillimetres) {
@@ -336,9 +348,9 @@ TEST(RecognizeOptions, MustBeAboveZero) {
   ASSERT_TRUE(file);
   for (const double wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(recognize(file->bodies[0], {.surface_tolerance = wrong}).error().code,
-              ErrorCode::bad_option);
+              code::bad_option);
     EXPECT_EQ(recognize(file->bodies[0], {.thickness_tolerance = wrong}).error().code,
-              ErrorCode::bad_option);
+              code::bad_option);
   }
   EXPECT_DEATH(Body(nullptr), "shape_");
 }

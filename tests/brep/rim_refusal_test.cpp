@@ -2,6 +2,9 @@
 
 #include "recognised.hpp"
 
+#include <planish/brep/codes.hpp>
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,8 +44,11 @@ SolidModel domed() {
 
 TEST(RimRefusal, NamesAFaceThatIsCurvedInTwoDirections) {
   const Error refusal = refusal_at(recognised(domed(), 2, 1), 6);
-  EXPECT_EQ(refusal.code, ErrorCode::doubly_curved);
+  EXPECT_EQ(refusal.code, code::doubly_curved);
   EXPECT_EQ(refusal.where, "face 7");
+  ASSERT_EQ(refusal.places.size(), 1u);
+  EXPECT_EQ(refusal.places[0].id, Place::Id(7));
+  EXPECT_EQ(refusal.places[0].at.size(), 3u);
   EXPECT_NE(refusal.message.find("sphere"), std::string::npos);
 }
 
@@ -54,9 +60,13 @@ TEST(RimRefusal, NamesAFaceBelowWhichTheThicknessChanges) {
         Segment{{100, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
       60);
   const Error refusal = refusal_at(recognised(wedge, 2, 5), 4);
-  EXPECT_EQ(refusal.code, ErrorCode::thickness_not_constant);
+  EXPECT_EQ(refusal.code, code::thickness_not_constant);
   EXPECT_EQ(refusal.where, "face 5");
-  EXPECT_NE(refusal.message.find("face 6"), std::string::npos) << refusal.message;
+  ASSERT_EQ(refusal.places.size(), 2u);
+  EXPECT_EQ(refusal.places[1].id, Place::Id(6));  // which it continues
+  ASSERT_EQ(refusal.numbers.size(), 1u);
+  EXPECT_NEAR(refusal.numbers[0].quantity.value, 2.0, 1e-9);
+  EXPECT_EQ(refusal.numbers[0].quantity.unit, unit::mm);
 }
 
 TEST(RimRefusal, NamesTheFaceFarthestOutside) {
@@ -68,14 +78,14 @@ TEST(RimRefusal, NamesTheFaceFarthestOutside) {
     profile.push_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
   const Recognised seen = recognised(prism({profile}, 50), 2, 0);
   const Error refusal = refusal_at(seen, 1);
-  EXPECT_EQ(refusal.code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(refusal.code, code::not_a_sheet);
   EXPECT_EQ(refusal.where, "face 8") << refusal.message;  // after both ends and five sides
 }
 
 TEST(RimRefusal, IsOfAnotherBodyElsewhere) {
   const Recognised seen = recognised(plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}), 2,
                                      1);
-  EXPECT_EQ(refusal_at(seen, 6).code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(refusal_at(seen, 6).code, code::not_a_sheet);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "recognised.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +55,7 @@ TEST(FindRim, SeesABossLeaveTheSheet) {
                                      1);
   const RimPart& boss = part_with(seen, 6);
   EXPECT_FALSE(boss.within);
-  EXPECT_EQ(boss.refusal.code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(boss.refusal.code, code::not_a_sheet);
   EXPECT_EQ(boss.refusal.where, "face 8");  // its top
 }
 

@@ -3,6 +3,7 @@
 
 #include <planish/brep/step.hpp>
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -17,11 +18,14 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,10 +44,16 @@ Result<Recognized> recognised_with(const TopoDS_Shape& shape, const std::vector<
 
 /// How many rips the refusal says are needed.
 int promised(const Error& refusal) {
-  std::smatch counted;
-  if (std::regex_search(refusal.message, counted, std::regex("rips along (\\d+) edges")))
-    return std::stoi(counted[1]);
-  return refusal.message.find("a rip along the edge") == std::string::npos ? 0 : 1;
+  int edges = 0;
+  for (const Place& place : refusal.places)
+    if (place.kind == PlaceKind::edge) ++edges;
+  // The remedy is the option that rips all of them.
+  if (edges == 0) return 0;
+  EXPECT_EQ(refusal.remedies.size(), 1u);
+  if (refusal.remedies.size() != 1) return 0;
+  EXPECT_EQ(refusal.remedies[0].option, "rip_edges");
+  EXPECT_EQ(std::ranges::count(refusal.remedies[0].value, ','), edges - 1);
+  return edges;
 }
 
 /// Rips the edge that each refusal names until the sheet lies flat: as many as the first one says,
@@ -55,12 +65,23 @@ std::vector<int> rips_asked_for(const TopoDS_Shape& shape) {
     left.push_back(found ? 0 : promised(found.error()));
     EXPECT_EQ(left.back() + guard, left.front());
     if (found) return edges;
-    EXPECT_EQ(found.error().code, ErrorCode::closed_loop) << found.error().message;
-    std::smatch named;
-    if (!std::regex_search(found.error().where, named, std::regex("edge (\\d+)"))) break;
-    edges.push_back(std::stoi(named[1]));
+    EXPECT_EQ(found.error().code, code::closed_loop) << found.error().message;
+    const std::vector<Place>& places = found.error().places;
+    if (places.empty() || places[0].kind != PlaceKind::edge) break;
+    EXPECT_EQ(places[0].faces.size(), 2u);
+    edges.push_back(std::get<int>(places[0].id));
   }
   ADD_FAILURE() << "the refusals did not come to an end";
+  return edges;
+}
+
+/// The edges that the remedy of a refusal rips.
+std::vector<int> edges_of_remedy(const Error& refusal) {
+  std::vector<int> edges;
+  if (refusal.remedies.empty()) return edges;
+  std::istringstream value(refusal.remedies[0].value);
+  for (std::string edge; std::getline(value, edge, ',');)
+    edges.push_back(std::stoi(edge));
   return edges;
 }
 
@@ -69,8 +90,8 @@ void expect_no_rips(const TopoDS_Shape& shape) {
   const auto found = recognised_with(shape, {});
   ASSERT_FALSE(found);
   const Error& error = found.error();
-  EXPECT_EQ(error.code, ErrorCode::closed_loop) << error.message;
-  EXPECT_TRUE(error.message.ends_with(", and no rips along its edges open it.")) << error.message;
+  EXPECT_EQ(error.code, code::closed_loop) << error.message;
+  EXPECT_TRUE(error.message.ends_with(" No rips along its edges open it.")) << error.message;
   EXPECT_TRUE(std::regex_match(error.where, std::regex("between face \\d+ and face \\d+")))
       << error.where;
 }
@@ -80,6 +101,9 @@ void expect_opened(const TopoDS_Shape& shape, std::size_t rips, double area, int
                    double explained = 1.0) {
   const std::vector<int> edges = rips_asked_for(shape);
   EXPECT_EQ(edges.size(), rips);
+  const std::vector<int> at_once = edges_of_remedy(recognised_with(shape, {}).error());
+  EXPECT_EQ(at_once.size(), rips);
+  EXPECT_TRUE(recognised_with(shape, at_once));
   const auto found = recognised_with(shape, edges);
   ASSERT_TRUE(found) << found.error().message;
   FlattenOptions options;
@@ -187,7 +211,7 @@ TEST(Ripped, ElbowOfTwoPipesIsNotOnePart) {
 
 TEST(Ripped, EdgesAreThoseOfTheSheet) {
   const TopoDS_Shape tube = tube_of(BRepPrimAPI_MakeBox(40, 30, 120).Shape(), 40, 30, 120);
-  EXPECT_EQ(recognised_with(tube, {999}).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(recognised_with(tube, {999}).error().code, code::bad_option);
   const auto open = recognised_with(tube, rips_asked_for(tube));
   ASSERT_TRUE(open);
   // A second rip takes a wall away.
@@ -195,8 +219,12 @@ TEST(Ripped, EdgesAreThoseOfTheSheet) {
   two.push_back(*open->sheet[open->sheet.joints.front().a].edge);
   const auto apart = recognised_with(tube, two);
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(apart.error().code, code::bad_option);
   EXPECT_NE(apart.error().message.find("several parts"), std::string::npos);
+  std::vector<int> named;
+  for (const Place& place : apart.error().places)
+    named.push_back(std::get<int>(place.id));
+  EXPECT_THAT(named, testing::UnorderedElementsAreArray(two));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "solid_models.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -79,7 +81,7 @@ TEST(FindSkins, AdoptFacesThatAreCutOffFromTheirSkin) {
 TEST(FindSkins, RefuseASolidWithoutFacesAtTheThickness) {
   const auto skins = skins_of(plate(20, {100, 60}), 2);
   ASSERT_FALSE(skins);
-  EXPECT_EQ(skins.error().code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(skins.error().code, code::not_a_sheet);
 }
 
 TEST(FindSkins, TakeARoundedEndForACutEdge) {

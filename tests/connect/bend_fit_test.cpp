@@ -1,5 +1,7 @@
 #include "sample_fits.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,7 +67,7 @@ TEST(FitBetween, RefusesAConeOfParallelPlates) {
   const auto refused = fit_between(PairTask(u_pair(), {.surface = SurfaceChoice::general}).task,
                                    {});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::no_bend_fits);
+  EXPECT_EQ(refused.error().code, code::no_bend_fits);
   EXPECT_EQ(refused.error().where, "/bends/0/surface");
 }
 

@@ -1,5 +1,6 @@
 #include "sample_plates.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 #include <planish/geometry/mesh.hpp>
 #include <planish/geometry/region.hpp>
@@ -58,7 +59,7 @@ TEST(ConnectGoesOn, RoundTheBackWhereTheFrontHasNoRoomForTheThickness) {
 TEST(ConnectGoesOn, ButNotWhereTheSheetsRunIntoEachOtherInFront) {
   const auto c = connect(angle_pair(1.0, 200.0, 4.0));
   ASSERT_FALSE(c);
-  EXPECT_EQ(c.error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(c.error().code, code::radius_too_small);
   EXPECT_NE(c.error().message.find("choices of edges"), std::string::npos) << c.error().message;
 }
 
@@ -67,7 +68,7 @@ TEST(ConnectGoesOn, KeepsGivenConesOnTheirEdges) {
   s.bends = {{.between = {"A", "B"}, .aperture = Angle::degrees(80)}};
   const auto c = connect(s);
   ASSERT_FALSE(c);
-  EXPECT_EQ(c.error().code, ErrorCode::no_bend_fits);
+  EXPECT_EQ(c.error().code, code::no_bend_fits);
 }
 
 TEST(ConnectGoesOn, RoundTheBackWhereThePatternOverlapsInFront) {
@@ -246,7 +247,7 @@ TEST(ConnectFolds, RefusesPlatesWithoutACommonEdge) {
   s.bends = {{.between = {"A", "B"}, .inside_radius = 0.0}};
   const auto c = connect(s);
   ASSERT_FALSE(c);
-  EXPECT_EQ(c.error().code, ErrorCode::no_bend_fits);
+  EXPECT_EQ(c.error().code, code::no_bend_fits);
   EXPECT_EQ(c.error().where, "/bends/0/inside_radius");
 }
 
@@ -284,7 +285,7 @@ TEST(ConnectLoops, ThatDoNotLieFlatAreRefused) {
   s.bends[1].inside_radius = 5.0;  // its legs are longer when flat
   const auto c = connect(s);
   ASSERT_FALSE(c);
-  EXPECT_EQ(c.error().code, ErrorCode::bend_loop);
+  EXPECT_EQ(c.error().code, code::bend_loop);
   EXPECT_EQ(c.error().where, "/bends/1");
 }
 

@@ -1,5 +1,6 @@
 #include "random_sides.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <gtest/gtest.h>
@@ -264,7 +265,7 @@ TEST(EdgeSearch, KeepsToEdgesThatAreGiven) {
   options.edges[0] = std::vector{a[0].edges[2], a[0].edges[4]};
   const auto apart = search_edges({a, b}, Angle::degrees(90), options);
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::unknown_edge);
+  EXPECT_EQ(apart.error().code, code::unknown_edge);
 }
 
 TEST(EdgeSearch, KeepsToALineThatIsGiven) {
@@ -290,7 +291,7 @@ TEST(EdgeSearch, KeepsToALineThatIsGiven) {
   options.line = {.slope = 0.0, .offset = -500.0};
   const auto none = search_edges({a, b}, Angle::degrees(90), options);
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().code, ErrorCode::no_bend_fits);
+  EXPECT_EQ(none.error().code, code::no_bend_fits);
 }
 
 TEST(ViableChains, SplitsAnOutlineIntoFacingAndAvertedEdges) {

@@ -1,3 +1,4 @@
+#include <planish/connect/codes.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ TEST(SmallestExtension, RestsOnTheCornersOfAnArch) {
 TEST(SmallestExtension, SaysWhichSlopesThereAre) {
   const auto refused = smallest_extension(kParallel, EdgeKind::facing, {.slope = 0.2});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::no_bend_fits);
+  EXPECT_EQ(refused.error().code, code::no_bend_fits);
   EXPECT_NE(refused.error().message.find("from -0.1 to 0.1"), std::string::npos)
       << refused.error().message;
 }

@@ -1,5 +1,7 @@
 #include "general_fit.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +43,7 @@ TEST(GeneralLines, RefuseWhatNoGeneralBendCanBe) {
   EXPECT_EQ(general_lines(kApart, EdgeKind::averted, std::nullopt).error().where, "/surface");
   const auto within = general_lines(kApart, EdgeKind::facing, 200.0);
   ASSERT_FALSE(within);
-  EXPECT_EQ(within.error().code, ErrorCode::apex_in_span);
+  EXPECT_EQ(within.error().code, code::apex_in_span);
   EXPECT_EQ(within.error().where, "/apex");
   const Corners parallel{{{{0, 10}, {100, 10}}, {{0, 10}, {100, 10}}}};
   EXPECT_EQ(general_lines(parallel, EdgeKind::facing, std::nullopt).error().where, "/surface");
@@ -102,7 +104,7 @@ TEST(GeneralSurface, WantsItsTangentPointOnTheLineOfThePlanes) {
   };
   EXPECT_TRUE(surface({280, 0, 0}));
   EXPECT_EQ(surface({280, 1, 0}).error().where, "/tangent_point");
-  EXPECT_EQ(surface({0, 0, 0}).error().code, ErrorCode::no_bend_fits) << "the apex";
+  EXPECT_EQ(surface({0, 0, 0}).error().code, code::no_bend_fits) << "the apex";
 }
 
 TEST(OffsetSurface, LiesAtItsDistanceAlongTheNormal) {

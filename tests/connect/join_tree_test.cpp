@@ -2,6 +2,8 @@
 
 #include "sample_fits.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +58,7 @@ TEST(FitTree, SaysWhichPlateStaysAloneAndWhy) {
   s.plates[1] = rectangle_plate("C", {0, -300, 0}, {200, 0, 0}, {0, 100, 0});
   const auto alone = tree(s);
   ASSERT_FALSE(alone);
-  EXPECT_EQ(alone.error().code, ErrorCode::plates_coplanar);
+  EXPECT_EQ(alone.error().code, code::plates_coplanar);
   EXPECT_EQ(alone.error().where, "/plates/1");
   EXPECT_NE(alone.error().message.find("\"C\""), std::string::npos) << alone.error().message;
 }
@@ -64,7 +66,7 @@ TEST(FitTree, SaysWhichPlateStaysAloneAndWhy) {
 TEST(FitTree, StopsWhenItIsCancelled) {
   Progress progress;
   progress.cancelled = [] { return true; };
-  EXPECT_EQ(tree(tray(), progress).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(tree(tray(), progress).error().code, code::cancelled);
 }
 
 TEST(FitRequested, KeepsTheOrderAndFitsGivenEdgesFirst) {
@@ -86,7 +88,7 @@ TEST(FitRequested, RefusesPlatesLeftAlone) {
   s.bends = {{.between = {"floor", "front"}}};
   const auto alone = requested(s);
   ASSERT_FALSE(alone);
-  EXPECT_EQ(alone.error().code, ErrorCode::not_connected);
+  EXPECT_EQ(alone.error().code, code::not_connected);
   EXPECT_NE(alone.error().message.find("\"back\""), std::string::npos) << alone.error().message;
 }
 

@@ -1,5 +1,6 @@
 #include "sample_plates.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ TEST(LargestSpan, LeavesPlatesAtTheirDistanceUnjoined) {
   s.largest_span = reach_of(30.0) - 0.5;
   const auto apart = connect(s);
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::too_far_apart);
+  EXPECT_EQ(apart.error().code, code::too_far_apart);
   EXPECT_EQ(apart.error().where, "/plates/1");
   // The span is that of the thesis, with the arc linearised at a slope of 0.3.
   EXPECT_THAT(apart.error().message, HasSubstr("up to 46.62 mm"));
@@ -36,7 +37,7 @@ TEST(LargestSpan, IsTwiceTheDiagonalsOfBothPlates) {
   EXPECT_TRUE(connect(angle_pair(0.95 * limit)));
   const auto apart = connect(angle_pair(1.05 * limit));
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::too_far_apart);
+  EXPECT_EQ(apart.error().code, code::too_far_apart);
   EXPECT_THAT(apart.error().message, HasSubstr("up to 894.4 mm"));
 }
 
@@ -47,7 +48,7 @@ TEST(LargestSpan, HoldsABendThatIsGivenOnlyIfItIsGivenToo) {
   s.largest_span = 1000.0;
   const auto apart = connect(s);
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::too_far_apart);
+  EXPECT_EQ(apart.error().code, code::too_far_apart);
   EXPECT_EQ(apart.error().where, "/bends/0");
 }
 
@@ -75,7 +76,7 @@ TEST(LargestSpan, KeepsFarPartsOfAStructureApart) {
   }
   const auto apart = connect(s);
   ASSERT_FALSE(apart);
-  EXPECT_EQ(apart.error().code, ErrorCode::too_far_apart);
+  EXPECT_EQ(apart.error().code, code::too_far_apart);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "lateral.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,7 +113,7 @@ TEST(LateralBoundaries, RefuseEdgesWithoutCommonWidth) {
   const auto refused = lateral_boundaries(quarter(), on_rulings({0, 60}, {50, 100}),
                                           LateralBoundary::corner, everywhere());
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::no_common_width);
+  EXPECT_EQ(refused.error().code, code::no_common_width);
   EXPECT_NE(refused.error().message.find("10 mm"), std::string::npos) << refused.error().message;
 }
 

@@ -3,6 +3,8 @@
 #include "sample_fits.hpp"
 #include "tolerances.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -84,9 +86,9 @@ TEST(SearchPair, PassesOverEdgesThatAreTooNearForTheThickness) {
 TEST(SearchPair, RefusesPlatesInOnePlaneAndBesideEachOther) {
   PlateStructure s = angle_pair(14.0);
   s.plates[1] = rectangle_plate("B", {0, 120, 0}, {200, 0, 0}, {0, 100, 0});
-  EXPECT_EQ(search_pair(PairTask(s).task, {}).error().code, ErrorCode::plates_coplanar);
+  EXPECT_EQ(search_pair(PairTask(s).task, {}).error().code, code::plates_coplanar);
   s.plates[1] = rectangle_plate("B", {250, 120, 30}, {200, 0, 0}, {0, 100, 0});
-  EXPECT_EQ(search_pair(PairTask(s).task, {}).error().code, ErrorCode::plates_offset);
+  EXPECT_EQ(search_pair(PairTask(s).task, {}).error().code, code::plates_offset);
 }
 
 }  // namespace

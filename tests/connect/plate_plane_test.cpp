@@ -1,5 +1,6 @@
 #include "sample_fits.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ Plate tilted_plate() {
 ErrorCode refusal(const Plate& plate, const std::string& where) {
   const auto made = placed(plate, "/plates/7", 1e-3);
   EXPECT_FALSE(made);
-  if (made) return ErrorCode::internal;
+  if (made) return code::internal;
   EXPECT_EQ(made.error().where, where) << made.error().message;
   return made.error().code;
 }
@@ -55,34 +56,34 @@ TEST(Placed, TakesCornersThatLieOffThePlaneByLessThanIsAllowed) {
   plate.holes.clear();
   plate.outline[2] += 2e-3 * Vec3(-0.6, 0, 0.8);  // a quarter of it off the middle plane
   EXPECT_TRUE(placed(plate, "/plates/7", 1e-3));
-  EXPECT_EQ(placed(plate, "/plates/7", 1e-4).error().code, ErrorCode::not_planar);
+  EXPECT_EQ(placed(plate, "/plates/7", 1e-4).error().code, code::not_planar);
 }
 
 TEST(Placed, RefusesOutlinesThatAreNotPolygons) {
   Plate plate = tilted_plate();
   plate.outline.resize(2);
-  EXPECT_EQ(refusal(plate, "/plates/7/outline"), ErrorCode::too_few_corners);
+  EXPECT_EQ(refusal(plate, "/plates/7/outline"), code::too_few_corners);
   plate = tilted_plate();
   plate.outline[3] = plate.outline[2];
-  EXPECT_EQ(refusal(plate, "/plates/7/outline/3"), ErrorCode::repeated_corner);
+  EXPECT_EQ(refusal(plate, "/plates/7/outline/3"), code::repeated_corner);
   plate = tilted_plate();
   std::swap(plate.outline[1], plate.outline[2]);
-  EXPECT_EQ(refusal(plate, "/plates/7/outline"), ErrorCode::self_crossing);
+  EXPECT_EQ(refusal(plate, "/plates/7/outline"), code::self_crossing);
 }
 
 TEST(Placed, RefusesAnEdgeThatRunsBackOverItself) {
   const Plate spike{
       "A", {{0, 0, 0}, {100, 0, 0}, {100, 50, 0}, {150, 50, 0}, {60, 50, 0}, {0, 50, 0}}, {}};
-  EXPECT_EQ(refusal(spike, "/plates/7/outline"), ErrorCode::self_crossing);
+  EXPECT_EQ(refusal(spike, "/plates/7/outline"), code::self_crossing);
 }
 
 TEST(Placed, RefusesHolesOutsideOrAcrossEachOther) {
   Plate plate = tilted_plate();
   plate.holes[0][1] += Vec3(80, 0, 60);
-  EXPECT_EQ(refusal(plate, "/plates/7/holes/0/1"), ErrorCode::invalid_input);
+  EXPECT_EQ(refusal(plate, "/plates/7/holes/0/1"), code::invalid_input);
   plate = tilted_plate();
   plate.holes.push_back(plate.holes[0]);
-  EXPECT_EQ(refusal(plate, "/plates/7/holes/1"), ErrorCode::self_crossing);
+  EXPECT_EQ(refusal(plate, "/plates/7/holes/1"), code::self_crossing);
 }
 
 }  // namespace

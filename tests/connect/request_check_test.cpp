@@ -2,6 +2,8 @@
 
 #include "sample_fits.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +16,7 @@ using namespace connect_detail;
 void expect_refused(const BendRequest& request, const std::string& key) {
   const auto refused = check_numbers(request, "/bends/4");
   ASSERT_FALSE(refused) << key;
-  EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(refused.error().code, code::invalid_input);
   EXPECT_EQ(refused.error().where, "/bends/4" + key) << refused.error().message;
 }
 
@@ -58,7 +60,7 @@ TEST(RowsOf, RefusesPlatesThatDoNotExistOrAreOne) {
   const PlateStructure s = angle_pair(14.0);
   const auto unknown = rows_of(s, {.between = {"A", "X"}}, "/bends/2");
   ASSERT_FALSE(unknown);
-  EXPECT_EQ(unknown.error().code, ErrorCode::unknown_plate);
+  EXPECT_EQ(unknown.error().code, code::unknown_plate);
   EXPECT_EQ(unknown.error().where, "/bends/2/between/1");
   EXPECT_EQ(rows_of(s, {.between = {"A", "A"}}, "/bends/2").error().where, "/bends/2/between");
   EXPECT_EQ(rows_of(s, {.between = {"A", "B", "A"}}, "/bends/2").error().where, "/bends/2/between");
@@ -68,10 +70,10 @@ TEST(CheckEdges, WantsEdgesThatThePlateHas) {
   PairTask pair(angle_pair(14.0), {.edges = {std::vector{2}, std::vector{0, 3}}});
   EXPECT_TRUE(check_edges(pair.task));
   pair.task.request.edges[1] = {0, 4};
-  EXPECT_EQ(check_edges(pair.task).error().code, ErrorCode::unknown_edge);
+  EXPECT_EQ(check_edges(pair.task).error().code, code::unknown_edge);
   EXPECT_EQ(check_edges(pair.task).error().where, "/bends/0/edges/B/1");
   pair.task.request.edges[1] = std::vector<int>{};
-  EXPECT_EQ(check_edges(pair.task).error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(check_edges(pair.task).error().code, code::invalid_input);
 }
 
 TEST(CheckEdges, EscapesIdsInPointers) {

@@ -1,5 +1,7 @@
 #include "sample_fits.hpp"
 
+#include <planish/connect/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -113,7 +115,7 @@ TEST(FitSection, RefusesWhatDoesNotSayEnough) {
 TEST(FitSection, RefusesAnEdgeThatAnotherBendUses) {
   Section section({.inside_radius = 30.0, .angle = Angle::degrees(90)}, true);
   section.task.taken[0] = {2};
-  EXPECT_EQ(fit_section(section.task, {}).error().code, ErrorCode::unknown_edge);
+  EXPECT_EQ(fit_section(section.task, {}).error().code, code::unknown_edge);
 }
 
 }  // namespace

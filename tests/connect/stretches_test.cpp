@@ -1,5 +1,6 @@
 #include "sample_plates.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/flat_pattern.hpp>
@@ -407,7 +408,7 @@ TEST(EdgeOfAnOpening, CanBeGiven) {
   s.bends[0].edges[0] = std::vector{8};
   const auto beyond = connect(s);
   ASSERT_FALSE(beyond);
-  EXPECT_EQ(beyond.error().code, ErrorCode::unknown_edge);
+  EXPECT_EQ(beyond.error().code, code::unknown_edge);
   EXPECT_THAT(beyond.error().message, HasSubstr("0 to 7"));
 }
 

@@ -89,6 +89,10 @@ TEST(BendRelief, MustReachTheTangentLine) {
   const auto found = findings_of(tab(15.0, 3.0, -0.5));
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_THAT(found[0].message, HasSubstr("without relief; it needs one"));
+  ASSERT_EQ(found[0].remedies.size(), 2u);
+  EXPECT_EQ(found[0].remedies[0].option, "bend_relief");
+  EXPECT_EQ(found[0].remedies[0].value, "square");
+  EXPECT_EQ(found[0].remedies[1].value, "round");
 }
 
 TEST(BendRelief, HasItsDepthMeasuredFromTheOutside) {

@@ -64,7 +64,10 @@ TEST(KFactor, IsDoubtedOnceForAllBendsThatHaveIt) {
   test::add_bend(pattern, {Vec2(-40, 0), Vec2(-40, 40)}, {90, 2, 0.7});
   const auto found = findings_of(pattern);
   ASSERT_EQ(found.size(), 2u) << text_of(found);
-  EXPECT_THAT(found[0].message, HasSubstr("2 bends (B1 is the first) have the K-factor 0.6"));
+  EXPECT_THAT(found[0].message, HasSubstr("2 bends (bend B1 is the first) have the K-factor 0.6"));
+  ASSERT_EQ(found[0].about.size(), 2u);
+  EXPECT_EQ(found[0].about[1].id, Place::Id("B2"));
+  EXPECT_EQ(number_of(found[0], "measured"), 0.6);
   EXPECT_EQ(found[0].at.size(), 2u);
   EXPECT_THAT(found[1].message, HasSubstr("bend B3 has the K-factor 0.7"));
 }

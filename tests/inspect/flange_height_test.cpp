@@ -1,4 +1,5 @@
 #include "rule_findings.hpp"
+#include "support/sheets.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +61,23 @@ TEST(FlangeHeight, SeesANotchInTheMiddle) {
                                             {-50, 40}}));
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
   EXPECT_THAT(only(findings_of(pattern), "flange_height").message, HasSubstr("4.7 mm high"));
+}
+
+TEST(FlangeHeight, NamesTheFlangeOfTheSheet) {
+  const Turn turn{Angle::degrees(90), 2.0, BendDirection::up};
+  const auto flange_of = [](const Sheet& sheet) {
+    std::vector<Place> flanges;
+    for (const Place& place :
+         only(findings_of(flatten(sheet).value(), strict_rules(), sheet), "flange_height").about)
+      if (place.kind == PlaceKind::flange) flanges.push_back(place);
+    return flanges;
+  };
+  EXPECT_EQ(flange_of(strip({Straight{50}, turn, Straight{0.5}}, 40.0, kT)),
+            std::vector{place::flange(2)});
+  EXPECT_EQ(flange_of(strip({Straight{0.5}, turn, Straight{50}}, 40.0, kT)),
+            std::vector{place::flange(1)});
+  EXPECT_EQ(flange_of(strip({Straight{50}, turn, Straight{0.5}, turn, Straight{40}}, 40.0, kT)),
+            std::vector{place::flange(2)});
 }
 
 TEST(FlangeHeight, IsToldOnceForTheWebBetweenTwoBends) {

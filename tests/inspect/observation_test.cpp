@@ -55,12 +55,43 @@ TEST(SeverityOf, IsAWarningBelowAShareOfTheLimit) {
   EXPECT_EQ(severity_of(1.9, 2.0, kHalf, rules), Severity::warning);
 }
 
-TEST(NumberText, HasAtMostThreeDecimals) {
-  EXPECT_EQ(number_text(2.0), "2");
-  EXPECT_EQ(number_text(2.5004), "2.5");
-  EXPECT_EQ(number_text(-0.0004), "0");
-  EXPECT_EQ(mm_text(1.23456), "1.235 mm");
-  EXPECT_EQ(point_text({1.5, -20}), "(1.5, -20)");
+TEST(Told, BeginsInTheMiddleOfALine) {
+  EXPECT_EQ(told("{@bend} is off", {{"bend", place::bend("B2")}}).sentence, "bend B2 is off");
+  EXPECT_EQ(
+      told("{@bend} meet", {{"bend", place::bend("B2")}, {"bend", place::bend("B3")}}).sentence,
+      "bends B2 and B3 meet");
+}
+
+TEST(Breach, KeepsWhatItsSentenceIsMadeOf) {
+  const FindingPlace place = breach(Severity::info,
+                                    "{@bend} is {measured} wide; {wanted} is needed",
+                                    {{"bend", place::bend("B2")},
+                                     {"flange", place::flange(3)},
+                                     {"measured", 1.5, unit::mm},
+                                     {"wanted", 2.0, unit::mm}},
+                                    {Vec2(1, 2)});
+  EXPECT_EQ(place.message, "bend B2 is 1.5 mm wide; 2 mm is needed");
+  EXPECT_EQ(place.places, (std::vector{place::bend("B2"), place::flange(3)}));
+  ASSERT_EQ(place.numbers.size(), 2u);
+  EXPECT_EQ(place.numbers[0].name, "measured");
+  EXPECT_EQ(place.numbers[1].quantity, (Quantity{2.0, unit::mm}));
+}
+
+TEST(Grouped, HasThePlacesAndNumbersOfTheWorst) {
+  const auto one = [](const char* bend, double measured) {
+    return Observation{"bend_relief",
+                       breach(Severity::warning, "{@bend}: {measured}",
+                              {{"bend", place::bend(bend)}, {"measured", measured, unit::mm}}, {}),
+                       measured - 2.0};
+  };
+  const auto single = grouped({one("B1", 1.5)}).at(0);
+  EXPECT_EQ(single.about, std::vector{place::bend("B1")});
+  ASSERT_EQ(single.numbers.size(), 1u);
+  const auto both = grouped({one("B1", 1.5), one("B2", 0.5)}).at(0);
+  EXPECT_EQ(both.about, std::vector{place::bend("B2")});
+  ASSERT_EQ(both.numbers.size(), 2u);
+  EXPECT_EQ(both.numbers[0].quantity, Quantity{2.0});  // places
+  EXPECT_EQ(both.numbers[1].quantity, (Quantity{0.5, unit::mm}));
 }
 
 TEST(FactorsText, OmitsFactorsOfZeroAndOne) {

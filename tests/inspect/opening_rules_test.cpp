@@ -25,6 +25,11 @@ TEST(OpeningToBend, IsMeasuredFromTheTangentLine) {
       found.message,
       HasSubstr("is 3.99 mm from the tangent line of bend B1; at least 4 mm (2 T) is needed"));
   EXPECT_THAT(found.message, HasSubstr("the opening Ø 6 mm at ("));
+  EXPECT_NEAR(number_of(found, "measured"), 3.99, 1e-9);
+  EXPECT_NEAR(number_of(found, "wanted"), 4.0, 1e-9);
+  ASSERT_EQ(found.about.size(), 2u);  // the bend and the opening
+  EXPECT_EQ(found.about[0].id, Place::Id("B1"));
+  EXPECT_EQ(found.about[1].kind, PlaceKind::point);
   EXPECT_NEAR((found.at.at(0) - Vec2(tangent + 3.99, 20)).norm(), 0.0, 1e-6);
 }
 

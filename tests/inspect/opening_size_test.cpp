@@ -15,7 +15,7 @@ TEST(SmallestOpening, IsTheDiameterOfACircle) {
             "the opening Ø 1.9 mm at (60, 30) is 1.9 mm wide; at least 2 mm (T) is needed");
 }
 
-/// The width that the rule sees, from its message; 0 when it is satisfied.
+/// The width that the rule sees; 0 when it is satisfied.
 double width_seen(const Loop& opening) {
   FlatPattern pattern = flat_plate(shifted(rectangle(400, 400), Vec2(-200, -200)));
   open(pattern, opening);
@@ -23,8 +23,7 @@ double width_seen(const Loop& opening) {
   rules.smallest_opening_t = 10.0;
   const auto found = of_code(findings_of(pattern, rules), "smallest_opening");
   if (found.empty()) return 0.0;
-  const std::string& message = found[0].message;
-  return std::stod(message.substr(message.find(") is ") + 5));
+  return number_of(found[0], "measured");
 }
 
 TEST(SmallestOpening, IsTheLargestCircleThatFits) {

@@ -38,9 +38,23 @@ struct Regions {
 
 Loop square(double x, double y, double side) { return shifted(rectangle(side, side), Vec2(x, y)); }
 
-/// Area in a message "… by 25 mm² …".
-double area_in(const std::string& message) {
-  return std::stod(message.substr(message.find(" by ") + 4));
+/// The area that parts of the sheet share, mm².
+double area_of(const Finding& finding) {
+  EXPECT_FALSE(finding.numbers.empty()) << finding.message;
+  if (finding.numbers.empty()) return 0.0;
+  EXPECT_EQ(finding.numbers.front().name, "area");
+  EXPECT_EQ(finding.numbers.front().quantity.unit, unit::mm2);
+  return finding.numbers.front().quantity.value;
+}
+
+/// The parts that a finding is about, without where they lie.
+std::vector<Place> parts_of(const Finding& finding) {
+  std::vector<Place> parts = finding.about;
+  for (Place& part : parts) {
+    EXPECT_EQ(part.at.size(), 2u) << finding.message;
+    part.at.clear();
+  }
+  return parts;
 }
 
 TEST(FindOverlaps, NamesTheFlangesTheAreaAndThePlace) {
@@ -51,7 +65,11 @@ TEST(FindOverlaps, NamesTheFlangesTheAreaAndThePlace) {
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
   EXPECT_EQ(found[0].code, "overlap");
   EXPECT_EQ(found[0].severity, Severity::error);
-  EXPECT_EQ(found[0].message, "flange 3 and flange 7 overlap by 25 mm² in the flat pattern");
+  EXPECT_EQ(found[0].message, "flanges 3 and 7 overlap by 25 mm² in the flat pattern");
+  EXPECT_EQ(parts_of(found[0]), (std::vector{place::flange(3), place::flange(7)}));
+  ASSERT_EQ(found[0].remedies.size(), 1u);
+  EXPECT_EQ(found[0].remedies[0].option, "write_overlapping");
+  EXPECT_EQ(found[0].remedies[0].value, "true");
   Box2 place;
   for (const Vec2& p : found[0].at)
     place.add(p);
@@ -65,7 +83,7 @@ TEST(FindOverlaps, MeasuresNarrowOverlapsAsTheyAre) {
   regions.add(square(9.9, 0, 10), FlangeId{1});
   const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(area_in(found[0].message), 1.0, 0.001);
+  EXPECT_NEAR(area_of(found[0]), 1.0, 0.001);
 }
 
 TEST(FindOverlaps, LetsPiecesTouchWithinTheContactDepth) {
@@ -113,7 +131,7 @@ TEST(FindOverlaps, SeesATabTooLongForItsWindow) {
   regions.add(shifted(rectangle(10, 9), Vec2(10, 12)), FlangeId{1});
   const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(area_in(found[0].message), 10.0, 0.01);
+  EXPECT_NEAR(area_of(found[0]), 10.0, 0.01);
 }
 
 TEST(FindOverlaps, TellsAllPlacesOfAPairOnce) {
@@ -123,7 +141,7 @@ TEST(FindOverlaps, TellsAllPlacesOfAPairOnce) {
   regions.add(shifted(rectangle(40, 2), Vec2(-5, 15)), FlangeId{1});
   const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
-  EXPECT_NEAR(area_in(found[0].message), 40.0, 0.01);
+  EXPECT_NEAR(area_of(found[0]), 40.0, 0.01);
   EXPECT_THAT(found[0].message, HasSubstr("in 2 places"));
   EXPECT_EQ(found[0].at.size(), 8u);
 }
@@ -135,7 +153,7 @@ TEST(FindOverlaps, TellsTheFacesOfOneFlangeTogether) {
   regions.add(shifted(rectangle(10, 4), Vec2(5, 8)), FlangeId{1});
   const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
-  EXPECT_NEAR(area_in(found[0].message), 20.0, 0.01);
+  EXPECT_NEAR(area_of(found[0]), 20.0, 0.01);
 }
 
 TEST(FindOverlaps, TellsLargestFirst) {
@@ -145,8 +163,8 @@ TEST(FindOverlaps, TellsLargestFirst) {
   regions.add(square(17, 0, 10), FlangeId{2});
   const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_THAT(found[0].message, HasSubstr("flange 2 and flange 3"));
-  EXPECT_THAT(found[1].message, HasSubstr("flange 1 and flange 2"));
+  EXPECT_EQ(parts_of(found[0]), (std::vector{place::flange(2), place::flange(3)}));
+  EXPECT_EQ(parts_of(found[1]), (std::vector{place::flange(1), place::flange(2)}));
 }
 
 TEST(FindOverlaps, NamesBendsAsThePatternDoes) {
@@ -163,6 +181,7 @@ TEST(FindOverlaps, NamesBendsAsThePatternDoes) {
   ASSERT_EQ(found.size(), 2u) << test::text_of(found);
   EXPECT_EQ(found[0].message, "bend B7 overlaps itself by 50 mm² in the flat pattern");
   EXPECT_EQ(found[1].message, "flange 1 and bend B7 overlap by 10 mm² in the flat pattern");
+  EXPECT_EQ(parts_of(found[0]), std::vector{place::bend("B7")});
 }
 
 // ---- sharp bends
@@ -182,8 +201,8 @@ TEST(FindOverlaps, SeesWhatCoversTheStripOfASharpBend) {
   EXPECT_TRUE(creased(2.0, 40.0).overlaps().empty());
   const auto found = creased(2.0, 35.0).overlaps();
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
-  EXPECT_NEAR(area_in(found[0].message), 5.0, 0.01);
-  EXPECT_THAT(found[0].message, HasSubstr("bend 1"));
+  EXPECT_NEAR(area_of(found[0]), 5.0, 0.01);
+  EXPECT_THAT(found[0].message, HasSubstr("bend B1"));
 }
 
 TEST(FindOverlaps, LetsFacesReachOverEachOtherAtASharpBendSeenFromOutside) {
@@ -291,7 +310,7 @@ TEST(FindOverlaps, SeesAnOpeningCrossingItself) {
   test::open(pattern, polygon({{20, 10}, {30, 20}, {30, 10}, {20, 20}}));
   const auto found = find_overlaps({}, {}, pattern);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(found[0].message, HasSubstr("the opening at (25, 15) crosses itself at (25, 15) mm"));
+  EXPECT_THAT(found[0].message, HasSubstr("the opening at (25, 15) crosses itself at (25, 15)"));
 }
 
 TEST(FindOverlaps, FindsNothingInNothing) { EXPECT_TRUE(find_overlaps({}, {}, {}).empty()); }
@@ -353,7 +372,7 @@ TEST(FindOverlaps, SeesTwoTabsThatUnfoldIntoOneAnother) {
   ASSERT_EQ(upright, 2);
   const auto found = overlaps_of(builder.finish());
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
-  EXPECT_NEAR(area_in(found[0].message), (2 * 12 - 20) * 30.0, 0.1);
+  EXPECT_NEAR(area_of(found[0]), (2 * 12 - 20) * 30.0, 0.1);
 }
 
 }  // namespace

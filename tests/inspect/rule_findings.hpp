@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -32,13 +33,21 @@ inline std::vector<Finding> places_of(const std::vector<Finding>& findings) {
   std::vector<Finding> all;
   for (const Finding& finding : findings)
     for (const FindingPlace& place : finding.places)
-      all.push_back({finding.code, place.severity, place.message, place.at, {}});
+      all.push_back({finding.code,
+                     place.severity,
+                     place.message,
+                     place.at,
+                     {},
+                     place.places,
+                     place.numbers,
+                     finding.remedies});
   return all;
 }
 
 inline std::vector<Finding> findings_of(const FlatPattern& pattern,
-                                        const Rules& rules = strict_rules()) {
-  return places_of(check_rules({}, pattern, rules));
+                                        const Rules& rules = strict_rules(),
+                                        const Sheet& sheet = {}) {
+  return places_of(check_rules(sheet, pattern, rules));
 }
 
 inline std::vector<std::string> messages(const std::vector<Finding>& findings) {
@@ -55,6 +64,13 @@ inline Finding only(const std::vector<Finding>& findings, const std::string& cod
   EXPECT_EQ(findings[0].code, code) << findings[0].message;
   EXPECT_EQ(findings[0].severity, Severity::warning);
   return findings[0];
+}
+
+/// A number of a finding by its name; not a number if there is none.
+inline double number_of(const Finding& finding, const std::string& name) {
+  for (const NamedQuantity& number : finding.numbers)
+    if (number.name == name) return number.quantity.value;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 /// A tab 20 wide on top of a base 60 wide and 40 high, bend along x. The base's edges beside the

@@ -2,6 +2,7 @@
 #include "sample_patterns.hpp"
 
 #include <planish/geometry/curve.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/moved_pattern.hpp>
 
 #include <gmock/gmock.h>
@@ -409,10 +410,10 @@ TEST(Dxf, RefusesOptionsOutOfRange) {
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     const auto tolerance = dxf_text(bracket(), {.arc_tolerance = bad});
     ASSERT_FALSE(tolerance);
-    EXPECT_EQ(tolerance.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(tolerance.error().code, code::bad_option);
     const auto tick = dxf_text(bracket(), {.tick_length = bad});
     ASSERT_FALSE(tick);
-    EXPECT_EQ(tick.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(tick.error().code, code::bad_option);
   }
 }
 
@@ -423,9 +424,9 @@ TEST(Dxf, RefusesAnUnsoundPattern) {
   std::get<Segment>(not_finite.outer.loop[2]).a.y() = std::numeric_limits<double>::quiet_NaN();
   FlatPattern no_extent = bracket();
   no_extent.openings.push_back({{Segment{{1, 1}, {1, 1}}}, {}});
-  for (const auto& [pattern, code] : {std::pair{no_outer, ErrorCode::invalid_sheet},
-                                      std::pair{not_finite, ErrorCode::invalid_sheet},
-                                      std::pair{no_extent, ErrorCode::internal}}) {
+  for (const auto& [pattern, code] :
+       {std::pair{no_outer, code::invalid_sheet}, std::pair{not_finite, code::invalid_sheet},
+        std::pair{no_extent, code::internal}}) {
     const auto text = dxf_text(pattern);
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error().code, code);

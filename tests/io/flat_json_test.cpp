@@ -114,7 +114,7 @@ TEST(FlatJson, RefusesTextThatIsCutOff) {
   for (std::size_t length = 0; length < text.size(); ++length) {
     const auto read = read_flat_json(text.substr(0, length));
     ASSERT_FALSE(read) << length;
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(read.error().code, code::invalid_input);
   }
 }
 
@@ -125,7 +125,7 @@ TEST(FlatJson, RefusesTextWithAnyByteChanged) {
     damaged[at] = damaged[at] == '1' ? '2' : '1';
     const auto read = read_flat_json(damaged);
     ASSERT_FALSE(read) << damaged.substr(at > 20 ? at - 20 : 0, 40);
-    EXPECT_EQ(read.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(read.error().code, code::invalid_input);
   }
 }
 
@@ -138,10 +138,10 @@ TEST(FlatJson, RefusesOtherVersionsAndFormats) {
     return read ? std::string() : read.error().message;
   };
   EXPECT_EQ(changed("\"version\":1", "\"version\":2"),
-            "the stored flat pattern cannot be read: another version of the program has written "
-            "it");
+            "The stored flat pattern cannot be read: another version of the program has written "
+            "it. Make it again.");
   EXPECT_EQ(changed("planish/flat", "planish/report"),
-            "the stored flat pattern cannot be read: it is of another format");
+            "The stored flat pattern cannot be read: it is of another format. Make it again.");
   EXPECT_FALSE(read_flat_json("[]"));
   EXPECT_FALSE(read_flat_json(std::string(100000, '[')));
 }

@@ -1,3 +1,4 @@
+#include <planish/io/codes.hpp>
 #include <planish/io/pages.hpp>
 
 #include <gmock/gmock.h>
@@ -56,7 +57,7 @@ TEST(Pages, AreTheSameBytesEachTime) {
 TEST(Pages, WithoutAnyAreAnError) {
   const auto none = pages_pdf({}, "nothing");
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().code, ErrorCode::cannot_draw);
+  EXPECT_EQ(none.error().code, code::cannot_draw);
 }
 
 }  // namespace

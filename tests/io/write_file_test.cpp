@@ -71,7 +71,7 @@ TEST_F(WriteFile, DoesNotReplaceADevice) {
 TEST_F(WriteFile, NamesAMissingDirectory) {
   const auto written = write_file(in("missing") / "part.dxf", "x");
   ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().code, ErrorCode::cannot_write);
+  EXPECT_EQ(written.error().code, code::cannot_write);
   EXPECT_THAT(written.error().message, HasSubstr("part.dxf: No such file or directory"));
   EXPECT_EQ(written.error().where, (in("missing") / "part.dxf").string());
 }
@@ -80,7 +80,7 @@ TEST_F(WriteFile, RefusesADirectory) {
   fs::create_directory(in("folder"));
   const auto written = write_file(in("folder"), "x");
   ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().code, ErrorCode::cannot_write);
+  EXPECT_EQ(written.error().code, code::cannot_write);
   EXPECT_THAT(written.error().message, HasSubstr("Is a directory"));
   EXPECT_EQ(files(), 1U);
 }
@@ -88,7 +88,7 @@ TEST_F(WriteFile, RefusesADirectory) {
 TEST_F(WriteFile, RefusesAnEmptyName) {
   const auto written = write_file("", "x");
   ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().code, ErrorCode::cannot_write);
+  EXPECT_EQ(written.error().code, code::cannot_write);
 }
 
 TEST_F(WriteFile, TellsAFullDevice) {

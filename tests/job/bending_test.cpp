@@ -1,13 +1,15 @@
+#include <planish/brake/codes.hpp>
 #include <planish/job/maker.hpp>
 #include <planish/job/request.hpp>
 #include <planish/job/run.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 using nlohmann::json;
@@ -93,7 +95,7 @@ TEST(Bending, RefusesABeginningWithABendThatIsNotThere) {
   const auto work = built_in().maker("connect")->open({"c.json", channel(30), {}}, {});
   const auto made = (*work)->make(request, {});
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(made.error().code, code::bad_option);
   EXPECT_EQ(made.error().where, "fix");
   EXPECT_THAT(made.error().message, HasSubstr("B1, B2"));
 }
@@ -104,7 +106,7 @@ TEST(Bending, RefusesAChannelTooDeepForItsTools) {
   const auto made = made_of(channel(250), kAsIs);
   const Report& report = made->report();
   ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->code, ErrorCode::cannot_bend);
+  EXPECT_EQ(report.refusal->code, code::cannot_bend);
   const json told = json::parse(made->json());
   EXPECT_EQ(told["status"], "refused");
   EXPECT_EQ(told["reason"]["code"], "cannot_bend");
@@ -171,7 +173,7 @@ TEST(BendingOptions, AreRefusedByNameIfTheySayNothing) {
        {"turn_over", "turn_over=", "turn_over=-1", "turn=3", "rotate=2,", "rotate=nan", "=3"}) {
     const auto done = entered("weights", text);
     ASSERT_FALSE(done) << text;
-    EXPECT_EQ(done.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(done.error().code, code::bad_option);
     EXPECT_EQ(done.error().where, "weights");
   }
   EXPECT_TRUE(entered("weights", "turn_over=3,rotate=0.5"));

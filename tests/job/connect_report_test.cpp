@@ -4,8 +4,10 @@
 #include "made_report.hpp"
 #include "support/sheets.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/job/connect.hpp>
 #include <planish/job/outputs.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -234,7 +236,7 @@ TEST(ConnectReport, RefusesAPatternThatCoversItselfUnlessToldNotTo) {
   report.body = "flaring";
   const auto error = finish(report, connection, ConstantK{}, checks, {});
   ASSERT_TRUE(error.has_value());
-  EXPECT_EQ(error->code, ErrorCode::overlap);
+  EXPECT_EQ(error->code, code::overlap);
   EXPECT_EQ(report.summary.flanges, 3);
   checks.write_overlapping = true;
   EXPECT_FALSE(finish(report, connection, ConstantK{}, checks, {}).has_value());
@@ -248,14 +250,14 @@ TEST(ConnectReport, StopsWhenAsked) {
   report.body = "stopped";
   const auto error = finish(report, joined(), ConstantK{}, {}, progress);
   ASSERT_TRUE(error.has_value());
-  EXPECT_EQ(error->code, ErrorCode::cancelled);
+  EXPECT_EQ(error->code, code::cancelled);
 }
 
 TEST(ConnectReport, PutsTheFilesNameBeforeAPointer) {
-  EXPECT_EQ(placed({ErrorCode::not_planar, "m", "/plates/2/outline/3"}, "p.json").where,
+  EXPECT_EQ(placed({code::not_planar, "m", "/plates/2/outline/3"}, "p.json").where,
             "p.json/plates/2/outline/3");
-  EXPECT_EQ(placed({ErrorCode::not_planar, "m", ""}, "p.json").where, "p.json");
-  EXPECT_EQ(placed({ErrorCode::overlap, "m", "flat pattern at (1, 2) mm"}, "p.json").where,
+  EXPECT_EQ(placed({code::not_planar, "m", ""}, "p.json").where, "p.json");
+  EXPECT_EQ(placed({code::overlap, "m", "flat pattern at (1, 2) mm"}, "p.json").where,
             "flat pattern at (1, 2) mm");
 }
 
@@ -264,7 +266,7 @@ TEST(ConnectReport, IsTheReasonOfARequestThatFailed) {
   request.input = "p.json";
   request.units = LengthUnit::inch;
   const json report = json::parse(report_json(failed_report<ConnectReport>(
-      request, {ErrorCode::unknown_plate, "no plate C", "p.json/bends/0"})));
+      request, {code::unknown_plate, "no plate C", "p.json/bends/0"})));
   EXPECT_EQ(report["command"], "connect");
   EXPECT_EQ(report["units"], "inch");
   EXPECT_EQ(report["status"], "refused");

@@ -2,8 +2,10 @@
 #include "connect/sample_plates.hpp"
 #include "support/round_trip.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 #include <planish/job/plates_of.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -144,8 +146,8 @@ RC_GTEST_PROP(ConnectRoundTrip, GivesBackRandomPairs, ()) {
     // Plates may be too near for the thickness, or lie so far beside each other that the extension
     // of one would run over it; nothing else may go wrong.
     const ErrorCode code = connection.error().code;
-    RC_ASSERT(code == ErrorCode::radius_too_small || code == ErrorCode::no_common_width ||
-              code == ErrorCode::overlap);
+    RC_ASSERT(code == code::radius_too_small || code == code::no_common_width ||
+              code == code::overlap);
     RC_DISCARD();
   }
   expect_round_trip(connection->sheet, 1e-5);
@@ -178,9 +180,9 @@ RC_GTEST_PROP(ConnectRoundTrip, GivesBackIrregularPairs, ()) {
   const auto connection = connect(s);
   if (!connection) {
     RC_LOG() << connection.error().message;
-    RC_ASSERT(connection.error().code == ErrorCode::radius_too_small ||
-              connection.error().code == ErrorCode::no_common_width ||
-              connection.error().code == ErrorCode::overlap);
+    RC_ASSERT(connection.error().code == code::radius_too_small ||
+              connection.error().code == code::no_common_width ||
+              connection.error().code == code::overlap);
     RC_DISCARD();
   }
   RC_ASSERT(connection->bends[0].extension_area >= 0.0);

@@ -195,7 +195,7 @@ TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
     for (const job::UnfoldReport& report : *reports) {
       expect_no_self_intersection(report);
       if (report.refusal) {
-        EXPECT_NE(report.refusal->code, ErrorCode::internal) << report.refusal->message;
+        EXPECT_NE(report.refusal->code, code::internal) << report.refusal->message;
         EXPECT_FALSE(report.refusal->message.empty());
       }
     }

@@ -65,7 +65,7 @@ TEST(MeshesOfRealParts, AreClosedAndHaveTheVolumeOfTheirBodies) {
       SCOPED_TRACE(part + ", body " + body.name());
       const auto surface = body_mesh(body, kChord);
       if (part.rfind(kNotMeshed, 0) == 0 && !surface) {  // told, not handed out
-        EXPECT_EQ(surface.error().code, ErrorCode::internal);
+        EXPECT_EQ(surface.error().code, code::internal);
         EXPECT_EQ(++not_meshed, 1);
         continue;
       }

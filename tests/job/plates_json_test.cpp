@@ -45,7 +45,7 @@ Error error_of(const std::string& text) {
 
 void expect_mistake(const std::string& pointer, const json& value, const std::string& words) {
   const Error error = error_of(with(pointer, value));
-  EXPECT_EQ(error.code, ErrorCode::invalid_input) << pointer << " " << value;
+  EXPECT_EQ(error.code, code::invalid_input) << pointer << " " << value;
   EXPECT_EQ(error.where, "p.json" + pointer) << value << " " << error.message;
   EXPECT_THAT(error.message, HasSubstr("plates file: " + pointer + " " + words)) << value;
 }
@@ -231,8 +231,8 @@ TEST(PlatesJson, RefusesLengthsThatAreNotFiniteInMillimetres) {
   huge["units"] = "m";
   huge["thickness"] = 1e308;
   EXPECT_EQ(error_of(huge.dump()).where, "p.json/thickness");
-  EXPECT_EQ(error_of("{\"thickness\": 1e999}").code, ErrorCode::invalid_input);
-  EXPECT_EQ(error_of("{\"thickness\": NaN}").code, ErrorCode::invalid_input);
+  EXPECT_EQ(error_of("{\"thickness\": 1e999}").code, code::invalid_input);
+  EXPECT_EQ(error_of("{\"thickness\": NaN}").code, code::invalid_input);
 }
 
 TEST(PlatesJson, RefusesWhatASectionCannotBe) {
@@ -281,7 +281,7 @@ TEST(PlatesJson, FindsTheLineAndColumnOfAMistake) {
   EXPECT_THAT(error.message, HasSubstr("the plates file is not JSON: mistake at line:column 3:"));
   EXPECT_THAT(error.where, HasSubstr("p.json:3:"));
   for (const char* text : {"", "[]", "3", "null", "{", "\xff"})
-    EXPECT_EQ(error_of(text).code, ErrorCode::invalid_input) << text;
+    EXPECT_EQ(error_of(text).code, code::invalid_input) << text;
 }
 
 TEST(PlatesJson, GivesDefaultsToBendsThatLeaveThemOpen) {
@@ -339,7 +339,7 @@ TEST(PlatesJson, TakesOptionsInsteadOfItsDefaults) {
 TEST(PlatesJson, TakesNoKeyTwice) {
   const Error error = error_of(
       R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");
-  EXPECT_EQ(error.code, ErrorCode::invalid_input);
+  EXPECT_EQ(error.code, code::invalid_input);
   EXPECT_THAT(error.message, HasSubstr("\"id\" appears twice"));
 }
 

@@ -2,6 +2,7 @@
 
 #include "support/sheet_builder.hpp"
 
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/one_piece.hpp>
 
 #include <gtest/gtest.h>
@@ -88,7 +89,7 @@ TEST(Reliefs, AreRefusedWhereFlangesCoverEachOther) {
   const Laid part = laid(2.5);
   const auto relieved = relieved_of(part);
   ASSERT_FALSE(relieved);
-  EXPECT_EQ(relieved.error().code, ErrorCode::overlap);
+  EXPECT_EQ(relieved.error().code, code::overlap);
 }
 
 TEST(Reliefs, LeaveASoundPatternAlone) {

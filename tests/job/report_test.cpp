@@ -1,6 +1,7 @@
 #include "job/sample_reports.hpp"
 
 #include <planish/job/unfold.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -140,7 +141,7 @@ TEST(ReportJson, GivesTheReasonOfARefusalAndNoNumbersThatAreNotKnown) {
 
 TEST(ReportJson, KeepsWhatWasKnownBeforeTheRefusal) {
   UnfoldReport report = sample_report();
-  report.refusal = Error{ErrorCode::overlap, "covers itself", ""};
+  report.refusal = Error{code::overlap, "covers itself", ""};
   report.findings = {{"overlap", Severity::error, "3 mm² twice", {{1, 2}, {3, 4}, {5, 6}}}};
   const json value = value_of(report);
   EXPECT_EQ(value["status"], "refused");
@@ -169,7 +170,7 @@ TEST(UnfoldReport, HasAStatusByItsWorstFinding) {
   EXPECT_EQ(report.status(), Status::ok);
   report.findings.push_back({"flange_height", Severity::warning, "too low", {}});
   EXPECT_EQ(report.status(), Status::warning);
-  report.refusal = Error{ErrorCode::overlap, "covers itself", ""};
+  report.refusal = Error{code::overlap, "covers itself", ""};
   EXPECT_EQ(report.status(), Status::refused);
 }
 

@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/brake/codes.hpp>
 #include <planish/job/run.hpp>
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 #include <thread>
 
 namespace planish::job {
+using namespace process;
 namespace {
 
 using namespace std::chrono_literals;
@@ -88,7 +90,7 @@ TEST(RunApart, HandsOnARefusal) {
   ASSERT_TRUE(apart) << apart.error().message;
   EXPECT_EQ(apart->status, here->status);
   ASSERT_TRUE(apart->refusal);
-  EXPECT_EQ(apart->refusal->code, ErrorCode::cannot_bend);
+  EXPECT_EQ(apart->refusal->code, code::cannot_bend);
   EXPECT_EQ(apart->refusal->message, here->refusal->message);
   EXPECT_EQ(apart->artifacts.size(), here->artifacts.size());
 }
@@ -113,7 +115,7 @@ TEST(RunApart, SurvivesACrash) {
     std::raise(SIGSEGV);
     return Result<std::unique_ptr<Work>>();
   });
-  EXPECT_EQ(error.code, ErrorCode::crashed);
+  EXPECT_EQ(error.code, code::crashed);
   EXPECT_THAT(error.message, HasSubstr("a_folded.json"));
   EXPECT_THAT(error.message, HasSubstr("\"reading\""));
 }
@@ -123,7 +125,7 @@ TEST(RunApart, SurvivesAnAssertion) {
     PLANISH_ASSERT(1 + 1 == 3);
     return Result<std::unique_ptr<Work>>();
   });
-  EXPECT_EQ(error.code, ErrorCode::crashed);
+  EXPECT_EQ(error.code, code::crashed);
   EXPECT_THAT(error.message, HasSubstr("assertion failed: 1 + 1 == 3"));
 }
 
@@ -132,9 +134,9 @@ TEST(RunApart, EndsAtItsTimeAndWhenCancelled) {
     std::this_thread::sleep_for(1h);
     return Result<std::unique_ptr<Work>>();
   };
-  EXPECT_EQ(error_by(hang, {}, {.time = 100ms}).code, ErrorCode::out_of_time);
+  EXPECT_EQ(error_by(hang, {}, {.time = 100ms}).code, code::out_of_time);
   const Progress cancelled{.report = {}, .cancelled = [] { return true; }};
-  EXPECT_EQ(error_by(hang, cancelled).code, ErrorCode::cancelled);
+  EXPECT_EQ(error_by(hang, cancelled).code, code::cancelled);
 }
 
 }  // namespace

@@ -132,14 +132,14 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   EXPECT_EQ(refused(asked).where, "/options/k");
   EXPECT_THAT(refused(asked).message, HasSubstr("must be a number from 0 to 1"));
   asked["options"] = {{"root", "largest"}};
-  EXPECT_EQ(refused(asked).code, ErrorCode::bad_option);
+  EXPECT_EQ(refused(asked).code, code::bad_option);
   EXPECT_EQ(refused(asked).where, "/options/root");
   asked["options"] = {{"k", 0.4}, {"din6935", true}};
   EXPECT_THAT(refused(asked).message, HasSubstr("`k`, `k_table`, `din6935` and `material`"));
   asked["options"] = json::object();
   asked["artifacts"] = {"mould.stl"};
   EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, pdf, step, stl"));
-  EXPECT_EQ(run("[]").error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(run("[]").error().code, code::invalid_input);
 }
 
 TEST(Run, BendsAndInformsAsTheProgramDoes) {
@@ -192,7 +192,7 @@ TEST(Run, RefusesWhatIsNestedDeeperThanAHundred) {
           asked(R"("x", "options": {"rules": {"content": )", nested(depth), "}}}"),
           asked(R"({"name": "p.json", "content": )", json(nested(depth)).dump(), "}}")}) {
       ASSERT_FALSE(result.has_value());
-      EXPECT_EQ(result.error().code, ErrorCode::invalid_input);
+      EXPECT_EQ(result.error().code, code::invalid_input);
       EXPECT_THAT(result.error().message, HasSubstr("nested more than 100 deep at line:column 1:"));
     }
   }
@@ -231,7 +231,7 @@ TEST(Run, ShowsNoPieceThatThereIsNot) {
   asked["options"] = {{"piece", 1}};
   EXPECT_EQ(done(asked).status, Status::ok);
   asked["options"] = {{"piece", 99}};
-  EXPECT_EQ(refused(asked).code, ErrorCode::bad_option);
+  EXPECT_EQ(refused(asked).code, code::bad_option);
   EXPECT_EQ(refused(asked).where, "/options/piece");
   EXPECT_EQ(refused(asked).message, "there is no piece 99; the last is 1");
 }
@@ -298,7 +298,7 @@ TEST(Catalogue, HasWhatEveryRowNeeds) {
     EXPECT_EQ(maker.schema == nullptr, maker.format.empty()) << maker.name;
     for (const OptionUse& use : maker.options)
       EXPECT_TRUE(option(use.name).set) << use.name;
-    const auto failed = maker.failed({}, {ErrorCode::cannot_read, "gone", "a"});
+    const auto failed = maker.failed({}, {code::cannot_read, "gone", "a"});
     EXPECT_EQ(json::parse(failed->json())["reason"]["code"], "cannot_read") << maker.name;
     EXPECT_EQ(json::parse(failed->json())["command"], maker.name);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/job/unfold.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <numbers>
 
@@ -58,7 +59,7 @@ inline job::UnfoldReport refused_report() {
   report.number = 2;
   report.body = "block";
   report.quantity = 3;
-  report.refusal = Error{ErrorCode::not_a_sheet, "no two skins at one distance", "body 2"};
+  report.refusal = Error{code::not_a_sheet, "no two skins at one distance", "body 2"};
   return report;
 }
 

@@ -1,5 +1,7 @@
 #include "sides.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -58,7 +60,7 @@ TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
     asked.bend_k = {{wrong, 0.3}};
     const auto refused = flatten_options(made, asked);
     ASSERT_FALSE(refused.has_value()) << wrong;
-    EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(refused.error().code, code::bad_option);
     EXPECT_THAT(refused.error().message, HasSubstr("B1 to B12"));
     EXPECT_EQ(refused.error().where, std::string("bend_k/") + wrong);
   }
@@ -69,7 +71,7 @@ TEST(Sides, ListTheFacesThatCanBeTheRoot) {
   for (const char* wrong : {"3", "99", "0", "-1"}) {
     const auto options = flatten_options(sheet(), sides_of(wrong, "auto"));
     ASSERT_FALSE(options.has_value()) << wrong;
-    EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
+    EXPECT_EQ(options.error().code, code::no_such_face);
     EXPECT_THAT(options.error().message, HasSubstr("7, 12"));
     EXPECT_EQ(options.error().where, "root");
   }
@@ -78,16 +80,14 @@ TEST(Sides, ListTheFacesThatCanBeTheRoot) {
 TEST(Sides, ListTheFacesOfTheSkinThatCanFaceUp) {
   const auto options = flatten_options(sheet(), sides_of("largest", "99"));
   ASSERT_FALSE(options.has_value());
-  EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
+  EXPECT_EQ(options.error().code, code::no_such_face);
   EXPECT_THAT(options.error().message, HasSubstr("3, 7, 12"));
 }
 
 TEST(Sides, RefuseOtherWords) {
-  EXPECT_EQ(flatten_options(sheet(), sides_of("biggest", "auto")).error().code,
-            ErrorCode::bad_option);
-  EXPECT_EQ(flatten_options(sheet(), sides_of("7x", "auto")).error().code, ErrorCode::bad_option);
-  EXPECT_EQ(flatten_options(sheet(), sides_of("largest", "down")).error().code,
-            ErrorCode::bad_option);
+  EXPECT_EQ(flatten_options(sheet(), sides_of("biggest", "auto")).error().code, code::bad_option);
+  EXPECT_EQ(flatten_options(sheet(), sides_of("7x", "auto")).error().code, code::bad_option);
+  EXPECT_EQ(flatten_options(sheet(), sides_of("largest", "down")).error().code, code::bad_option);
 }
 
 }  // namespace

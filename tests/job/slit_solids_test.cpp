@@ -1,5 +1,6 @@
 #include "slit/sample_sheets.hpp"
 
+#include <planish/brep/codes.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/slit/mould.hpp>
 #include <planish/slit/session.hpp>
@@ -24,7 +25,7 @@ TEST(SlitSolids, SurfaceOfAChairIsOneShell) {
   // A shell is no solid, and that is what a reader of solids says.
   const auto file = read_step_text(*text, "chair.step");
   ASSERT_FALSE(file);
-  EXPECT_EQ(file.error().code, ErrorCode::shell_not_solid);
+  EXPECT_EQ(file.error().code, code::shell_not_solid);
   std::size_t shells = 0, faces = 0;
   for (std::size_t at = text->find("OPEN_SHELL("); at != std::string::npos;
        at = text->find("OPEN_SHELL(", at + 1))

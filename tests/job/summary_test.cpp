@@ -2,6 +2,7 @@
 
 #include <planish/job/outputs.hpp>
 #include <planish/job/unfold.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -164,7 +165,7 @@ TEST(Stems, DifferAlsoWhereCapitalsCountAsSmallLetters) {
 
 TEST(Stems, SkipBodiesWithoutPattern) {
   UnfoldReport refused = named("door", 2.0);
-  refused.refusal = Error{ErrorCode::overlap, "covers itself", ""};
+  refused.refusal = Error{code::overlap, "covers itself", ""};
   EXPECT_THAT(stems({refused, named("door", 2.0)}), ElementsAre("", "door_t2"));
 }
 

@@ -2,6 +2,8 @@
 
 #include "job/sample_reports.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -116,7 +118,7 @@ TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
     certificate.volume_ratio = certificate.explained_ratio = ratio;
     const auto refusal = disbelief(certificate, kVolume, {});
     ASSERT_TRUE(refusal.has_value()) << ratio;
-    EXPECT_EQ(refusal->code, ErrorCode::pattern_wrong);
+    EXPECT_EQ(refusal->code, code::pattern_wrong);
   }
   Certificate stretched = perfect();
   stretched.length_error = 0.6;
@@ -124,7 +126,7 @@ TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
   EXPECT_THAT(disbelief(stretched, kVolume, {})->where, HasSubstr("(3.000, 4.000)"));
   Certificate torn = perfect();
   torn.refold_deviation = 0.6;
-  EXPECT_EQ(disbelief(torn, kVolume, {})->code, ErrorCode::pattern_wrong);
+  EXPECT_EQ(disbelief(torn, kVolume, {})->code, code::pattern_wrong);
 }
 
 TEST(Verdict, HasNoVolumeToCompareWithWhereThereIsNoSolid) {
@@ -150,7 +152,7 @@ TEST(Verdict, MakesOneRefusalOfSeveralOverlaps) {
   const Finding one{"overlap", Severity::error, "12.5 mm² are covered twice", {{1, 2}, {3, 4}}};
   const auto refusal = overlap_refusal({one, one, one});
   ASSERT_TRUE(refusal.has_value());
-  EXPECT_EQ(refusal->code, ErrorCode::overlap);
+  EXPECT_EQ(refusal->code, code::overlap);
   EXPECT_THAT(refusal->message, HasSubstr("12.5 mm² are covered twice, and at 2 more places"));
   EXPECT_THAT(refusal->where, HasSubstr("(1.000, 2.000)"));
 }

@@ -51,7 +51,7 @@ TEST(Materials, SayWhereTheyAreWrong) {
   const auto where = [](const std::string& text) {
     const auto materials = Materials::parse({"m.csv", text});
     if (materials) return std::string("read");
-    EXPECT_EQ(materials.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(materials.error().code, code::invalid_input);
     return materials.error().where;
   };
   EXPECT_EQ(where("part,thickness\n"), "m.csv:1");

@@ -43,7 +43,7 @@ TEST(Rates, NeedTheMassOnlyWhereTheyAskForIt) {
   list.parts[0].mass.reset();
   EXPECT_TRUE(rates->apply(list));
   list.parts[0].material = "S235";
-  EXPECT_EQ(rates->apply(list).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(rates->apply(list).error().code, code::bad_option);
 }
 
 TEST(Totals, CountEachPieceAndKnowWhatIsNotKnown) {

@@ -51,7 +51,7 @@ TEST(ConstantAllowance, RefusesKOutsideTheSheet) {
   for (const double k : {-0.01, 1.01, std::nan(""), HUGE_VAL}) {
     const auto result = bend_allowance(ConstantK{k, "--k"}, 2.0, 2.0, kRight);
     ASSERT_FALSE(result.has_value()) << k;
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
     EXPECT_THAT(result.error().message, HasSubstr("--k"));
   }
 }
@@ -65,7 +65,7 @@ TEST(BendAllowance, RefusesSizesThatNoBendHas) {
   EXPECT_FALSE(bend_allowance(ConstantK{}, 1.0, nan, kRight).has_value());
   EXPECT_FALSE(bend_allowance(ConstantK{}, 1.0, 1.0, Angle::degrees(-1)).has_value());
   EXPECT_FALSE(bend_allowance(ConstantK{}, 1.0, 1.0, Angle::radians(nan)).has_value());
-  EXPECT_EQ(bend_allowance(ConstantK{}, 0.0, 1.0, kRight).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(bend_allowance(ConstantK{}, 0.0, 1.0, kRight).error().code, code::bad_option);
 }
 
 // ---- setback and deduction
@@ -216,13 +216,13 @@ TEST(RatioTable, CannotHoldLengths) {
   table.value = BendTable::Value::deduction;
   const auto result = bend_allowance(table, 2.0, 3.0, kRight);
   ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(result.error().code, code::bad_option);
 }
 
 TEST(AnyTable, WithoutRowsIsRefused) {
   const auto result = bend_allowance(BendTable{}, 2.0, 3.0, kRight);
   ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(result.error().code, code::bad_option);
 }
 
 // ---- tables by radius, thickness, angle
@@ -322,7 +322,7 @@ TEST(DeductionTable, OfAnImpossibleLengthIsRefusedWithItsRow) {
   const BendTable table = by_size(BendTable::Value::deduction, false, {{2, 2, 0, 30.0}});
   const auto result = bend_allowance(table, 2.0, 2.0, kRight);
   ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(result.error().code, code::bad_option);
   EXPECT_THAT(result.error().message, HasSubstr("row 1"));
 }
 

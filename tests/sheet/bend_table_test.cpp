@@ -23,8 +23,14 @@ std::string refusal(const std::string& csv, const std::string& where) {
   const auto table = parse_bend_table(csv, "table.csv");
   EXPECT_FALSE(table.has_value()) << csv;
   if (table) return {};
-  EXPECT_EQ(table.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(table.error().code, code::invalid_input);
   EXPECT_EQ(table.error().where, where);
+  const std::size_t colon = where.find(':');
+  if (colon != std::string::npos) {
+    EXPECT_FALSE(table.error().places.empty()) << table.error().message;
+    if (table.error().places.empty()) return {};
+    EXPECT_EQ(table.error().places.front(), place::line(std::stoi(where.substr(colon + 1))));
+  }
   return table.error().message;
 }
 
@@ -130,7 +136,7 @@ TEST(ParseBendTable, RefusesHeadersThatDoNotNameABend) {
   EXPECT_THAT(refusal("1,0.4\n2,0.5\n", "table.csv:1"), HasSubstr("must name"));
   EXPECT_THAT(refusal("R,K\n1,0.4\n", "table.csv:1"), HasSubstr("R and T"));
   EXPECT_THAT(refusal("R,T\n1,2\n", "table.csv:1"), HasSubstr("K, BA, BD"));
-  EXPECT_THAT(refusal("R,T,K,BD\n1,2,0.4,3\n", "table.csv:1"), HasSubstr("keep one"));
+  EXPECT_THAT(refusal("R,T,K,BD\n1,2,0.4,3\n", "table.csv:1"), HasSubstr("Keep one"));
   EXPECT_THAT(refusal("R,Radius,T,K\n1,1,2,0.4\n", "table.csv:1"),
               HasSubstr("\"R\" and \"Radius\""));
   EXPECT_THAT(refusal("R/T,BA\n1,3\n", "table.csv:1"), HasSubstr("lengths"));
@@ -175,7 +181,7 @@ TEST(ParseBendTable, RefusesValuesThatNoBendHas) {
 TEST(ParseBendTable, RefusesTwoValuesForOneBend) {
   const std::string message = refusal("material,r,t,k\nsteel,1,2,0.4\nsteel,2,2,0.4\nalu,1,2,0.3\n",
                                       "table.csv:4");
-  EXPECT_THAT(message, HasSubstr("on line 2"));
+  EXPECT_THAT(message, HasSubstr("line 2 gives 0.4"));
   EXPECT_THAT(message, HasSubstr("one material"));
 }
 

@@ -1,6 +1,7 @@
 #include "support/sheets.hpp"
 
 #include <planish/sheet/builder.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
@@ -72,7 +73,7 @@ TEST(SheetBuilder, RefusesASheetThatBreaksARule) {
   builder.add_flange();
   const auto sheet = std::move(builder).build();
   ASSERT_FALSE(sheet);
-  EXPECT_EQ(sheet.error().code, ErrorCode::invalid_sheet);
+  EXPECT_EQ(sheet.error().code, code::invalid_sheet);
 }
 
 TEST(SheetBuilderDeathTest, StopsAtRowsThatAreNotThere) {

@@ -1,6 +1,7 @@
 #include "support/sheets.hpp"
 
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -164,11 +165,11 @@ TEST(Certificate, RefusesAPatternThatLeavesOutABendOrItsContour) {
   pattern.bends.pop_back();
   const auto without_bend = certify(sheet, pattern, edge_distance(sheet));
   ASSERT_FALSE(without_bend);
-  EXPECT_EQ(without_bend.error().code, ErrorCode::pattern_wrong);
+  EXPECT_EQ(without_bend.error().code, code::pattern_wrong);
   EXPECT_NE(without_bend.error().message.find("B2"), std::string::npos);
   const auto empty = certify(sheet, FlatPattern{}, edge_distance(sheet));
   ASSERT_FALSE(empty);
-  EXPECT_EQ(empty.error().code, ErrorCode::pattern_wrong);
+  EXPECT_EQ(empty.error().code, code::pattern_wrong);
 }
 
 TEST(Certificate, KnowsWhatItCouldNotMeasure) {

@@ -1,6 +1,7 @@
 #include "support/sheets.hpp"
 
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/facets.hpp>
 #include <planish/sheet/topology.hpp>
 
@@ -16,37 +17,43 @@ namespace {
 /// One broken rule of `check` for patterns.
 struct PatternDamage {
   std::string rule, where;
+  Place place;
   std::function<void(FlatPattern&)> inflict;
 };
 
 std::vector<PatternDamage> pattern_damages() {
   const double nan = std::nan("");
   return {
-      {"thickness", "pattern", [](FlatPattern& p) { p.thickness = -1.0; }},
-      {"Area, perimeter", "pattern", [=](FlatPattern& p) { p.area = nan; }},
-      {"Area, perimeter", "pattern", [](FlatPattern& p) { p.closure = -1.0; }},
-      {"has curves", "opening 0", [](FlatPattern& p) { p.openings.push_back({}); }},
-      {"finite size", "outer contour", [](FlatPattern& p) { p.outer.loop[0] = CubicSpline{}; }},
-      {"finite size", "opening 0",
+      {"thickness", "pattern", place::pointer(""), [](FlatPattern& p) { p.thickness = -1.0; }},
+      {"Area, perimeter", "pattern", place::pointer(""), [=](FlatPattern& p) { p.area = nan; }},
+      {"Area, perimeter", "pattern", place::pointer(""), [](FlatPattern& p) { p.closure = -1.0; }},
+      {"has curves", "opening 0", place::pointer("/openings/0"),
+       [](FlatPattern& p) { p.openings.push_back({}); }},
+      {"finite size", "outer contour", place::pointer("/outer"),
+       [](FlatPattern& p) { p.outer.loop[0] = CubicSpline{}; }},
+      {"finite size", "opening 0", place::pointer("/openings/0"),
        [](FlatPattern& p) {
          p.openings.push_back({{Arc{{5, 5}, 0.0, 0.0, 6.0}}, {}});
        }},
-      {"finite size", "opening 0",
+      {"finite size", "opening 0", place::pointer("/openings/0"),
        [](FlatPattern& p) {
          p.openings.push_back({{Arc{{5, 5}, 1.0, 0.0, 1e9}}, {}});
        }},
-      {"Slits", "slits",
+      {"Slits", "slits", place::pointer("/slits"),
        [=](FlatPattern& p) {
          p.slits.push_back(Segment{{0, nan}, {1, 1}});
        }},
-      {"lines of a bend", "bend B1", [=](FlatPattern& p) { p.bends[0].lines[0].a.x() = nan; }},
-      {"has its angle", "bend B1", [](FlatPattern& p) { p.bends[0].line_angles.resize(7); }},
-      {"Angle, inside radius", "bend B2", [=](FlatPattern& p) { p.bends[1].length = nan; }},
-      {"finite size", "feature 0",
+      {"lines of a bend", "bend B1", place::bend("B1"),
+       [=](FlatPattern& p) { p.bends[0].lines[0].a.x() = nan; }},
+      {"has its angle", "bend B1", place::bend("B1"),
+       [](FlatPattern& p) { p.bends[0].line_angles.resize(7); }},
+      {"Angle, inside radius", "bend B2", place::bend("B2"),
+       [=](FlatPattern& p) { p.bends[1].length = nan; }},
+      {"finite size", "feature 0", place::pointer("/features/0"),
        [](FlatPattern& p) {
          p.features.push_back({"pocket", FormSide::up, {{CubicSpline{}}}});
        }},
-      {"label", "label A",
+      {"label", "label A", place::pointer("/labels/0"),
        [=](FlatPattern& p) {
          p.labels.push_back({{nan, 0}, "A"});
        }},
@@ -66,10 +73,12 @@ TEST(CheckPattern, NamesTheRuleAndTheRow) {
     damage.inflict(pattern);
     const auto result = check(pattern);
     ASSERT_FALSE(result) << damage.rule;
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_sheet);
+    EXPECT_EQ(result.error().code, code::invalid_sheet);
     EXPECT_NE(result.error().message.find(damage.rule), std::string::npos)
         << result.error().message << " instead of: " << damage.rule;
     EXPECT_EQ(result.error().where, damage.where);
+    ASSERT_EQ(result.error().places.size(), 1u);
+    EXPECT_EQ(result.error().places[0], damage.place);
   }
 }
 
@@ -80,8 +89,8 @@ TEST(CheckPattern, StandsBeforeTheCertificate) {
     damage.inflict(pattern);
     const auto result = certify(u_channel(), pattern, none);
     ASSERT_FALSE(result) << damage.rule;
-    EXPECT_TRUE(result.error().code == ErrorCode::invalid_sheet ||
-                result.error().code == ErrorCode::pattern_wrong)
+    EXPECT_TRUE(result.error().code == code::invalid_sheet ||
+                result.error().code == code::pattern_wrong)
         << damage.rule;
   }
 }
@@ -90,9 +99,9 @@ TEST(Certify, RefusesARootOrAToleranceThatMeansNothing) {
   const EdgeDistance none = [](int, const Vec3&) { return 0.0; };
   FlatPattern pattern = sound();
   for (const double tolerance : {0.0, -1.0, std::nan("")})
-    EXPECT_EQ(certify(u_channel(), pattern, none, tolerance).error().code, ErrorCode::bad_option);
+    EXPECT_EQ(certify(u_channel(), pattern, none, tolerance).error().code, code::bad_option);
   pattern.root = FaceId{99};
-  EXPECT_EQ(certify(u_channel(), pattern, none).error().code, ErrorCode::pattern_wrong);
+  EXPECT_EQ(certify(u_channel(), pattern, none).error().code, code::pattern_wrong);
 }
 
 TEST(RequireValid, StopsWithTheRuleAndTheRow) {

@@ -1,11 +1,14 @@
 #include "support/damaged_sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 #include <string>
+#include <vector>
 
 namespace planish::test {
 namespace {
@@ -16,17 +19,35 @@ TEST(CheckSheet, FindsNothingWrongWithSoundSheets) {
     EXPECT_TRUE(check(sheet)) << check(sheet).error().message;
 }
 
+/// "face 3, loop 0, border 2" as a path into the sheet: "/faces/3/loops/0/borders/2".
+std::string path_of(const std::string& where) {
+  if (where == "sheet") return "";
+  std::string path = std::regex_replace(where, std::regex("([a-z]+) ([0-9]+)(, )?"), "/$1s/$2");
+  return path;
+}
+
 TEST(CheckSheet, NamesTheRuleAndTheRow) {
   for (const Damage& damage : damages()) {
     Sheet sheet = u_channel();
     damage.inflict(sheet);
     const auto result = check(sheet);
     ASSERT_FALSE(result) << damage.rule;
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_sheet);
+    EXPECT_EQ(result.error().code, code::invalid_sheet);
     EXPECT_NE(result.error().message.find(damage.rule), std::string::npos)
         << result.error().message << " instead of: " << damage.rule;
     EXPECT_EQ(result.error().where, damage.where) << damage.rule;
+    ASSERT_FALSE(result.error().places.empty()) << damage.rule;
+    EXPECT_EQ(result.error().places.front(), place::pointer(path_of(damage.where)));
   }
+}
+
+TEST(CheckSheet, NamesTheFaceOfTheSolid) {
+  Sheet sheet = u_channel();
+  sheet.faces[FaceId{2}].source_face = 17;
+  sheet.faces[FaceId{2}].sense = -1;
+  const auto result = check(sheet);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().places, (std::vector{place::pointer("/faces/2"), place::face(17)}));
 }
 
 TEST(CheckSheet, StandsBeforeEveryLayout) {
@@ -35,7 +56,7 @@ TEST(CheckSheet, StandsBeforeEveryLayout) {
     damage.inflict(sheet);
     for (const auto& error :
          {lay_out(sheet).error(), flat_sheet(sheet).error(), flatten(sheet).error()})
-      EXPECT_EQ(error.code, ErrorCode::invalid_sheet) << damage.rule;
+      EXPECT_EQ(error.code, code::invalid_sheet) << damage.rule;
   }
 }
 
@@ -43,8 +64,10 @@ TEST(LayOut, RefusesARootThatTheSheetDoesNotHave) {
   for (const int face : {-1, 5, 1000}) {
     const auto result = flatten(u_channel(), {.root = FaceId{face}});
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::no_such_face);
-    EXPECT_NE(result.error().message.find(std::to_string(face)), std::string::npos);
+    EXPECT_EQ(result.error().code, code::no_such_face);
+    ASSERT_EQ(result.error().numbers.size(), 2u);
+    EXPECT_EQ(result.error().numbers[0].quantity, (Quantity{face + 1.0}));  // people count from 1
+    EXPECT_EQ(result.error().numbers[1].quantity, (Quantity{5.0}));
   }
 }
 
@@ -56,7 +79,7 @@ TEST(LayOut, RefusesOptionsThatMeanNothing) {
         FlattenOptions{.closure_tolerance = -1.0}}) {
     const auto result = flatten(u_channel(), options);
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
   }
 }
 
@@ -68,8 +91,11 @@ TEST(LayOut, RefusesAKThatLeavesASharpInsideNoNeutralSurface) {
        {AllowanceRule(ConstantK{0.0, "test"}), AllowanceRule(Din6935{})}) {
     const auto result = flatten(sheet, {.allowance = rule});
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
     EXPECT_EQ(result.error().where, "B1");
+    ASSERT_EQ(result.error().places.size(), 1u);
+    EXPECT_EQ(result.error().places[0].kind, PlaceKind::bend);
+    EXPECT_EQ(result.error().places[0].at.size(), 3u);
   }
   EXPECT_TRUE(flatten(sheet, {.allowance = ConstantK{0.01, "test"}}));
 }

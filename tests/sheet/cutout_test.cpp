@@ -121,7 +121,7 @@ TEST(Cutout, RefusesWhatStillCoversItself) {
                                           {0, 20}});
   const auto left = without_cutout(pattern, rectangle_at({50.5, 60}, {0.2, 10}));
   ASSERT_FALSE(left);
-  EXPECT_EQ(left.error().code, ErrorCode::unsupported_shape);
+  EXPECT_EQ(left.error().code, code::unsupported_shape);
 }
 
 TEST(Cutout, KeepsTheSlitsThatLeadToIt) {
@@ -227,7 +227,7 @@ TEST(Cutout, GoesOnFromALineThatItsSideLiesOn) {
 TEST(Cutout, RefusesAPatternThatFallsIntoPieces) {
   const auto left = without_cutout(plain(), rectangle_at({40, 30}, {1, 40}));
   ASSERT_FALSE(left);
-  EXPECT_EQ(left.error().code, ErrorCode::unsupported_shape);
+  EXPECT_EQ(left.error().code, code::unsupported_shape);
 }
 
 TEST(Cutout, EndsBendLines) {

@@ -3,6 +3,7 @@
 
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/rip.hpp>
 
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ TEST(FlattenStrip, TakesTheKOfSingleBendsBeforeTheRule) {
   EXPECT_EQ(pattern->bends[1].allowance.k_factor, 0.3);
   const auto refused = flatten(sheet, {.bend_k = {{BendId{0}, 1.5}}});
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(refused.error().code, code::bad_option);
 }
 
 TEST(FlattenStrip, HasTheClosedFormLengthForTwoBendsOf270Degrees) {
@@ -194,8 +195,12 @@ Sheet closed_channel() {
 TEST(FlattenLoop, IsRefusedWhereItDoesNotClose) {
   const auto pattern = flatten(closed_channel());
   ASSERT_FALSE(pattern);
-  EXPECT_EQ(pattern.error().code, ErrorCode::closed_loop);
+  EXPECT_EQ(pattern.error().code, code::closed_loop);
   EXPECT_EQ(pattern.error().where, "between face 0 and face 1");
+  EXPECT_EQ(pattern.error().places.size(), 2u);
+  ASSERT_EQ(pattern.error().numbers.size(), 1u);
+  EXPECT_GT(pattern.error().numbers[0].quantity.value, 0.01);
+  EXPECT_EQ(pattern.error().numbers[0].quantity.unit, unit::mm);
 }
 
 TEST(FlattenLoop, IsOpenedByOneRip) {
@@ -208,9 +213,11 @@ TEST(FlattenLoop, IsOpenedByOneRip) {
   for (const Joint& joint : sheet.joints)
     sheet[joint.a].edge.reset();
   // Without an edge in a solid there is nothing to name.
-  EXPECT_EQ(rips_to_open(sheet, {}, lies_flat).error().code, ErrorCode::closed_loop);
+  EXPECT_EQ(rips_to_open(sheet, {}, lies_flat).error().code, code::closed_loop);
   const Error none = loop_refusal(sheet, closed, {}, lies_flat);
-  EXPECT_TRUE(none.message.ends_with(", and no rips along its edges open it.")) << none.message;
+  EXPECT_TRUE(none.message.ends_with(" No rips along its edges open it.")) << none.message;
+  EXPECT_TRUE(none.remedies.empty());
+  EXPECT_EQ(none.places, closed.places);
   EXPECT_EQ(none.where, closed.where);
   for (int j = 0; j < std::ssize(sheet.joints); ++j)
     sheet[sheet.joints[j].a].edge = 100 + j;
@@ -221,11 +228,24 @@ TEST(FlattenLoop, IsOpenedByOneRip) {
   ASSERT_TRUE(open);
   EXPECT_NEAR(flatten(*open)->area, flatten(u_channel())->area, 1e-9);
   const Error named = loop_refusal(sheet, closed, {}, lies_flat);
-  EXPECT_NE(named.message.find("a rip along the edge between face"), std::string::npos);
+  EXPECT_TRUE(named.message.starts_with(closed.message)) << named.message;
+  const std::string rip = "Rip edge " + std::to_string(rips->front()) + " to open it.";
+  EXPECT_TRUE(named.message.ends_with(" " + rip)) << named.message;
+  ASSERT_EQ(named.places.size(), 1u);
+  EXPECT_EQ(named.places[0].kind, PlaceKind::edge);
+  EXPECT_EQ(named.places[0].id, Place::Id(rips->front()));
+  EXPECT_EQ(named.remedies, (std::vector{Remedy{"rip_edges", std::to_string(rips->front()), rip}}));
+  // The place of the edge is its middle.
+  const Joint& joint = sheet.joints[rips->front() - 100];
+  const Curve2& border = sheet[joint.a].curve;
+  const Vec3 a = skin_point(sheet[joint.a.face], start_of(border)),
+             b = skin_point(sheet[joint.a.face], end_of(border));
+  ASSERT_EQ(named.places[0].at.size(), 3u);
+  EXPECT_LT((0.5 * (a + b) - Vec3(named.places[0].at.data())).norm(), 1e-9);
   EXPECT_EQ(named.where.find("edge " + std::to_string(rips->front()) + " between face"), 0u);
   // What refuses the sheet after the rips is the reason.
   const auto thick = [](const Sheet&) -> Result<void> {
-    return fail(ErrorCode::thickness_not_constant, "too thick");
+    return fail(code::radius_too_small, "too thick");
   };
   EXPECT_EQ(loop_refusal(sheet, closed, {}, thick).message, "too thick");
 }

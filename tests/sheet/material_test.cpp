@@ -114,7 +114,7 @@ TEST(MaterialAllowance, RefusesCurvesThatAreNone) {
     const auto refused = bend_allowance(MaterialCurves{"m", PowerLaw{500, 0.2}, wrong}, 1.0, 1.0,
                                         Angle::degrees(90));
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(refused.error().code, code::bad_option);
     EXPECT_THAT(refused.error().message, HasSubstr("of m for compression"));
   }
 }

@@ -199,7 +199,7 @@ TEST(Slots, RefusesOptionsThatAreNone) {
         SlotOptions{.tolerance = 0.0}}) {
     const auto result = cut_slits(closed_slit(), options);
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
   }
 }
 
@@ -211,7 +211,7 @@ TEST(Slots, RefusesAKerfWiderThanAStrip) {
        {SlotOptions{.kerf = 10.0}, SlotOptions{.kerf = 4.0, .stop_hole = 10.0}}) {
     const auto result = cut_slits(pattern, options);
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
   }
   // 80 mm to the lower side.
   EXPECT_TRUE(cut_slits(closed_slit(), {.kerf = 159.0}));
@@ -224,7 +224,7 @@ TEST(Slots, RefusesASlitThatIsOpenAtACurve) {
   pattern.outer.loop[1] = Arc{{300, 40}, 40, -pi / 2, pi};
   const auto result = cut_slits(pattern, {.kerf = 1.0});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::unsupported_shape);
+  EXPECT_EQ(result.error().code, code::unsupported_shape);
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 #include "mould_clear.hpp"
 
+#include "support/error_data.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace planish::test {
 namespace {
@@ -31,7 +35,7 @@ std::vector<WholeStrip> level_strip(const Vec2& low, const Vec2& high, double he
 
 ErrorCode code_of(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips) {
   const auto clear = check_clear(mould, strips, 1.0);
-  return clear ? ErrorCode::internal : clear.error().code;
+  return clear ? code::internal : clear.error().code;
 }
 
 TEST(Mitre, IsOneThicknessAwayFromBothFacets) {
@@ -54,16 +58,32 @@ TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 15}, {100, 40}, 50)};
   const auto clear = check_clear(mould, {}, 1.0);
   ASSERT_FALSE(clear);
-  EXPECT_EQ(clear.error().code, ErrorCode::unsupported_shape);
-  EXPECT_NE(clear.error().message.find("500 mm²"), std::string::npos) << clear.error().message;
-  EXPECT_EQ(clear.error().where, "strip 0");
+  EXPECT_EQ(clear.error().code, code::unsupported_shape);
+  EXPECT_NEAR(number_in(clear.error(), "area"), 500.0, 1e-6);
+  EXPECT_EQ(unit_in(clear.error(), "area"), unit::mm2);
+  EXPECT_EQ(ids_in(clear.error(), PlaceKind::strip), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(clear.error().where, "strip 0") << "as files count";
+  const std::vector<double> at = at_in(clear.error(), PlaceKind::point);
+  ASSERT_EQ(at.size(), 3u);
+  EXPECT_TRUE(at[1] >= 15.0 && at[1] <= 20.0) << at[1];
+  EXPECT_TRUE(is_told(clear.error())) << clear.error().message;
+}
+
+TEST(CheckClear, NamesAStripWhoseRibOverlapsThatOfItsMirrorImage) {
+  Mould mould;
+  mould.ribs = {block(2, {0, 0}, {100, 20}, 30), block(2, {0, 15}, {100, 40}, 50)};
+  const auto clear = check_clear(mould, {}, 1.0);
+  ASSERT_FALSE(clear);
+  EXPECT_EQ(ids_in(clear.error(), PlaceKind::strip), std::vector<std::string>{"3"});
+  EXPECT_NE(clear.error().message.find("symmetry plane"), std::string::npos);
+  EXPECT_EQ(clear.error().where, "strip 2");
 }
 
 TEST(CheckClear, RefusesAFootprintThatCrossesItself) {
   Mould mould;
   mould.ribs = {block(3, {0, 0}, {100, 20}, 30)};
   std::swap(mould.ribs[0].footprint[0], mould.ribs[0].footprint[1]);
-  EXPECT_EQ(code_of(mould, {}), ErrorCode::unsupported_shape);
+  EXPECT_EQ(code_of(mould, {}), code::unsupported_shape);
 }
 
 TEST(CheckClear, LetsARibStandBelowAnotherStripButNotThroughIt) {
@@ -73,7 +93,7 @@ TEST(CheckClear, LetsARibStandBelowAnotherStripButNotThroughIt) {
   const auto own = level_strip({0, 0}, {100, 20}, 31);
   EXPECT_TRUE(check_clear(mould, {own, level_strip({0, 10}, {100, 40}, 31.001)}, 1.0));
   EXPECT_EQ(code_of(mould, {own, level_strip({0, 10}, {100, 40}, 30.999)}),
-            ErrorCode::unsupported_shape);
+            code::unsupported_shape);
 }
 
 }  // namespace

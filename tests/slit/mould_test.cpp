@@ -19,7 +19,7 @@ Mould mould(const FoldedSlitSheet& folded, const MouldOptions& options = {}) {
 ErrorCode code_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   const auto result = mould_of(folded, options);
   EXPECT_FALSE(result);
-  return result ? ErrorCode::internal : result.error().code;
+  return result ? code::internal : result.error().code;
 }
 
 /// A quad of the whole sheet: a point of it and its front.
@@ -114,7 +114,7 @@ TEST(Mould, KeepsAQuarterOfAStripUnderASheetThatIsThicker) {
   FoldedSlitSheet thick = level();
   thick.thickness = 60.0;  // more than the strip's width
   EXPECT_NEAR(mould(thick, {.base = 30.0}).volume, 200 * 12.5 * 30.0, 1e-6);
-  EXPECT_EQ(code_of(thick, {.inset = 60.0}), ErrorCode::bad_option);
+  EXPECT_EQ(code_of(thick, {.inset = 60.0}), code::bad_option);
 }
 
 TEST(Mould, OnTheFrontStandsAboveTheSheet) {
@@ -168,7 +168,7 @@ TEST(Mould, IsMirroredWithTheSheet) {
 TEST(Mould, OfStripsWithFreeEndsLiesOnTheirSkin) {
   SlitDesign design = asymmetric();
   // Strip 2 bows out and comes back above itself: no rib can stand there.
-  EXPECT_EQ(code_of(solved(design).folded(), {.inset = 2.0}), ErrorCode::unsupported_shape);
+  EXPECT_EQ(code_of(solved(design).folded(), {.inset = 2.0}), code::unsupported_shape);
   design.ends[2].direction = Vec3(1, 0, 0);
   const auto folded = solved(design).folded();
   const Mould ribs = mould(folded, {.inset = 2.0});
@@ -210,12 +210,12 @@ TEST(Mould, RefusesOptionsOutOfRange) {
        {MouldOptions{.up = Vec3(0, 0, 0)}, MouldOptions{.base = 0.0},
         MouldOptions{.base = std::nan("")}, MouldOptions{.inset = -1.0},
         MouldOptions{.inset = 25.0}, MouldOptions{.draft = Angle::degrees(0)}})
-    EXPECT_EQ(code_of(level(), options), ErrorCode::bad_option);
+    EXPECT_EQ(code_of(level(), options), code::bad_option);
 }
 
 TEST(Mould, RefusesASheetThatNothingCanBeLaidOn) {
-  EXPECT_EQ(code_of(level(), {.up = Vec3(0, -1, 0)}), ErrorCode::unsupported_shape);
-  EXPECT_EQ(code_of(level(), {.up = Vec3(1, 0, 0)}), ErrorCode::unsupported_shape);
+  EXPECT_EQ(code_of(level(), {.up = Vec3(0, -1, 0)}), code::unsupported_shape);
+  EXPECT_EQ(code_of(level(), {.up = Vec3(1, 0, 0)}), code::unsupported_shape);
 }
 
 TEST(Mould, LeansUntilItsRibsStandApart) {
@@ -235,7 +235,7 @@ TEST(Mould, LeansUntilItsRibsStandApart) {
   // > 10 cos a: from 15.1° on.
   EXPECT_NEAR(leaning.base.z.y(), std::cos(Angle::degrees(20).radians()), 1e-12);
   EXPECT_LT(leaning.base.z.z(), 0.0);
-  EXPECT_EQ(code_of(folded, {.up = Vec3::UnitY(), .inset = 0.0}), ErrorCode::unsupported_shape);
+  EXPECT_EQ(code_of(folded, {.up = Vec3::UnitY(), .inset = 0.0}), code::unsupported_shape);
 }
 
 TEST(Mould, RefusesStripsAboveOneAnother) {
@@ -244,7 +244,7 @@ TEST(Mould, RefusesStripsAboveOneAnother) {
   for (auto& ridge : folded.strips.back().ridges)
     for (Vec3& p : ridge.folded)
       p.y() += 40.0;
-  EXPECT_EQ(code_of(folded, {.up = Vec3::UnitY()}), ErrorCode::unsupported_shape);
+  EXPECT_EQ(code_of(folded, {.up = Vec3::UnitY()}), code::unsupported_shape);
 }
 
 TEST(Mould, RefusesFoldsTighterThanTheSheetIsThick) {
@@ -265,7 +265,7 @@ TEST(Mould, RefusesFoldsTighterThanTheSheetIsThick) {
   strip.quads[1] = turned(fold.radians(), strip.ridges[1].folded[0]);
   for (std::size_t side = 0; side < 2; ++side)
     strip.ridges[2].folded[side] = strip.quads[1].point(strip.ridges[2].flat[side]);
-  EXPECT_EQ(code_of(folded, {.inset = 0.0}), ErrorCode::radius_too_small);
+  EXPECT_EQ(code_of(folded, {.inset = 0.0}), code::radius_too_small);
 }
 
 }  // namespace

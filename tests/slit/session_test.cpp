@@ -1,5 +1,7 @@
 #include "sample_sheets.hpp"
 
+#include <planish/slit/codes.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -166,7 +168,7 @@ TEST(SlitSession, TakesADesignByWhatDiffers) {
   ASSERT_TRUE(session.set_design(design));
   EXPECT_EQ(session.design().weights, chair().weights);
   design.anchors[0].strip = 9;
-  EXPECT_EQ(session.set_design(design).error().code, ErrorCode::unknown_strip);
+  EXPECT_EQ(session.set_design(design).error().code, code::unknown_strip);
   design.anchors.clear();
   design.sheet.thickness = 2.0;
   ASSERT_TRUE(session.set_design(design));
@@ -264,7 +266,7 @@ TEST(SlitSession, KeepsEverythingWhereADesignIsRefused) {
   SlitDesign design = session.design();
   design.weights.smooth *= 2;
   design.anchors = {{9, 5, StripEdge::right, Vec3::Zero()}};
-  EXPECT_EQ(session.set_design(design).error().code, ErrorCode::unknown_strip);
+  EXPECT_EQ(session.set_design(design).error().code, code::unknown_strip);
   EXPECT_EQ(session.design().weights, chair().weights);
   EXPECT_TRUE(session.design().anchors.empty());
   EXPECT_EQ(largest_difference(before, session.folded()), 0.0);
@@ -294,7 +296,7 @@ TEST(SlitSession, StopsWithoutTimeAndWhenCancelled) {
   progress.cancelled = [&] { return ++polls > 10; };
   const auto cancelled = session.solve({}, progress);
   ASSERT_FALSE(cancelled);
-  EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
+  EXPECT_EQ(cancelled.error().code, code::cancelled);
   EXPECT_TRUE(session.solve()->converged);
 }
 
@@ -410,7 +412,7 @@ TEST(SolvedSlitSheet, RefusesSubdivisionsOutsideTheirRange) {
   for (const int subdivisions : {-1, kMostSubdivisions + 1, 1000000}) {
     const auto result = solved_slit_sheet(chair(), subdivisions);
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().code, code::bad_option);
   }
 }
 

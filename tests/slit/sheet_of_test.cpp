@@ -1,6 +1,7 @@
 #include "sample_sheets.hpp"
 
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/slit/mould.hpp>
 
@@ -93,9 +94,9 @@ TEST(CheckFoldedSlitSheet, NamesTheRuleAndTheRow) {
     inflict(broken);
     const auto result = check(broken);
     ASSERT_FALSE(result) << where;
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_sheet);
+    EXPECT_EQ(result.error().code, code::invalid_sheet);
     EXPECT_EQ(result.error().where, where);
-    EXPECT_EQ(mould_of(broken).error().code, ErrorCode::invalid_sheet) << where;
+    EXPECT_EQ(mould_of(broken).error().code, code::invalid_sheet) << where;
     EXPECT_DEATH((void)sheet_of(broken), where);
     EXPECT_DEATH((void)mesh_of(broken), where);
   };

@@ -1,6 +1,7 @@
 #include "sample_sheets.hpp"
 #include "sample_strips.hpp"
 
+#include <planish/slit/codes.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
 #include <algorithm>
@@ -115,14 +116,14 @@ TEST(TwoPanels, OutOfReachAreRefused) {
   far.second_panel->leg_curve = {{{-800, 0}, {-800, 180}}};
   const auto refused = SlitSession::start(far);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::out_of_reach);  // 1100 mm apart, strips of 1000
+  EXPECT_EQ(refused.error().code, code::out_of_reach);  // 1100 mm apart, strips of 1000
   EXPECT_EQ(refused.error().where, "/second_panel");
   EXPECT_NE(refused.error().message.find("100 mm out of reach"), std::string::npos);
 
   SlitDesign both = arcade();
   both.ends.resize(1);
   both.ends[0].position = Vec3(0, 200, 0);
-  EXPECT_EQ(SlitSession::start(both).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(SlitSession::start(both).error().code, code::bad_option);
   SlitDesign symmetric = arcade();
   symmetric.sheet.symmetric = true;
   EXPECT_EQ(SlitSession::start(symmetric).error().where, "/second_panel");
@@ -188,7 +189,7 @@ TEST(LeaningPanel, StaysOnItsSideOfTheSymmetryPlane) {
   design.lean = Angle::degrees(90);  // 420 high, 360 from the plane
   const auto refused = SlitSession::start(design);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(refused.error().code, code::invalid_input);
   design.lean = Angle::degrees(91);
   EXPECT_EQ(SlitSession::start(design).error().where, "/leg_curve/lean");
 }

@@ -170,7 +170,7 @@ TEST(TransitionMesh, NeedsAChordAboveZero) {
   const auto refused = make_transition(
       between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80}), {.mesh_chord = 0.0});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(refused.error().code, code::bad_option);
 }
 
 TEST(TransitionPressing, ByCountPutsThatManyLinesOnEachPatch) {

@@ -125,7 +125,7 @@ TEST(PiecesOf, AnEdgeThatTheThicknessUsesUpIsRefused) {
   // Set in by 4 mm, an edge of 8 mm between right angles has no length left.
   const auto refused = elements_of(rectangle(60, 8), -4.0, "/p");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(refused.error().code, code::radius_too_small);
   EXPECT_EQ(refused.error().where, "/p/polygon");
   EXPECT_TRUE(elements_of(rectangle(60, 8), -3.999, "/p"));
 }

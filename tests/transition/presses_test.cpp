@@ -41,7 +41,7 @@ TEST(CheckPresses, RefusesMoreLinesThanAnybodyPresses) {
   EXPECT_TRUE(check_presses(ring, {whole(ring)}, PressCount{2000}));
   const auto refused = check_presses(ring, {whole(ring)}, PressCount{2001});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(refused.error().code, code::invalid_input);
   EXPECT_EQ(refused.error().where, "/press_lines");
   EXPECT_TRUE(check_presses(pyramid(), {whole(pyramid())}, PressCount{2001})) << "planes only";
 }

@@ -2,6 +2,8 @@
 
 #include "sample_transitions.hpp"
 
+#include <planish/transition/codes.hpp>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +30,7 @@ TEST(CheckSizes, WantsPositiveFiniteNumbers) {
   for (const double wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     const auto refused = check_sizes({1.0, wrong}, "/p");
     ASSERT_FALSE(refused) << wrong;
-    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+    EXPECT_EQ(refused.error().code, code::invalid_input);
     EXPECT_EQ(refused.error().where, "/p");
   }
 }
@@ -36,7 +38,7 @@ TEST(CheckSizes, WantsPositiveFiniteNumbers) {
 TEST(CheckRadius, LeavesSomethingOfTheRadius) {
   EXPECT_TRUE(check_radius(3.0, -2.9999, "/p"));
   EXPECT_TRUE(check_radius(3.0, 10.0, "/p"));
-  EXPECT_EQ(check_radius(3.0, -3.0, "/p").error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(check_radius(3.0, -3.0, "/p").error().code, code::radius_too_small);
 }
 
 TEST(CheckConvex, TakesCornersAtWhichAPolygonGoesStraightOn) {
@@ -50,7 +52,7 @@ TEST(CheckConvex, NamesTheCornerByItsGivenNumberAndTheAngle) {
   const auto refused = check_convex(
       notched, [](int i) { return i + 40; }, "/p");
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::profile_not_convex);
+  EXPECT_EQ(refused.error().code, code::profile_not_convex);
   EXPECT_EQ(refused.error().where, "/p/42");
   EXPECT_NE(refused.error().message.find(fmt::format("{:.4g}°", angle)), std::string::npos)
       << refused.error().message;
@@ -60,14 +62,13 @@ TEST(CheckConvex, WantsASplineThatTurnsToTheLeftEverywhere) {
   auto points = regular_polygon(8, 50).corners;
   EXPECT_TRUE(check_convex(PeriodicSpline(points), 0.0, "/p"));
   points[3] *= 0.7;
-  EXPECT_EQ(check_convex(PeriodicSpline(points), 0.0, "/p").error().code,
-            ErrorCode::profile_not_convex);
+  EXPECT_EQ(check_convex(PeriodicSpline(points), 0.0, "/p").error().code, code::profile_not_convex);
 }
 
 TEST(CheckConvex, WantsASplineThatIsNowhereTighterThanTheThicknessAllows) {
   const PeriodicSpline spline(regular_polygon(16, 50).corners);
   EXPECT_TRUE(check_convex(spline, -49.0, "/p"));
-  EXPECT_EQ(check_convex(spline, -51.0, "/p").error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(check_convex(spline, -51.0, "/p").error().code, code::radius_too_small);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(RingOf, RefusesAThicknessThatTheRadiusDoesNotHold) {
   spec.thickness = 5.0;
   const auto refused = ring_of(spec, {});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(refused.error().code, code::radius_too_small);
   spec.thickness = 4.79;
   EXPECT_TRUE(ring_of(spec, {}));
 }

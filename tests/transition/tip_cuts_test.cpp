@@ -70,7 +70,7 @@ TEST(TipCuts, RefuseASheetOfWhichTheyLeaveNothing) {
   EXPECT_TRUE(room(2.0));
   const auto refused = room(60.0);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(refused.error().code, code::radius_too_small);
   EXPECT_EQ(refused.error().where, "/thickness");
 }
 

@@ -1,5 +1,7 @@
 #include "call.hpp"
 
+#include <planish/job/reason.hpp>
+
 namespace planish::python {
 
 namespace py = pybind11;
@@ -7,7 +9,8 @@ namespace py = pybind11;
 void raise(const Error& error) {
   const py::object made = py::module_::import("planish._errors")
                               .attr("error_of")(std::string(code_name(error.code)), error.message,
-                                                error.where, exit_status(error.code));
+                                                error.where, exit_status(error.code),
+                                                job::reason_text(error));
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
   throw py::error_already_set();
 }

@@ -2,6 +2,7 @@
 #include "part.hpp"
 
 #include <planish/job/info.hpp>
+#include <planish/job/reason.hpp>
 #include <planish/job/schemas.hpp>
 
 #include <nlohmann/json.hpp>
@@ -124,7 +125,7 @@ py::object refusal_of(const Part& part) {
   const auto refusal = part.refusal();
   if (!refusal) return py::none();
   return py::make_tuple(std::string(code_name(refusal->code)), refusal->message, refusal->where,
-                        exit_status(refusal->code));
+                        exit_status(refusal->code), job::reason_text(*refusal));
 }
 
 }  // namespace

@@ -98,15 +98,15 @@ Result<std::vector<job::WrittenArtifact>> Part::write(const std::string& name,
   const std::lock_guard working(working_);
   const job::Artifact* artifact = job::built_in().artifact(*made_.maker, name);
   if (!artifact)
-    return fail(ErrorCode::bad_option,
+    return fail(code::bad_option,
                 fmt::format("{} cannot write \"{}\"; it writes {}", made_.maker->name, name,
                             fmt::join(artifacts(job::built_in()), ", ")),
                 "format");
   job::Request request = made_.request;
   const auto values = job::read_options(options, *made_.maker, job::OptionFiles::path_or_content,
                                         "");
-  if (!values) return tl::unexpected(values.error());
-  if (auto entered = values->enter(request); !entered) return tl::unexpected(entered.error());
+  if (!values) return pass_on(values);
+  if (auto entered = values->enter(request); !entered) return pass_on(entered);
   return job::write(*artifact, *made_.made, request, made_.made->report().body);
 }
 

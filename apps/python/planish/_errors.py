@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import json
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Mapping
 
 if TYPE_CHECKING:
     from ._parts import Part
@@ -13,15 +15,22 @@ class Error(Exception):
 
     code: one word for scripts, such as "not_a_sheet"; message: a sentence with numbers and the remedy;
     where: a file, a face, a bend, or a JSON pointer into the request; "" for the whole input.
+    places, numbers: what the message names, as data: docs/formats.md#places. remedy: an option and its
+    value, or what to change; None if there is none.
     """
 
     code: str
     message: str
     where: str
+    places: list[dict[str, Any]]
+    numbers: dict[str, dict[str, Any]]
+    remedy: dict[str, str] | None
 
-    def __init__(self, code: str, message: str, where: str = "") -> None:
+    def __init__(self, code: str, message: str, where: str = "", data: Mapping[str, Any] = MappingProxyType({})) -> None:
         super().__init__(code, message, where)
         self.code, self.message, self.where = code, message, where
+        self.places, self.numbers = data.get("places", []), data.get("numbers", {})
+        self.remedy = data.get("remedy")
 
     def __str__(self) -> str:
         return f"{self.message} [{self.code}]" + (f" ({self.where})" if self.where else "")
@@ -51,16 +60,17 @@ class Failed(Error, RuntimeError):
 _REFUSED, _WRONG_USE, _UNREADABLE = 4, 2, 3  # exit status of the program
 
 
-def error_of(code: str, message: str, where: str, exit_status: int) -> Error:
-    """The exception for an error, by the exit status that the program has for it."""
+def error_of(code: str, message: str, where: str, exit_status: int, reason: str = "{}") -> Error:
+    """The exception for an error, by the exit status that the program has for it. `reason`: all of it as JSON."""
+    data = json.loads(reason)
     option = "/options/"
     if where.startswith(option):  # an argument of a function
         message = message.replace(f"request: {where}", where.removeprefix(option))
         where = where.removeprefix(option)
     if code == "cancelled":
-        return Cancelled(code, message, where)
+        return Cancelled(code, message, where, data)
     if exit_status == _REFUSED:
-        return Refused(code, message, where)
+        return Refused(code, message, where, data)
     if exit_status in (_WRONG_USE, _UNREADABLE):
-        return InvalidInput(code, message, where)
-    return Failed(code, message, where)
+        return InvalidInput(code, message, where, data)
+    return Failed(code, message, where, data)

@@ -17,7 +17,7 @@ constexpr auto kOtherPages = "requests from other pages are not answered";
 Result<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return fail(ErrorCode::internal, "the system supplies no random numbers");
+    return fail(code::internal, "the system supplies no random numbers");
   std::string token;
   for (const unsigned char byte : bytes)
     token += fmt::format("{:02x}", byte);

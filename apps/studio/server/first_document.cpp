@@ -3,8 +3,9 @@
 #include "../work/attachments.hpp"
 #include "api.hpp"
 
+#include <planish/base/packed_error.hpp>
 #include <planish/job/artifact.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,20 +16,16 @@
 namespace planish::studio {
 namespace {
 
-ErrorCode code_named(const std::string& name) {
-  for (int i = 0; i < static_cast<int>(ErrorCode::internal); ++i)
-    if (code_name(static_cast<ErrorCode>(i)) == name) return static_cast<ErrorCode>(i);
-  return ErrorCode::internal;
-}
-
 Error error_of(const Answer& answer) {
   const nlohmann::json json = nlohmann::json::parse(answer.body, nullptr, false);
-  if (!json.is_object()) return {ErrorCode::internal, "the worker gave no answer", {}};
-  return {code_named(json.value("code", "")), json.value("message", ""), json.value("where", "")};
+  if (!json.is_object()) return {code::internal, "the worker gave no answer", {}};
+  const auto status = answer.status == 500 ? ExitStatus::internal : ExitStatus::unreadable;
+  return {received_code(json.value("code", ""), status), json.value("message", ""),
+          json.value("where", "")};
 }
 
 tl::unexpected<Error> too_large(const std::filesystem::path& file) {
-  return fail(ErrorCode::cannot_read,
+  return fail(code::cannot_read,
               fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20),
               file.string());
 }
@@ -56,7 +53,7 @@ Result<void> check_size(const std::filesystem::path& file) {
   std::error_code unknown;
   const auto type = std::filesystem::status(file, unknown).type();
   if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
-    return fail(ErrorCode::cannot_read, fmt::format("{} is a device, not a file", file.string()),
+    return fail(code::cannot_read, fmt::format("{} is a device, not a file", file.string()),
                 file.string());
   const bool regular = type == std::filesystem::file_type::regular;
   if (!regular || std::filesystem::file_size(file, unknown) <= kLargestBody) return {};
@@ -73,8 +70,8 @@ std::vector<job::NamedFile> files_named_in(const std::string& name, const std::s
 
 Result<void> open_first(DocumentStore& store, const std::filesystem::path& file) {
   if (auto bearable = check_size(file); !bearable) return bearable;
-  const auto bytes = job::read_text(file, "file");
-  if (!bytes) return tl::unexpected(bytes.error());
+  const auto bytes = schema::read_text(file, "file");
+  if (!bytes) return pass_on(bytes);
   if (bytes->size() > kLargestBody) return too_large(file);
   const Answer taken = store.take(shown_name(file), *bytes, Origin::command_line);
   if (taken.status != 200) return tl::unexpected(error_of(taken));
@@ -83,8 +80,8 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
   if (opened.status != 200) return tl::unexpected(error_of(opened));
   for (const auto& [name, pointer] : files_named_in(file.string(), *bytes)) {
     // A file elsewhere is reported as missing when it is needed.
-    const auto content = is_plain_name(name) ? job::read_text(file.parent_path() / name, "file")
-                                             : fail(ErrorCode::cannot_read, "");
+    const auto content = is_plain_name(name) ? schema::read_text(file.parent_path() / name, "file")
+                                             : fail(code::cannot_read, "");
     if (content) store.attach(id, name, *content);
   }
   return {};

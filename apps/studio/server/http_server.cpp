@@ -179,7 +179,7 @@ Result<int> HttpServer::bind(int port) {
                                                        : -1;
   if (taken > 0) return taken;
   return fail(
-      ErrorCode::bad_option,
+      code::bad_option,
       fmt::format("the port {} of {} is not available: another program uses it, or it is reserved",
                   port, kHost),
       "--port");

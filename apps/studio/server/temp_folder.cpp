@@ -60,7 +60,7 @@ Result<TempFolder> TempFolder::make() {
   for (;;) {
     std::string name = place / (std::string(kPrefix) + "XXXXXX");
     if (!mkdtemp(name.data()))
-      return fail(ErrorCode::cannot_write,
+      return fail(code::cannot_write,
                   fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)), name);
     const int lock = open((fs::path(name) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
                           kOwner);

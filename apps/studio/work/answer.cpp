@@ -1,13 +1,15 @@
 #include "answer.hpp"
 
+#include <planish/job/reason.hpp>
+
 #include <nlohmann/json.hpp>
 
 namespace planish::studio {
 namespace {
 
 int status_of(ErrorCode code) {
-  if (code == ErrorCode::cancelled) return 409;
-  return code == ErrorCode::internal ? 500 : 422;
+  if (code == code::cancelled) return 409;
+  return code == code::internal ? 500 : 422;
 }
 
 }  // namespace
@@ -20,8 +22,7 @@ Answer failure(int status, const std::string& code, const std::string& message,
 }
 
 Answer failure(const Error& error) {
-  return failure(status_of(error.code), std::string(code_name(error.code)), error.message,
-                 error.where);
+  return {status_of(error.code), kJsonType, job::reason_text(error)};
 }
 
 }  // namespace planish::studio

@@ -1,6 +1,6 @@
 #include "attachments.hpp"
 
-#include <planish/job/printable.hpp>
+#include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
 
@@ -20,14 +20,14 @@ bool is_plain_name(const std::string& name) {
   constexpr std::size_t kLongest = 240;
   const auto unfit = [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '/' || c == '\\'; };
   return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
-         std::none_of(name.begin(), name.end(), unfit) && job::printable(name) == name;
+         std::none_of(name.begin(), name.end(), unfit) && schema::printable(name) == name;
 }
 
 Result<void> check_names(const job::Maker& maker, const std::string& spec,
                          const std::string& name) {
   for (const job::NamedFile& named : named_files(maker, spec))
     if (!is_plain_name(named.file))
-      return fail(ErrorCode::invalid_input,
+      return fail(code::invalid_input,
                   fmt::format("{}: {} must name a file that was added to the document, without "
                               "folders",
                               maker.input_kind(), named.pointer),
@@ -41,7 +41,7 @@ Result<void> check_attachments(const job::Maker& maker, const std::string& spec,
   for (const job::NamedFile& named : named_files(maker, spec)) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(attachments / named.file, ignored))
-      return fail(ErrorCode::cannot_read,
+      return fail(code::cannot_read,
                   fmt::format("the file {} was not added to the document", named.file),
                   name + named.pointer);
   }

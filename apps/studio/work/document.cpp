@@ -44,11 +44,10 @@ Result<Document> Document::open(const job::Catalogue& catalogue, const std::stri
                                 const std::string& content, std::filesystem::path attachments,
                                 const Progress& progress) {
   const auto maker = catalogue.maker_for(name, content);
-  if (!maker) return tl::unexpected(maker.error());
-  if (auto plain = check_names(**maker, content, name); !plain)
-    return tl::unexpected(plain.error());
+  if (!maker) return pass_on(maker);
+  if (auto plain = check_names(**maker, content, name); !plain) return pass_on(plain);
   auto work = (*maker)->open({name, content, std::nullopt}, progress);
-  if (!work) return tl::unexpected(work.error());
+  if (!work) return pass_on(work);
   return Document(catalogue, **maker, name, std::move(attachments), std::move(*work));
 }
 
@@ -63,7 +62,7 @@ job::Request Document::request_of(const Asked& asked, job::Effort effort) const 
 Result<void> Document::take_spec(const Asked& asked) {
   if (maker_->format.empty()) return {};
   if (asked.spec.empty())
-    return fail(ErrorCode::bad_option, "the request has no spec, which this kind of document needs",
+    return fail(code::bad_option, "the request has no spec, which this kind of document needs",
                 "/spec");
   if (auto there = check_attachments(*maker_, asked.spec, name_, attachments_); !there)
     return there;
@@ -74,7 +73,7 @@ Result<Document::MadePointer> Document::make(const Asked& asked, job::Effort eff
                                              const Progress& progress) {
   const bool whole = effort == job::Effort::full;
   if (whole && last_ && last_->first == asked.key) return last_->second;
-  if (auto taken = take_spec(asked); !taken) return tl::unexpected(taken.error());
+  if (auto taken = take_spec(asked); !taken) return pass_on(taken);
   auto made = work_->make(request_of(asked, effort), progress);
   if (!made) return tl::unexpected(job::at_pointer(made.error(), kOptions));
   MadePointer shared(std::move(*made));
@@ -84,9 +83,9 @@ Result<Document::MadePointer> Document::make(const Asked& asked, job::Effort eff
 
 Result<Shape> Document::shape(const Asked& asked, job::Effort effort, const Progress& progress) {
   const auto made = make(asked, effort, progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   const auto piece = shown_piece(**made, asked);
-  if (!piece) return tl::unexpected(piece.error());
+  if (!piece) return pass_on(piece);
   Shape shape;
   shape.report = (*made)->json();
   shape.handles = (*made)->handles();
@@ -102,17 +101,17 @@ Result<job::WrittenArtifact> Document::file(const Asked& asked, const std::strin
   const job::Artifact* artifact = catalogue_->artifact(*maker_, name);
   if (!artifact)
     return fail(
-        ErrorCode::bad_option,
+        code::bad_option,
         fmt::format("files of the format \"{}\" cannot be made of this kind of document", name),
         name);
   const auto made = make(asked, job::Effort::full, progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   if ((*made)->report().refusal && artifact->role != job::Role::report)
     return tl::unexpected(*(*made)->report().refusal);
   const auto piece = shown_piece(**made, asked);
-  if (!piece) return tl::unexpected(piece.error());
+  if (!piece) return pass_on(piece);
   auto bytes = artifact->write(**made, asked.request.piece, request_of(asked, job::Effort::full));
-  if (!bytes) return tl::unexpected(bytes.error());
+  if (!bytes) return pass_on(bytes);
   return job::WrittenArtifact{artifact, name_, std::move(*bytes)};
 }
 
@@ -120,20 +119,20 @@ Result<job::BendOrder*> Document::order_of(const Asked& asked, const Progress& p
   const std::string key = asked.key + "\n" + asked.brake;
   if (ordered_ && ordered_->key == key) return &ordered_->order;
   auto bending = job::read_bending(asked.brake, kBrake, asked.request.bending);
-  if (!bending) return tl::unexpected(bending.error());
+  if (!bending) return pass_on(bending);
   auto made = make(asked, job::Effort::full, progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return pass_on(made);
   const auto piece = shown_piece(**made, asked);
-  if (!piece) return tl::unexpected(piece.error());
+  if (!piece) return pass_on(piece);
   auto order = job::BendOrder::make(**piece, std::move(*bending));
-  if (!order) return tl::unexpected(order.error());
+  if (!order) return pass_on(order);
   ordered_.emplace(Ordered{key, std::move(*made), std::move(*order)});
   return &ordered_->order;
 }
 
 Result<std::string> Document::plan(const Asked& asked, const Progress& progress) {
   const auto order = order_of(asked, progress);
-  if (!order) return tl::unexpected(order.error());
+  if (!order) return pass_on(order);
   if (asked.order.empty()) return (*order)->plan(progress);
   return (*order)->check(asked.order, progress);
 }

@@ -28,15 +28,14 @@ Result<Json> parse_json(const std::string& text, const std::string& what) {
   try {
     Json json = Json::parse(text, watch);
     if (too_deep)
-      return fail(ErrorCode::invalid_input,
+      return fail(code::invalid_input,
                   fmt::format("the {} is nested more than {} deep", what, kDeepest));
     return json;
   } catch (const Json::parse_error& error) {
-    return fail(ErrorCode::invalid_input,
-                fmt::format("the {} is not JSON: mistake at line:column {}", what,
-                            place_of(text, error.byte)));
+    return fail(code::invalid_input, fmt::format("the {} is not JSON: mistake at line:column {}",
+                                                 what, place_of(text, error.byte)));
   } catch (const Json::exception&) {
-    return fail(ErrorCode::invalid_input,
+    return fail(code::invalid_input,
                 fmt::format("the {} is not JSON: a number is too large", what));
   }
 }

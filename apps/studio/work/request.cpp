@@ -8,13 +8,13 @@ namespace planish::studio {
 namespace {
 
 tl::unexpected<Error> mistake(const std::string& message, const std::string& where) {
-  return fail(ErrorCode::invalid_input, message, where);
+  return fail(code::invalid_input, message, where);
 }
 
 Result<void> read_options(const Json& options, const job::Maker& maker, job::Request& request) {
   const auto values = job::read_options(json_text(options), maker, job::OptionFiles::content,
                                         kOptions);
-  if (!values) return tl::unexpected(values.error());
+  if (!values) return pass_on(values);
   if (auto entered = values->enter(request); !entered)
     return tl::unexpected(job::at_pointer(entered.error(), kOptions));
   return {};
@@ -46,7 +46,7 @@ Result<double> read_chord(const Json& value) {
 
 Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
   const auto json = parse_json(text, "request");
-  if (!json) return tl::unexpected(json.error());
+  if (!json) return pass_on(json);
   if (!json->is_object()) return mistake("the request must be an object", "");
   Asked asked;
   std::string options;
@@ -54,12 +54,11 @@ Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
     if (key == "spec") {
       if (!value.is_null()) asked.spec = json_text(value);
     } else if (key == "options") {
-      if (auto read = read_options(value, maker, asked.request); !read)
-        return tl::unexpected(read.error());
+      if (auto read = read_options(value, maker, asked.request); !read) return pass_on(read);
       options = json_text(of_geometry(value));
     } else if (key == "chord") {
       const auto chord = read_chord(value);
-      if (!chord) return tl::unexpected(chord.error());
+      if (!chord) return pass_on(chord);
       asked.chord = *chord;
     } else if (key == "brake") {
       if (!value.is_null()) asked.brake = json_text(value);

@@ -20,7 +20,7 @@ bool is_of_file(const Error& error) {
 /// 400 for a malformed request; `failure` if it is valid but this kind of document cannot do it,
 /// or a file of its options is invalid.
 Answer bad_request(const Error& error) {
-  if (error.code == ErrorCode::bad_option || is_of_file(error)) return failure(error);
+  if (error.code == code::bad_option || is_of_file(error)) return failure(error);
   return failure(400, "bad_request", error.message, error.where);
 }
 

@@ -11,8 +11,9 @@ namespace planish {
 
 /// A place that two parts of the sheet cover when it lies flat.
 struct DoubleCover {
-  std::string who;    ///< "bend B1 and flange 3"; all that meet there
-  double area = 0.0;  ///< mm²
+  std::vector<Place> parts;  ///< bends and flanges: all that meet there
+  std::string who;           ///< the same in words: "bend B1 and flange 3"
+  double area = 0.0;         ///< mm²
   Vec2 middle = Vec2::Zero();
   Vec2 along = Vec2::UnitX();  ///< its smallest rectangle: unit vector along its longer side
   Vec2 size = Vec2::Zero();    ///< and the sides, longer first, mm

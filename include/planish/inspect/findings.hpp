@@ -15,21 +15,26 @@ enum class Severity { info, warning, error };
 /// One place where a rule is broken.
 struct FindingPlace {
   Severity severity = Severity::warning;
-  std::string message;   ///< one sentence without its full stop, numbers with units
-  std::vector<Vec2> at;  ///< the points in the pattern: of two openings, one on each
+  std::string message;             ///< one sentence without its full stop, numbers with units
+  std::vector<Vec2> at;            ///< the points in the pattern: of two openings, one on each
+  std::vector<Place> places = {};  ///< what it is about: a bend, a flange
+  std::vector<NamedQuantity> numbers = {};
 };
 
 /// One observation about a flat pattern. Codes: "overlap", and one for each rule: "flange_height",
 /// "bend_relief", "flush_bend", "inside_radius", "hem", "k_factor", "opening_to_bend",
 /// "opening_in_bend", "opening_to_edge", "opening_to_opening", "smallest_opening"; `job` adds those
 /// of certificates (formats.md#checks). A rule gives one finding, with its worst place in the
-/// message and all of them in `places`.
+/// message and all of them in `places`. What the message names is in `about` and `numbers`.
 struct Finding {
   std::string code;
   Severity severity = Severity::warning;  ///< that of the worst place
   std::string message;   ///< one sentence without its full stop, numbers with units
   std::vector<Vec2> at;  ///< where in the pattern; may be several places
   std::vector<FindingPlace> places = {};  ///< of a rule, the worst first
+  std::vector<Place> about = {};          ///< what the message names: flanges, bends, faces, points
+  std::vector<NamedQuantity> numbers = {};
+  std::vector<Remedy> remedies = {};  ///< what would do away with it, the best first
 };
 
 /// How openings and the outer contour are cut. The limits of a rule depend on it.

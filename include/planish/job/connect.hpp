@@ -17,7 +17,7 @@ struct ConnectReport : Report {
   Connection connection;
   /// The folded solid, or why there is none: the kernel could not make it (a warning in the
   /// report), or the request was refused earlier.
-  Result<Body> solid = fail(ErrorCode::internal, "no folded solid has been made");
+  Result<Body> solid = fail(code::internal, "no folded solid has been made");
 };
 
 /// Joins the plates, lays the sheet flat and certifies it: the volume against the kernel's folded

@@ -15,7 +15,7 @@ namespace planish::job {
 struct TransitionPiece : Report {
   /// The folded solid, or why there is none: the kernel could not make it (a warning in the
   /// report), or the request was refused earlier.
-  Result<Body> solid = fail(ErrorCode::internal, "no folded solid has been made");
+  Result<Body> solid = fail(code::internal, "no folded solid has been made");
 };
 
 /// The result of a transition request. As a report it is that of the only piece, or covers all

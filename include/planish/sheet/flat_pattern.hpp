@@ -73,12 +73,14 @@ struct FlatPattern {
 /// Checks what everything that writes or measures a pattern relies on: sizes are numbers in range,
 /// contours and outlines have regular curves, each line of a bend has its angle. An empty pattern
 /// is one. Error: `invalid_sheet`, with the rule that is broken; `where` names the item ("opening
-/// 3").
+/// 3"), the place is its path in the value ("/openings/3"), or the bend.
 Result<void> check(const FlatPattern& pattern);
 /// Stops at an assertion that names the rule and the item: for functions that return no `Result`.
 void require_valid(const FlatPattern& pattern);
 
-/// A part as people know it: "flange 3", counted from 1, "bend B2".
+/// A part as a place: flanges are counted from 1, bends have the names of the pattern.
+Place part_place(const FlatPattern& pattern, const PartId& part);
+/// The same in words: "flange 3", "bend B2".
 std::string part_name(const FlatPattern& pattern, const PartId& part);
 
 /// Whether it is known in which order its bends are pressed.

@@ -191,7 +191,8 @@ Box2 parameter_box(const Face& face);
 /// flanges and surfaces of a bend's kind to bends, loops are closed to 0.1 mm, no border is in two
 /// joints, sharp joints and bends without faces refer to each other, press lines are rulings of
 /// their bend. Error: `invalid_sheet`, with the rule that is broken; `where` names the item ("face
-/// 3, loop 0, border 2"). O(borders).
+/// 3, loop 0, border 2"), the first place is its path in the value ("/faces/3/loops/0/borders/2").
+/// O(borders).
 Result<void> check(const Sheet& sheet);
 /// Stops at an assertion that names the rule and the row: for functions that return no `Result`.
 void require_valid(const Sheet& sheet);
