@@ -1,7 +1,9 @@
 #include "checks.hpp"
 
 #include "panel.hpp"
+#include "reach_checks.hpp"
 #include "refusals.hpp"
+#include "value_checks.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/slit/codes.hpp>
@@ -14,20 +16,15 @@
 #include <utility>
 
 // What a slit design must hold before anything is solved: numbers in their range, curves no tighter
-// than the material allows, anchors and ends within reach. Reach is measured from the panel's edge
-// where the strip begins: no strip bridges more than its length. Every refusal names the field as a
-// JSON pointer (formats.md#slits).
+// than the material allows, panels that stand, scans of a size to work with; what must be reached
+// is in reach_checks.cpp. Every refusal names the field as a JSON pointer (formats.md#slits).
 
 namespace planish::slit_detail {
 namespace {
 
 constexpr int kFewestRidges = 3, kMostRidges = 1000, kMostStrips = 10000;
 constexpr std::size_t kMostPoints = 2'000'000, kMostPoles = 64;
-constexpr double kLargest = 1e7;   // mm, of lengths and coordinates: 10 km
 constexpr double kHeaviest = 1e4;  // of weights: a larger one would swamp the others
-
-/// Where a value stands in the file: "/sheet/strips/2", "/width".
-Place field(const std::string& where, const char* key = "") { return place::pointer(where + key); }
 
 /// A value that is checked, as its refusal names it: that of a strip, or of the whole.
 struct Named {
@@ -55,15 +52,6 @@ Result<void> check_from_zero(const Quantity& quantity, double most, const Named&
                              const std::string& where) {
   if (quantity.value >= 0.0 && quantity.value <= most) return {};
   return named.refused(quantity, "a value from 0 to " + number_text(most), where);
-}
-
-/// Of points and poles.
-bool in_range(const auto& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargest; }
-
-Result<void> check_place(const auto& p, const std::string& what, const std::string& where) {
-  if (in_range(p)) return {};
-  return fail(refuse::bad_coordinate,
-              {{"what", what}, {"most", kLargest, unit::mm}, {"field", field(where)}});
 }
 
 Result<void> check_strip(const SlitSheet& sheet, int index) {
@@ -165,20 +153,6 @@ Result<void> check_side_of_plane(const std::vector<PanelFacet>& panel) {
   return {};
 }
 
-const PanelFacet& facet_of(const std::vector<PanelFacet>& panel, int strip) {
-  return *std::find_if(panel.begin(), panel.end(),
-                       [&](const PanelFacet& facet) { return facet.strip == strip; });
-}
-
-Result<void> check_strip_number(const SlitDesign& design, int strip, const std::string& where) {
-  const int count = static_cast<int>(design.sheet.strips.size());
-  if (strip >= 0 && strip < count) return {};
-  return fail(refuse::no_such_strip, {{"strip", place::strip(strip)},
-                                      {"count", count},
-                                      {"last", count - 1},
-                                      {"field", field(where)}});
-}
-
 Result<void> check_weights(const SlitWeights& weights) {
   for (const auto& [value, key] :
        {std::pair{weights.smooth, "smooth"}, std::pair{weights.spacing, "spacing"},
@@ -205,99 +179,6 @@ Result<void> check_seat_curve(const SlitDesign& design) {
                                                {"width", width, unit::mm},
                                                {"field", field("/seat_curve")}});
   return {};
-}
-
-/// How much too far from the panel's edge a place is for the middle of a strip's end, mm.
-struct Way {
-  double needed = 0.0, available = 0.0;
-};
-
-Facts out_of_reach(const Way& way, int strip, const std::string& where) {
-  return {{"strip", place::strip(strip)},
-          {"missing", way.needed - way.available, unit::mm},
-          {"needed", way.needed, unit::mm},
-          {"available", way.available, unit::mm},
-          {"field", field(where)}};
-}
-
-Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet>& panel,
-                          int anchor) {
-  const SlitAnchor& wish = design.anchors[anchor];
-  const std::string where = "/anchors/" + std::to_string(anchor);
-  if (auto sound = check_strip_number(design, wish.strip, where + "/strip"); !sound) return sound;
-  if (wish.ridge < 0 || wish.ridge > design.ridges)
-    return fail(refuse::no_such_ridge, {{"strip", place::strip(wish.strip)},
-                                        {"ridge", place::ridge(wish.ridge)},
-                                        {"count", design.ridges + 1},
-                                        {"last", design.ridges},
-                                        {"field", field(where, "/ridge")}});
-  if (auto sound = check_place(wish.at, "an anchor", where + "/at"); !sound) return sound;
-  const PanelFacet& facet = facet_of(panel, wish.strip);
-  const std::size_t side = wish.side == StripEdge::left ? 0 : 1;
-  const double start = design.sheet.start_of(wish.strip)[side];
-  const Vec3 from = facet.frame.point({start, facet.corners[side == 0 ? 1 : 2].y()});
-  const double available = wish.ridge == 0 ? 0.0 : design.sheet.end_of(wish.strip) - start;
-  const double needed = (wish.at - from).norm() +
-                        (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
-  if (needed <= available + tolerance::kComputed * design.sheet.reach()) return {};
-  Facts facts = out_of_reach({needed, available}, wish.strip, where + "/at");
-  facts.emplace_back("at", place::point(wish.at));
-  facts.emplace_back("ridge", place::ridge(wish.ridge));
-  return fail(design.sheet.symmetric ? refuse::anchor_beyond_symmetry : refuse::anchor_out_of_reach,
-              facts);
-}
-
-Way way_to(const SlitDesign& design, const PanelFacet& facet, int strip, const Vec3& end) {
-  const auto start = design.sheet.start_of(strip);
-  const double along = 0.5 * (start[0] + start[1]);
-  const Vec3 from = facet.frame.point({along, 0.5 * (facet.corners[0].y() + facet.corners[3].y())});
-  return {(end - from).norm(), design.sheet.end_of(strip) - along};
-}
-
-Result<void> check_second_panel(const SlitDesign& design, const Panels& panels) {
-  if (!design.second_panel) return {};
-  for (const PanelFacet& facet : panels.second) {
-    if (facet.strip < 0) continue;
-    const Vec3 end = facet.frame.point(0.5 * (facet.corners[1] + facet.corners[2]));
-    const Way way = way_to(design, facet_of(panels.first, facet.strip), facet.strip, end);
-    if (way.needed <= way.available) continue;
-    Facts facts = out_of_reach(way, facet.strip, "/second_panel");
-    facts.emplace_back("at", place::point(end));
-    return fail(refuse::panel_out_of_reach, facts);
-  }
-  return {};
-}
-
-Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& panel, int strip) {
-  const std::string where = "/ends/" + std::to_string(strip);
-  const StripEnd& end = design.ends[strip];
-  if (!end.position && !end.direction && !end.across) return {};
-  if (auto sound = check_strip_number(design, strip, where); !sound) return sound;
-  const auto refused = [&](const Refusal& refusal, const char* key) {
-    return fail(refusal, {{"strip", place::strip(strip)}, {"field", field(where, key)}});
-  };
-  if (design.sheet.symmetric) return refused(refuse::end_in_symmetry_plane, "");
-  if (design.second_panel) return refused(refuse::end_at_second_panel, "");
-  for (const auto& [direction, key] :
-       {std::pair{end.direction, "/direction"}, std::pair{end.across, "/across"}})
-    if (direction && !(direction->allFinite() && direction->norm() > 0.0))
-      return refused(refuse::no_direction, key);
-  if (end.direction && end.across) {
-    constexpr double kPerpendicular = tolerance::kWrittenDigits;  // cosine
-    const double cosine = end.direction->normalized().dot(end.across->normalized());
-    const Angle apart = Angle::radians(std::acos(std::clamp(cosine, -1.0, 1.0)));
-    if (std::abs(cosine) > kPerpendicular)
-      return fail(refuse::not_at_right_angles, {{"strip", place::strip(strip)},
-                                                {"angle", apart.degrees(), unit::degrees},
-                                                {"field", field(where, "/across")}});
-  }
-  if (!end.position) return {};
-  if (auto sound = check_place(*end.position, "an end", where + "/position"); !sound) return sound;
-  const Way way = way_to(design, facet_of(panel, strip), strip, *end.position);
-  if (way.needed <= way.available) return {};
-  Facts facts = out_of_reach(way, strip, where + "/position");
-  facts.emplace_back("at", place::point(*end.position));
-  return fail(refuse::end_out_of_reach, facts);
 }
 
 /// One scan of a design.
