@@ -253,7 +253,7 @@ void expect_rip_where_it_is_named(const TopoDS_Shape& shape) {
   for (const TopoDS_Shape& face : edges(std::stoi(named[1])))
     beside.insert(faces.FindIndex(face));
   EXPECT_EQ(beside, (std::set<int>{std::stoi(named[2]), std::stoi(named[3])})) << error.where;
-  ASSERT_EQ(error.places.size(), 3u);
+  ASSERT_GE(error.places.size(), 3u);  // then come the edges of further rips
   EXPECT_EQ(error.places[0].id, Place::Id(std::stoi(named[1])));
   EXPECT_EQ(error.places[1].id, Place::Id(std::stoi(named[2])));
   EXPECT_EQ(error.places[2].id, Place::Id(std::stoi(named[3])));
