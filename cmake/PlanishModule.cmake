@@ -87,7 +87,7 @@ function(planish_module name)
     planish_group_sources(${target} ${sources})
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src/${name}")
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LIBS})
-    _planish_hide_libs(${target} ${arg_PRIVATE_LIBS})
+    _planish_hide_libs(${target} ${arg_PUBLIC_LIBS} ${arg_PRIVATE_LIBS})
     # What its sources are compiled with, for tests/walls.
     file(GENERATE OUTPUT "${wall}.includes"
       CONTENT "$<JOIN:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,\n>\n")
@@ -107,7 +107,7 @@ function(planish_module name)
   set_property(GLOBAL APPEND PROPERTY PLANISH_MODULES ${name})
 
   if(PLANISH_TESTS)
-    _planish_module_headers(${name} ${headers})
+    _planish_module_headers(${name} "${arg_PUBLIC_LIBS}" ${headers})
     set(support "")
     if(sheet IN_LIST arg_USES OR name STREQUAL sheet)
       set(support planish_test_support)
@@ -120,7 +120,7 @@ function(planish_module name)
 endfunction()
 
 # Each public header must compile alone and must not need what the module keeps private.
-function(_planish_module_headers name)
+function(_planish_module_headers name public_libs)
   set(probes "")
   foreach(header IN LISTS ARGN)
     set(probe "${PROJECT_BINARY_DIR}/headers/${header}.cpp")
@@ -131,7 +131,7 @@ function(_planish_module_headers name)
   target_link_libraries(${name}_headers PRIVATE planish::${name})
   # Nobody runs them.
   target_compile_options(${name}_headers PRIVATE -O0 -g0)
-  _planish_hide_libs(${name}_headers)
+  _planish_hide_libs(${name}_headers ${public_libs})
 endfunction()
 
 # Tests see what the module's sources see, tests/ itself (`#include "support/..."`; what has sources

@@ -13,8 +13,8 @@
 namespace planish::cli {
 namespace {
 
-using job::ChildProcess;
-using job::Texts;
+using process::ChildProcess;
+using process::Texts;
 using std::chrono::steady_clock;
 
 constexpr auto kOutcome = "outcome";
@@ -85,7 +85,7 @@ class Apart {
 
  private:
   Result<Outcome> asked(std::chrono::milliseconds time) {
-    const auto answering = [this](const Texts&, const job::Parent& parent) {
+    const auto answering = [this](const Texts&, const process::Parent& parent) {
       return texts_of(command_.make(parent));
     };
     auto child = ChildProcess::copy(answering, running_.limits.memory);
@@ -96,17 +96,17 @@ class Apart {
     child_->kill();
     if (!answer) return tl::unexpected(error_of(answer.error()));
     if (auto outcome = outcome_in(*answer)) return std::move(*outcome);
-    return tl::unexpected(error_of({{}, job::kDamagedAnswer}));
+    return tl::unexpected(error_of({{}, process::kDamagedAnswer}));
   }
 
   Outcome written(Outcome outcome) {
-    if (interrupted()) return command_.failed(error_of({job::ChildEnd::Cause::cancelled}));
+    if (interrupted()) return command_.failed(error_of({process::ChildEnd::Cause::cancelled}));
     if (const auto unwritten = write_products(outcome)) return command_.failed(*unwritten);
     return outcome;
   }
 
-  Error error_of(const job::ChildEnd& end) const {
-    return job::error_of(end, name_of(running_.input), running_.limits);
+  Error error_of(const process::ChildEnd& end) const {
+    return process::error_of(end, name_of(running_.input), running_.limits);
   }
 
   Command& command_;
@@ -139,7 +139,7 @@ int run_apart(Command& command, const Running& running) {
   return said(outcome, running);
 }
 
-void add_limits(CLI::App& app, job::Limits& limits) {
+void add_limits(CLI::App& app, process::Limits& limits) {
   constexpr double kLeast = 0.001, kDay = 86400.0, kLeastMiB = 64.0, kMostMiB = 1U << 24U;
   constexpr double kMilli = 1000.0, kMebi = 1U << 20U;
   const auto set_time = [&limits](double seconds) {

@@ -2,7 +2,7 @@
 
 #include <planish/base/result.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -32,12 +32,12 @@ class Command {
   virtual ~Command() = default;
 
   /// In the process.
-  virtual Outcome make(const job::Parent& parent) = 0;
+  virtual Outcome make(const process::Parent& parent) = 0;
 
   /// In the program: what to say when the process was lost, or the files cannot be written.
   virtual Outcome failed(const Error& error) const = 0;
   /// In the program: hears notes of the process.
-  virtual void hear(const job::Texts&) {}
+  virtual void hear(const process::Texts&) {}
   /// In the program: after a crash, whether to try again without what crashed.
   virtual bool leaves_out(const Error&) { return false; }
 };
@@ -47,13 +47,13 @@ struct Running {
   std::string input;  ///< of the command line
   std::string json;   ///< file of the report, or "-"; empty: none
   bool quiet = false;
-  job::Limits limits;
+  process::Limits limits;
 };
 
 /// Runs it; returns the exit status. Ctrl-C ends both processes.
 int run_apart(Command& command, const Running& running);
 
 /// Defines --time-limit and --memory-limit.
-void add_limits(CLI::App& app, job::Limits& limits);
+void add_limits(CLI::App& app, process::Limits& limits);
 
 }  // namespace planish::cli

@@ -3,7 +3,7 @@
 #include "apart.hpp"
 #include "option_parts.hpp"
 
-#include <planish/job/rules_json.hpp>
+#include <planish/shop/rules_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,15 +37,7 @@ std::string description(const Option& option, const OptionUse& use) {
 
 void add_used(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
   const Option& option = job::option(use.name);
-  if (!option.on_command_line) return;
-  const std::string said = description(option, use);
-  if (option.kind == OptionKind::flag) {
-    app.add_flag_callback(
-           flag_of(use.name), [&] { values.set(option, true); }, said)
-        ->group(std::string(option.group));
-    return;
-  }
-  add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
+  if (option.on_command_line) add_grouped(app, option, description(option, use), values);
 }
 
 void add_options(CLI::App& app, const Maker& maker, job::OptionValues& values, bool of_input) {
@@ -132,7 +124,7 @@ void add_print_rules(CLI::App& app) {
   const auto print = [&app] {
     const CLI::Option* process = app.get_option("--process");
     const bool punch = process->count() > 0 && process->results().back() == "punch";
-    fmt::print("{}", job::rules_json(rules_for(punch ? Process::punch : Process::laser)));
+    fmt::print("{}", shop::rules_json(rules_for(punch ? Process::punch : Process::laser)));
     throw CLI::Success();
   };
   app.add_flag_callback("--print-rules", print,

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <planish/job/artifact.hpp>
-#include <planish/job/child_process.hpp>
 #include <planish/job/options.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -25,7 +25,7 @@ struct Arguments {
   std::vector<std::string> formats;  ///< of the files written into a folder, separated by commas
   std::map<job::Role, std::vector<std::string>> outputs;
   job::OptionValues options;
-  job::Limits limits;
+  process::Limits limits;
 };
 
 /// The words of `--format`, one by one.

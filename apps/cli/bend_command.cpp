@@ -6,7 +6,7 @@
 
 #include <planish/job/bend.hpp>
 #include <planish/job/bend_plan_pages.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 
@@ -70,12 +70,7 @@ void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values
                                ? std::string(option.description)
                                : fmt::format("{}; default {}", option.description,
                                              option.otherwise);
-  if (option.kind == job::OptionKind::flag)
-    app.add_flag_callback(
-           flag_of(option.name), [&values, &option] { values.set(option, true); }, said)
-        ->group(std::string(option.group));
-  else
-    add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
+  add_grouped(app, option, said, values);
 }
 
 /// Errors of the command line, before any work.
@@ -103,7 +98,7 @@ class Bend : public Command {
   Bend(const job::Catalogue& catalogue, const BendArguments& arguments)
       : catalogue_(catalogue), arguments_(arguments), maker_(catalogue.makers.data()) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     job::Request request;
     request.input = arguments_.input;
     const auto input = job::read_input_file(arguments_.input, "input file");
@@ -203,7 +198,7 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
       ->add_flag_callback(
           "--print-tools",
           [] {
-            fmt::print("{}", job::default_tools_json());
+            fmt::print("{}", shop::default_tools_json());
             throw CLI::Success();
           },
           "print the tools file that is used without --tools, and exit")

@@ -18,7 +18,7 @@ struct InfoArguments {
   std::string json;  ///< file, or "-"; empty: none
   bool sheets = false;
   job::OptionValues options;  ///< body, units
-  job::Limits limits;
+  process::Limits limits;
 };
 
 /// Defines the subcommand `info`; parsing fills `arguments`, which must outlive `app`.
@@ -30,7 +30,7 @@ struct PlatesArguments {
   std::string input, output;  ///< output empty: beside the input
   bool with_bends = false;
   job::OptionValues options;  ///< body
-  job::Limits limits;
+  process::Limits limits;
 };
 
 /// Defines the subcommand `plates`; parsing fills `arguments`, which must outlive `app`.
@@ -44,7 +44,7 @@ struct BendArguments {
   std::string json;                  ///< file, or "-"; empty: none
   bool quiet = false;
   job::OptionValues options;
-  job::Limits limits;
+  process::Limits limits;
 };
 
 /// Defines the subcommand `bend`; parsing fills `arguments`, which must outlive `app`.

@@ -33,7 +33,7 @@ class Info : public Command {
  public:
   explicit Info(const InfoArguments& arguments) : arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto report = job::info(request_of(arguments_), parent.progress);
     if (!report) return failed(report.error());
     const bool printed = arguments_.json != "-";
@@ -56,8 +56,7 @@ class Info : public Command {
 
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App* command = app.add_subcommand("info", "say what is in a STEP file");
-  add_text(*command, "input", arguments.input, "FILE", "STEP file, or - for standard input")
-      ->required();
+  add_step_input(*command, arguments.input);
   const job::Option &body = job::option("body"), &units = job::option("units");
   add_option(*command, body, "only this body: its number or name", type_name(body),
              arguments.options);

@@ -22,16 +22,6 @@ bool is_of_parts(const job::Option& option) {
   return option.on_command_line && !kOfOne.contains(option.name) && option.group != "Order";
 }
 
-void add_option_of_parts(CLI::App& app, const job::Option& option, job::OptionValues& values) {
-  const std::string said(option.description);
-  if (option.kind == job::OptionKind::flag)
-    app.add_flag_callback(
-           flag_of(option.name), [&values, &option] { values.set(option, true); }, said)
-        ->group(std::string(option.group));
-  else
-    add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
-}
-
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long long>(seconds);
   if (whole < 60) return fmt::format("{} s", whole);
@@ -58,7 +48,7 @@ void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& h
     if (is_of_parts(option) && std::ranges::any_of(catalogue.makers, [&](const job::Maker& maker) {
           return maker.takes(option.name);
         }))
-      add_option_of_parts(app, option, values);
+      add_grouped(app, option, std::string(option.description), values);
   app.add_flag("-q,--quiet", how.quiet, "no progress and no summary")->group("Output");
 }
 

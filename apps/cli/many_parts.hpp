@@ -12,7 +12,7 @@ namespace planish::cli {
 struct ManyParts {
   int workers = 0;  ///< 0: one a core
   bool quiet = false, progress_json = false;
-  job::Limits limits;
+  process::Limits limits;
 };
 
 /// Defines --jobs, the limits, --progress, --quiet, and the options that say how each part is made

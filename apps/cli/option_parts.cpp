@@ -23,6 +23,16 @@ std::string spelled(const std::string& message) {
   return text;
 }
 
+void add_grouped(CLI::App& app, const job::Option& option, const std::string& description,
+                 job::OptionValues& values) {
+  CLI::Option* added = option.kind == job::OptionKind::flag
+                           ? app.add_flag_callback(
+                                 flag_of(option.name),
+                                 [&values, &option] { values.set(option, true); }, description)
+                           : add_option(app, option, description, type_name(option), values);
+  added->group(std::string(option.group));
+}
+
 std::string type_name(const job::Option& option) {
   using job::OptionKind;
   switch (option.kind) {
@@ -80,6 +90,10 @@ std::string listed(const std::vector<std::string>& words) {
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& type, const std::string& description) {
   return app.add_option(name, target, description)->check(not_empty)->type_name(type);
+}
+
+void add_step_input(CLI::App& app, std::string& target) {
+  add_text(app, "input", target, "FILE", "STEP file, or - for standard input")->required();
 }
 
 CLI::Option* add_repeatable(CLI::App& app, const std::string& name,

@@ -22,6 +22,10 @@ std::string spelled(const std::string& message);
 CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::string& description,
                         const std::string& type, job::OptionValues& values);
 
+/// An option of any kind, flags too, in the group that its row names.
+void add_grouped(CLI::App& app, const job::Option& option, const std::string& description,
+                 job::OptionValues& values);
+
 /// What stands for an option's value in the help: "N", "mm|inch|m".
 std::string type_name(const job::Option& option);
 
@@ -34,6 +38,9 @@ std::string listed(const std::vector<std::string>& words);
 /// An option whose value may be any text but the empty one; `type` stands for it in the help.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& type, const std::string& description);
+
+/// The STEP file that a command reads.
+void add_step_input(CLI::App& app, std::string& target);
 
 /// An option that may be given several times, each time with one value, so that an input may
 /// follow it.

@@ -4,8 +4,8 @@
 #include "terminal.hpp"
 
 #include <planish/job/run.hpp>
-#include <planish/job/text_file.hpp>
 #include <planish/pack/pack.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ More in docs/pack.md.)";
 
 Result<std::optional<pack::GivenFile>> given(const std::string& file, const std::string& kind) {
   if (file.empty()) return std::nullopt;
-  auto text = job::read_text(file, kind);
+  auto text = schema::read_text(file, kind);
   if (!text) return pass_on(text);
   return pack::GivenFile{std::filesystem::path(file).filename().string(), std::move(*text)};
 }

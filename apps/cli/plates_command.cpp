@@ -39,7 +39,7 @@ class Plates : public Command {
  public:
   explicit Plates(const PlatesArguments& arguments) : arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     job::Request request;
     request.input = arguments_.input;
     (void)arguments_.options.enter(request);  // each was checked
@@ -66,8 +66,7 @@ class Plates : public Command {
 
 CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments) {
   CLI::App* command = app.add_subcommand("plates", "the flanges of a part as plates to connect");
-  add_text(*command, "input", arguments.input, "FILE", "STEP file, or - for standard input")
-      ->required();
+  add_step_input(*command, arguments.input);
   add_text(*command, "-o,--output", arguments.output, "FILE",
            "plates file to write; - for standard output; default FILE_plates.json beside it");
   const job::Option& body = job::option("body");

@@ -6,7 +6,7 @@
 #include "usage.hpp"
 
 #include <planish/batch/batch.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/printable.hpp>
 #include <planish/serve/serve.hpp>
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ constexpr auto kExamples = R"(Examples:
 `planish COMMAND --help` says more, docs/cli.md all.)";
 
 int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
-  fmt::print(stderr, "planish: {}\n", job::printable(usage_sentence(error, app)));
+  fmt::print(stderr, "planish: {}\n", schema::printable(usage_sentence(error, app)));
   return kWrongUsage;
 }
 

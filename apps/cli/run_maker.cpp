@@ -90,13 +90,27 @@ Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
   return files;
 }
 
-/// One part, and its files.
-class OnePart : public Command {
+/// What makes sheets of an input, whether of one part or of all.
+class MakerCommand : public Command {
  public:
-  OnePart(const job::Catalogue& catalogue, const Arguments& arguments)
+  MakerCommand(const job::Catalogue& catalogue, const Arguments& arguments)
       : catalogue_(catalogue), arguments_(arguments) {}
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome failed(const Error& error) const override {
+    return failed_outcome(arguments_, begun(arguments_), error);
+  }
+
+ protected:
+  const job::Catalogue& catalogue_;
+  const Arguments& arguments_;
+};
+
+/// One part, and its files.
+class OnePart : public MakerCommand {
+ public:
+  using MakerCommand::MakerCommand;
+
+  Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
@@ -106,10 +120,6 @@ class OnePart : public Command {
     if (!made) return failed_outcome(arguments_, plan->request, made.error());
     made_ = std::move(*made);
     return outcome_of(*made_, *plan);
-  }
-
-  Outcome failed(const Error& error) const override {
-    return failed_outcome(arguments_, begun(arguments_), error);
   }
 
  private:
@@ -129,20 +139,17 @@ class OnePart : public Command {
     return outcome;
   }
 
-  const job::Catalogue& catalogue_;
-  const Arguments& arguments_;
   // Kept: the process ends with its answer, and freeing them would only delay that.
   std::unique_ptr<job::Work> work_;
   std::unique_ptr<Made> made_;
 };
 
 /// Every body of a file. One that crashes the process is left out of the next.
-class AllParts : public Command {
+class AllParts : public MakerCommand {
  public:
-  AllParts(const job::Catalogue& catalogue, const Arguments& arguments)
-      : catalogue_(catalogue), arguments_(arguments) {}
+  using MakerCommand::MakerCommand;
 
-  Outcome make(const job::Parent& parent) override {
+  Outcome make(const process::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     const auto begins = [&](int body) { parent.note({std::to_string(body)}); };
@@ -157,11 +164,7 @@ class AllParts : public Command {
     return outcome;
   }
 
-  Outcome failed(const Error& error) const override {
-    return failed_outcome(arguments_, begun(arguments_), error);
-  }
-
-  void hear(const job::Texts& note) override {
+  void hear(const process::Texts& note) override {
     body_ = note.empty() ? std::nullopt : std::optional(std::atoi(note.front().c_str()));
   }
 
@@ -207,8 +210,6 @@ class AllParts : public Command {
     return none;
   }
 
-  const job::Catalogue& catalogue_;
-  const Arguments& arguments_;
   std::map<int, Error> given_up_;
   std::optional<int> body_;  ///< that is being tried, from 0
 };

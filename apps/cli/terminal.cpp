@@ -2,15 +2,20 @@
 
 #include "option_parts.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/options.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
 
 namespace planish::cli {
 namespace {
@@ -35,7 +40,7 @@ std::string sentence(const Error& error) {
   std::string text = "planish: ";
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == code::internal) text += "internal error, please report it: ";
-  text += spelled(error.message);
+  text += continued(spelled(error.message));
   if (text.back() == '.') text.pop_back();  // the sentence continues
   if (error.code == code::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
@@ -45,10 +50,57 @@ std::string sentence(const Error& error) {
   return text;
 }
 
+/// A word as a shell reads it back.
+std::string quoted(const std::string& word) {
+  constexpr auto
+      kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word)
+    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The words that this program was called with, as the system keeps them.
+std::vector<std::string> own_command() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');)
+    words.push_back(word);
+  if (!words.empty()) words.front() = "planish";
+  return words;
+}
+
+/// The command once more, with the option that helps in place of its value so far.
+std::string command_with(const Remedy& remedy) {
+  const job::Option* option = job::option_at(remedy.option);
+  const std::string flag = flag_of(remedy.option);
+  const bool is_flag = option && option->kind == job::OptionKind::flag;
+  std::vector<std::string> words = own_command();
+  for (std::size_t i = 0; i < words.size();) {
+    const bool both = words[i] == flag && !is_flag && i + 1 < words.size();
+    if (words[i] != flag && !words[i].starts_with(flag + "=")) {
+      ++i;
+      continue;
+    }
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                words.begin() + static_cast<std::ptrdiff_t>(i + (both ? 2 : 1)));
+  }
+  words.push_back(flag);
+  if (!is_flag) words.push_back(remedy.value);
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : " ") + quoted(word);
+  return text;
+}
+
 }  // namespace
 
 int complain(const Error& error) {
-  fmt::print(stderr, "{}\n", job::printable(sentence(error)));
+  fmt::print(stderr, "{}\n", schema::printable(sentence(error)));
+  for (const Remedy& remedy : error.remedies)
+    if (!remedy.option.empty())
+      fmt::print(stderr, "try: {}\n", schema::printable(command_with(remedy)));
   return exit_status(error.code);
 }
 
@@ -80,7 +132,7 @@ Progress ProgressLine::progress() {
 
 void ProgressLine::show(std::string_view stage, double share) {
   if (std::chrono::steady_clock::now() - start_ < kPatience) return;
-  fmt::print(stderr, "{}{:3.0f} %  {}", kClearLine, 100.0 * share, job::printable(stage));
+  fmt::print(stderr, "{}{:3.0f} %  {}", kClearLine, 100.0 * share, schema::printable(stage));
   std::fflush(stderr);
   shown_ = true;
 }

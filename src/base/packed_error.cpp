@@ -15,6 +15,7 @@ namespace planish {
 namespace {
 
 constexpr std::string_view kMark = "error";
+constexpr long long kMostWhole = 2147483647;
 
 /// The string of a set that never loses one.
 std::string_view kept(std::string_view text) {
@@ -41,6 +42,9 @@ class Packing {
     whole(std::ssize(place.at));
     for (const double x : place.at)
       number(x);
+    whole(std::ssize(place.faces));
+    for (const int face : place.faces)
+      whole(face);
   }
 
   std::vector<std::string> take() { return std::move(texts_); }
@@ -66,7 +70,7 @@ class Unpacking {
     fine_ = fine_ && !word.empty() && *end == '\0' && value >= least && value <= most;
     return fine_ ? value : least;
   }
-  std::size_t count() { return static_cast<std::size_t>(whole(0, std::ssize(texts_))); }
+  long long count() { return whole(0, std::ssize(texts_)); }
   double number() {
     const std::string word = text();
     char* end = nullptr;
@@ -75,10 +79,9 @@ class Unpacking {
     return value;
   }
   Place::Id id() {
-    constexpr long long kMost = 2147483647;
     switch (whole(0, 2)) {
       case 1:
-        return static_cast<int>(whole(-kMost, kMost));
+        return static_cast<int>(whole(-kMostWhole, kMostWhole));
       case 2:
         return text();
       default:
@@ -89,8 +92,10 @@ class Unpacking {
     Place place;
     place.kind = static_cast<PlaceKind>(whole(0, static_cast<int>(PlaceKind::line)));
     place.id = id();
-    for (std::size_t left = count(); left > 0 && fine_; --left)
+    for (long long left = count(); left > 0 && fine_; --left)
       place.at.push_back(number());
+    for (long long left = count(); left > 0 && fine_; --left)
+      place.faces.push_back(static_cast<int>(whole(0, kMostWhole)));
     return place;
   }
 
@@ -140,14 +145,14 @@ std::optional<Error> unpacked(std::span<const std::string> texts) {
   error.code = received_code(name, static_cast<ExitStatus>(in.whole(0, 4)));
   error.message = in.text();
   error.where = in.text();
-  for (std::size_t left = in.count(); left > 0 && in.fine(); --left)
+  for (long long left = in.count(); left > 0 && in.fine(); --left)
     error.places.push_back(in.place());
-  for (std::size_t left = in.count(); left > 0 && in.fine(); --left) {
+  for (long long left = in.count(); left > 0 && in.fine(); --left) {
     NamedQuantity number{in.text(), {in.number()}};
     number.quantity.unit = kept(in.text());
     error.numbers.push_back(std::move(number));
   }
-  for (std::size_t left = in.count(); left > 0 && in.fine(); --left) {
+  for (long long left = in.count(); left > 0 && in.fine(); --left) {
     Remedy remedy{in.text(), in.text(), in.text()};
     error.remedies.push_back(std::move(remedy));
   }

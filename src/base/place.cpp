@@ -29,7 +29,7 @@ std::string coordinates_text(const std::vector<double>& at) {
 
 }  // namespace
 
-std::string_view kind_name(PlaceKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
+std::string_view kind_name(PlaceKind kind) { return *(kKinds.begin() + static_cast<int>(kind)); }
 
 std::string id_text(const Place& place) {
   if (const int* number = std::get_if<int>(&place.id))
@@ -42,7 +42,10 @@ std::string id_text(const Place& place) {
 std::string text_of(const Place& place) {
   if (place.kind == PlaceKind::pointer || std::holds_alternative<std::monostate>(place.id))
     return id_text(place);
-  return fmt::format("{} {}", kind_name(place.kind), id_text(place));
+  std::string text = fmt::format("{} {}", kind_name(place.kind), id_text(place));
+  if (place.faces.size() == 2)
+    text += fmt::format(" between face {} and face {}", place.faces[0], place.faces[1]);
+  return text;
 }
 
 }  // namespace planish

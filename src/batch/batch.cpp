@@ -4,7 +4,7 @@
 
 #include <planish/batch/codes.hpp>
 #include <planish/job/options.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -47,7 +47,7 @@ std::string settings_of(const BatchOptions& options) {
     if (option.kind != job::OptionKind::file || value == given.end() || !value->is_string())
       continue;
     // What is no file is a word, such as a material of the shop.
-    if (const auto file = job::read_text(value->get<std::string>(), "file"))
+    if (const auto file = schema::read_text(value->get<std::string>(), "file"))
       settings += hash_of(*file) + '\n';
   }
   return settings;
@@ -81,7 +81,7 @@ bool falls_to(const Shard& shard, const Input& input) {
 }
 
 /// Whether another try may go better, and with which limits.
-std::string tried_with(const std::vector<PartDone>& parts, const job::Limits& limits) {
+std::string tried_with(const std::vector<PartDone>& parts, const process::Limits& limits) {
   const auto ended_by = [&](ErrorCode code) {
     return std::ranges::any_of(
         parts, [&](const PartDone& part) { return part.refusal == code_name(code); });

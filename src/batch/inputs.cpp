@@ -1,6 +1,6 @@
 #include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -73,7 +73,7 @@ class Collecting {
     if (std::ranges::find(lists_, whole) != lists_.end())
       return Error{code::cannot_read, fmt::format("the list {} names itself", list.string()),
                    list.string()};
-    const auto text = job::read_text(list, "list");
+    const auto text = schema::read_text(list, "list");
     if (!text) return text.error();
     lists_.push_back(whole);
     std::istringstream lines(*text);

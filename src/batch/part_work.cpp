@@ -1,9 +1,9 @@
 #include "part_work.hpp"
 
 #include <planish/batch/parts.hpp>
+#include <planish/drawing/part_view.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/job/outputs.hpp>
-#include <planish/job/part_view.hpp>
 #include <planish/job/run.hpp>
 #include <planish/job/unfold.hpp>
 
@@ -38,8 +38,9 @@ void add_views(PartDone& part, const job::Made& made) {
   for (int piece = 0; piece < made.pieces(); ++piece) {
     const job::Report& report = made.piece(piece);
     if (report.sheet.faces.empty()) continue;
-    part.files.push_back({view_name(static_cast<std::size_t>(piece)),
-                          job::view_json(job::isometric_view(report.sheet, report.layout))});
+    part.files.push_back(
+        {view_name(static_cast<std::size_t>(piece)),
+         drawing::view_json(drawing::isometric_view(report.sheet, report.layout))});
   }
 }
 

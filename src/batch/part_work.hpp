@@ -2,7 +2,7 @@
 
 #include <planish/base/result.hpp>
 #include <planish/job/artifact.hpp>
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <map>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "state.hpp"
 
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -106,7 +106,7 @@ bool is_batch(const fs::path& out) {
 
 Result<RunRecord> read_record(const fs::path& out) {
   const fs::path file = out / kState / kRecord;
-  const auto text = job::read_text(file, "record of a batch");
+  const auto text = schema::read_text(file, "record of a batch");
   if (!text) return pass_on(text);
   const Json json = Json::parse(*text, nullptr, false);
   try {

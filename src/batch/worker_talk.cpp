@@ -16,41 +16,41 @@ constexpr auto kBody = "body", kPart = "part";
 /// A number of texts that follow, and these.
 class Reading {
  public:
-  explicit Reading(const job::Texts& texts) : at_(texts.begin()), end_(texts.end()) {}
+  explicit Reading(const process::Texts& texts) : at_(texts.begin()), end_(texts.end()) {}
 
   bool has(std::ptrdiff_t count) const { return end_ - at_ >= count; }
   bool at_end() const { return at_ == end_; }
   const std::string& next() { return *at_++; }
   /// How many follow; more than there are if the text is no such number.
   std::ptrdiff_t count() { return std::strtol(next().c_str(), nullptr, 10); }
-  job::Texts next(std::ptrdiff_t count) {
+  process::Texts next(std::ptrdiff_t count) {
     const auto begin = at_;
     at_ += count;
     return {begin, at_};
   }
 
  private:
-  job::Texts::const_iterator at_, end_;
+  process::Texts::const_iterator at_, end_;
 };
 
 }  // namespace
 
-job::Texts texts_of(const FileTask& task) {
-  job::Texts texts{task.file,
-                   task.name,
-                   task.options,
-                   Json(task.formats).dump(),
-                   std::to_string(task.share.number),
-                   std::to_string(task.share.of)};
+process::Texts texts_of(const FileTask& task) {
+  process::Texts texts{task.file,
+                       task.name,
+                       task.options,
+                       Json(task.formats).dump(),
+                       std::to_string(task.share.number),
+                       std::to_string(task.share.of)};
   for (const auto& [body, error] : task.given_up) {
-    const job::Texts words = packed(error);
+    const process::Texts words = packed(error);
     texts.insert(texts.end(), {std::to_string(body), std::to_string(words.size())});
     texts.insert(texts.end(), words.begin(), words.end());
   }
   return texts;
 }
 
-std::optional<FileTask> task_in(const job::Texts& texts) {
+std::optional<FileTask> task_in(const process::Texts& texts) {
   constexpr std::ptrdiff_t kOwn = 6;
   Reading reading(texts);
   if (!reading.has(kOwn)) return std::nullopt;
@@ -74,20 +74,20 @@ std::optional<FileTask> task_in(const job::Texts& texts) {
   return task;
 }
 
-job::Texts texts_of(const PartDone& part) {
-  job::Texts texts{kPart,
-                   part.folder,
-                   part.report,
-                   part.refusal,
-                   std::to_string(part.body),
-                   std::to_string(part.shapes.size())};
+process::Texts texts_of(const PartDone& part) {
+  process::Texts texts{kPart,
+                       part.folder,
+                       part.report,
+                       part.refusal,
+                       std::to_string(part.body),
+                       std::to_string(part.shapes.size())};
   texts.insert(texts.end(), part.shapes.begin(), part.shapes.end());
   for (const PartFile& file : part.files)
     texts.insert(texts.end(), {file.name, file.bytes});
   return texts;
 }
 
-std::optional<PartDone> part_in(const job::Texts& texts) {
+std::optional<PartDone> part_in(const process::Texts& texts) {
   constexpr std::ptrdiff_t kOwn = 6;
   Reading reading(texts);
   if (!reading.has(kOwn) || reading.next() != kPart) return std::nullopt;
@@ -105,9 +105,9 @@ std::optional<PartDone> part_in(const job::Texts& texts) {
   return part;
 }
 
-job::Texts beginning(int body) { return {kBody, std::to_string(body)}; }
+process::Texts beginning(int body) { return {kBody, std::to_string(body)}; }
 
-std::optional<int> body_in(const job::Texts& texts) {
+std::optional<int> body_in(const process::Texts& texts) {
   if (texts.size() != 2 || texts[0] != kBody) return std::nullopt;
   return std::atoi(texts[1].c_str());
 }

@@ -14,12 +14,12 @@
 namespace planish::batch {
 namespace {
 
-using job::ChildEnd;
+using process::ChildEnd;
 
-const job::Texts kDone{"done"};
+const process::Texts kDone{"done"};
 
 /// What a report says of a part whose worker was lost.
-Error error_of_part(const ChildEnd& end, const std::string& input, const job::Limits& limits) {
+Error error_of_part(const ChildEnd& end, const std::string& input, const process::Limits& limits) {
   if (end.from_outside)
     return {
         code::worker_died,
@@ -27,7 +27,7 @@ Error error_of_part(const ChildEnd& end, const std::string& input, const job::Li
                     "the system, memory is short: use fewer --jobs, and run the batch again",
                     input, end.reason),
         input};
-  Error error = job::error_of(end, input, limits);
+  Error error = process::error_of(end, input, limits);
   if (end.cause == ChildEnd::Cause::crashed) error.code = code::worker_died;
   if (end.cause == ChildEnd::Cause::out_of_time) error.code = code::time_limit;
   return error;
@@ -38,8 +38,8 @@ Error error_of_part(const ChildEnd& end, const std::string& input, const job::Li
 std::optional<ChildEnd> Worker::ask(const FileTask& task, Heard& heard) {
   using Clock = std::chrono::steady_clock;
   Clock::time_point until = Clock::now() + limits_.time;
-  job::Parent parent;
-  parent.note = [&](const job::Texts& note) {
+  process::Parent parent;
+  parent.note = [&](const process::Texts& note) {
     until = Clock::now() + limits_.time;
     if (const auto body = body_in(note)) heard.body = body;
     if (auto part = part_in(note)) heard.parts.push_back(std::move(*part));
@@ -48,7 +48,7 @@ std::optional<ChildEnd> Worker::ask(const FileTask& task, Heard& heard) {
   parent.progress.cancelled = [&] { return cancelled_() || late(); };
   const auto answer = child_->ask(texts_of(task), std::chrono::hours(24 * 365), parent);
   if (answer && *answer == kDone) return std::nullopt;
-  if (answer) return ChildEnd{ChildEnd::Cause::crashed, job::kDamagedAnswer};
+  if (answer) return ChildEnd{ChildEnd::Cause::crashed, process::kDamagedAnswer};
   ChildEnd end = answer.error();
   if (end.cause == ChildEnd::Cause::cancelled && !cancelled_())
     end.cause = ChildEnd::Cause::out_of_time;
@@ -57,8 +57,8 @@ std::optional<ChildEnd> Worker::ask(const FileTask& task, Heard& heard) {
 
 Result<void> Worker::begin() {
   if (child_ && child_->is_alive()) return {};
-  auto child = job::ChildProcess::program({"batch-worker", std::to_string(limits_.memory)},
-                                          std::filesystem::current_path());
+  auto child = process::ChildProcess::program({"batch-worker", std::to_string(limits_.memory)},
+                                              std::filesystem::current_path());
   if (!child) return pass_on(child);
   child_ = std::move(*child);
   return {};
@@ -84,16 +84,16 @@ Result<std::vector<PartDone>> Worker::work_on(FileTask task) {
 
 int run_batch_worker(const std::string& parent, std::uint64_t memory,
                      const job::Catalogue& catalogue) {
-  const auto answering = [&](const job::Texts& question, const job::Parent& asking) {
+  const auto answering = [&](const process::Texts& question, const process::Parent& asking) {
     const auto task = task_in(question);
-    if (!task) return job::Texts{};
+    if (!task) return process::Texts{};
     work_on(*task, catalogue,
             {.begins = [&](int body) { asking.note(beginning(body)); },
              .done = [&](PartDone part) { asking.note(texts_of(part)); },
              .progress = asking.progress});
     return kDone;
   };
-  return job::answer_parent(parent, answering, {}, memory);
+  return process::answer_parent(parent, answering, {}, memory);
 }
 
 }  // namespace planish::batch

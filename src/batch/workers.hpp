@@ -10,7 +10,7 @@ namespace planish::batch {
 /// A process that does one task after another, and is replaced when it is lost or has grown.
 class Worker {
  public:
-  Worker(const job::Limits& limits, const job::Catalogue& catalogue,
+  Worker(const process::Limits& limits, const job::Catalogue& catalogue,
          std::function<bool()> cancelled)
       : limits_(limits), catalogue_(catalogue), cancelled_(std::move(cancelled)) {}
 
@@ -28,12 +28,12 @@ class Worker {
   Result<void> begin();
   /// How it ended if it did not end well. Each body, and the reading of the file, has the time that
   /// the limits allow.
-  std::optional<job::ChildEnd> ask(const FileTask& task, Heard& heard);
+  std::optional<process::ChildEnd> ask(const FileTask& task, Heard& heard);
 
-  job::Limits limits_;
+  process::Limits limits_;
   const job::Catalogue& catalogue_;
   std::function<bool()> cancelled_;
-  std::unique_ptr<job::ChildProcess> child_;
+  std::unique_ptr<process::ChildProcess> child_;
 };
 
 }  // namespace planish::batch

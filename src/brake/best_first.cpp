@@ -1,8 +1,14 @@
+// A* over stages, each with the set-up that led to it. Strokes of one estimate are tried together,
+// dearer ones wait. What must hold: the bound never exceeds what is to come, and grows by no more
+// than a stroke costs; then the first full stage is the cheapest, and of two ways to a stage one
+// can be dropped that is not cheaper even with the change to the other's set-up
+// (math.md#bend-order, bend.md#search).
 #include "stroke_work.hpp"
+
+#include <planish/base/search.hpp>
 
 #include <algorithm>
 #include <limits>
-#include <queue>
 
 namespace planish::brake_detail {
 namespace {
@@ -43,11 +49,11 @@ class BestFirst {
   End run() {
     begin();
     for (std::int64_t n = 1; !open_.empty(); ++n) {
-      const Waiting next = open_.top();
+      const Waiting next = open_.best();
       if (!work_.cheaper(next.estimate, work_.cheapest())) break;
       work_.prove(next.estimate);
       if (work_.stopped() != StrokeWork::Stop::none) return End::stopped;
-      open_.pop();
+      open_.take();
       const int stage = nodes_[next.node].stage;
       if (dominated(next.node) || book_.is_dead(*book_[stage].formed)) continue;
       expand(next);
@@ -75,7 +81,7 @@ class BestFirst {
     nodes_.push_back(node);
     if (static_cast<int>(at_stage_.size()) <= node.stage) at_stage_.resize(node.stage + 1);
     at_stage_[node.stage].push_back(number);
-    open_.push({estimate(node), kNothing, count(*book_[node.stage].formed), number});
+    open_.add({estimate(node), kNothing, count(*book_[node.stage].formed), number});
   }
 
   /// Whether another way to the stage costs no more, even with the change to this one's set-up.
@@ -112,7 +118,7 @@ class BestFirst {
       }
     }
     if (work_.cheaper(later, work_.cheapest()))
-      open_.push({later, tried_below(waiting.estimate, later), waiting.formed, waiting.node});
+      open_.add({later, tried_below(waiting.estimate, later), waiting.formed, waiting.node});
   }
 
   /// Estimates that differ by rounding alone have been tried together.
@@ -162,7 +168,7 @@ class BestFirst {
   std::vector<Node> nodes_;
   int dives_ = 0;
   std::vector<std::vector<int>> at_stage_;  ///< nodes, by stage
-  std::priority_queue<Waiting, std::vector<Waiting>, Dearer> open_;
+  Frontier<Waiting, Dearer> open_;
 };
 
 }  // namespace

@@ -1,4 +1,9 @@
+// Workpieces with a change that is tried: a flange shorter at its end, or by a strip taken out
+// beside a line, after which what hangs there comes nearer; or the two halves beside a line. What
+// must hold: everything else keeps its shape, and the strip lies where no other line is.
 #include "changed_work.hpp"
+
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +73,7 @@ double most_shorter(const Workpiece& work, int body, int line) {
   double far = farthest(work.bodies[body], near, away);
   for (const int number : other_lines(work, body, line)) {
     const BrakeLine& other = work.lines[number];
-    const double turned = near.along.x() * other.along.y() - near.along.y() * other.along.x();
+    const double turned = cross(near.along, other.along);
     if (std::abs(turned) > kAlike) return 0.0;
     far = std::min(far, away.dot(other.origin - near.origin) - half_zone(other));
   }

@@ -1,4 +1,8 @@
+// A hem as it lies when it is closed: the smaller side is the return, turned on by the rest of the
+// angle about the tangent line of the other, which stays (math.md#closing-hems).
 #include "closed_hem.hpp"
+
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 
@@ -25,14 +29,6 @@ bool is_left_smaller(const Workpiece& work, const PartTree& tree) {
   return left <= right;
 }
 
-/// Ranges of y and z.
-Box2 section_box(const PlacedPart& part) {
-  Box2 box;
-  for (const Vec2& p : part.hull)
-    box.add(p);
-  return box;
-}
-
 }  // namespace
 
 ClosedHem closed_hem(const Workpiece& work, const PartTree& tree, const BrakeLine& line,
@@ -57,7 +53,7 @@ ClosedHem closed_hem(const Workpiece& work, const PartTree& tree, const BrakeLin
     hem.parts.push_back(std::move(part));
   }
   const int part_of_return = tree.part_of_body(line.bodies[left_folds ? 1 : 0]);
-  const Box2 folded = section_box(hem.parts[static_cast<std::size_t>(part_of_return)]);
+  const Box2 folded = box_of(hem.parts[static_cast<std::size_t>(part_of_return)].hull);
   hem.middle = 0.5 * (folded.lo.x() + folded.hi.x());
   hem.top = folded.hi.y();
   return hem;

@@ -1,6 +1,10 @@
+// Convex polygons: cutting an outline into few of them (triangles joined across shared sides, long
+// ones first, while they stay convex), hulls by monotone chains, and distances by separating axes,
+// which for polygons are normals of their sides.
 #include "convex.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +13,6 @@
 
 namespace planish::brake_detail {
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool turns_left(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 ab = b - a, bc = c - b;
@@ -120,18 +122,11 @@ double apart_across(const Convex& a, const Convex& b) {
   return most;
 }
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp(along.dot(p - a) / square, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
 double corners_to_sides(const Convex& a, const Convex& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2& p : a)
     for (size_t i = 0; i < b.size(); ++i)
-      least = std::min(least, distance_to_segment(p, b[i], b[(i + 1) % b.size()]));
+      least = std::min(least, distance(p, Segment{b[i], b[(i + 1) % b.size()]}));
   return least;
 }
 

@@ -1,3 +1,6 @@
+// Where the material of the pattern belongs: convex pieces of each face are clipped at the zones
+// of the lines; what lies in a zone is bent there, what lies between belongs to the body. What
+// must hold: zones and bodies together are the pattern, each place once (math.md#stages).
 #include "cutting.hpp"
 
 #include <planish/sheet/topology.hpp>

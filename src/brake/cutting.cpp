@@ -1,7 +1,14 @@
+// Cuts a sheet at its lines. Faces of flanges, and the regions of bends between their lines, are
+// nodes; what joins them without a line unites them to bodies; bends on one line between the same
+// two bodies become one line. What must hold: bodies and lines are a tree, else some bend closes a
+// loop and cannot be pressed alone (math.md#stages).
 #include "cutting.hpp"
+
+#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/brake/codes.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <fmt/format.h>
 
@@ -37,7 +44,7 @@ void give_radius(BrakeLine& line, double radius) {
 
 /// Whether b is the continuation of a: the same straight line, bent alike between the same bodies.
 bool continues(const BrakeLine& a, const BrakeLine& b) {
-  const double turned = a.along.x() * b.along.y() - a.along.y() * b.along.x();
+  const double turned = cross(a.along, b.along);
   const int same = a.along.dot(b.along) > 0.0 ? 0 : 1;
   return a.bodies[0] == b.bodies[same] && a.bodies[1] == b.bodies[1 - same] && a.up == b.up &&
          std::abs(turned) < kOneLine && std::abs(a.across().dot(b.origin - a.origin)) < kOneLine &&
@@ -112,12 +119,7 @@ std::optional<Error> Cutting::add_lines(BendId id) {
   if (bend.faces.empty()) return std::nullopt;
   const std::string name = fmt::format("B{}", index_of(id) + 1);
   if (bend.kind == BendKind::general && bend.press_lines.empty())
-    return Error{
-        code::no_straight_bend,
-        fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
-                    "press brake has no line to strike",
-                    name),
-        name};
+    return error_of(refuse::no_line_to_strike, {{"bend", place::bend(name)}}, name);
   if (is_rolled(bend, sheet_.thickness)) made_.rolled.push_back(id);
   for (int i = 0; i < std::ssize(lines_at_[id]); ++i)
     add_press_line(id, i);
@@ -247,11 +249,7 @@ std::optional<Error> Cutting::check_tree() const {
   for (const BrakeLine& line : made_.lines) {
     if (line.closes || bodies.unite(line.bodies[0], line.bodies[1])) continue;
     const std::string name = fmt::format("B{}", index_of(line.bends.front()) + 1);
-    return Error{code::unsupported_shape,
-                 fmt::format("bend {} closes a loop of flanges: it could only be bent at the same "
-                             "time as a bend on another line",
-                             name),
-                 name};
+    return error_of(refuse::closes_loop, {{"bend", place::bend(name)}}, name);
   }
   return std::nullopt;
 }

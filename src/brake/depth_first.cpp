@@ -1,3 +1,7 @@
+// Looks for any plan: from a stage the most promising stroke first, until all lines are formed;
+// where no stroke leads on it turns back, and the stage is dead. What must hold: a dead stage
+// stays dead, since what can be formed from it does not depend on how it was reached
+// (math.md#stages, bend.md#search).
 #include "stroke_work.hpp"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Which tools bear a line, whatever the stage: by angle, tip radius, opening and force, of the
+// dies that do those of the opening nearest to the wanted one (math.md#tool-fit,
+// math.md#closing-hems).
 #include "fits.hpp"
 
 #include <planish/base/tolerance.hpp>

@@ -1,3 +1,5 @@
+// How far inside the part a line is: of the two sides that are left when it is cut, the lines on
+// the one that has fewer.
 #include "line_depth.hpp"
 
 #include <algorithm>

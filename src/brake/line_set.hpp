@@ -59,6 +59,21 @@ inline std::vector<int> members(const LineSet& set) {
   return lines;
 }
 
+/// The first line of a set that is not empty.
+inline int first_line(const LineSet& set) {
+  std::size_t word = 0;
+  while (set[word] == 0)
+    ++word;
+  return static_cast<int>(64 * word) + std::countr_zero(set[word]);
+}
+
+/// A set with one line.
+inline LineSet only(int lines, int line) {
+  LineSet set = no_lines(lines);
+  insert(set, line);
+  return set;
+}
+
 struct LineSetHash {
   std::size_t operator()(const LineSet& set) const {
     std::uint64_t hash = 0x9E3779B97F4A7C15u;  // the golden ratio, as splitmix64 has it

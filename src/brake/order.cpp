@@ -1,9 +1,16 @@
+// An order that is given. Its strokes are taken one after the other, each with all ways in which
+// it can be made, or the way that comes nearest; then the search for the cheapest plan chooses
+// among these ways. What must hold: stages after a stroke that cannot be made are what they would
+// be (math.md#bend-order).
+#include "check.hpp"
+#include "choices.hpp"
+#include "describe.hpp"
 #include "line_depth.hpp"
-#include "made_model.hpp"
+#include "prepared.hpp"
+#include "refusals.hpp"
+#include "scene.hpp"
 
 #include <planish/base/assert.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -24,16 +31,16 @@ struct OrderStep {
 /// Takes the strokes of an order one after the other.
 class OrderSteps {
  public:
-  explicit OrderSteps(StrokeModel& model)
-      : model_(model), formed_(no_lines(static_cast<int>(model.work().lines.size()))) {}
+  explicit OrderSteps(StageCache& cache)
+      : cache_(cache), work_(cache.inputs().work), formed_(no_lines(cache.inputs().lines())) {}
 
   const std::vector<OrderStep>& steps() const { return steps_; }
   const LineSet& formed() const { return formed_; }
   /// A hem that was closed before it was bent counts as closed once it is bent.
   LineSet standing(LineSet formed) const {
-    LineSet stage = no_lines(static_cast<int>(model_.work().lines.size()));
+    LineSet stage = no_lines(cache_.inputs().lines());
     for (const int line : members(formed)) {
-      const auto& closes = model_.work().lines[line].closes;
+      const auto& closes = work_.lines[line].closes;
       if (!closes || holds(formed, *closes)) insert(stage, line);
     }
     return stage;
@@ -52,18 +59,18 @@ class OrderSteps {
   /// Presses what is left, first what can be made, from the outside in.
   void press_rest(const Progress& progress) {
     std::vector<int> rest;
-    for (int line = 0; line < std::ssize(model_.work().lines); ++line)
+    for (int line = 0; line < std::ssize(work_.lines); ++line)
       if (!holds(formed_, line)) rest.push_back(line);
-    const std::vector<int> depth = line_depths(model_.work());
+    const std::vector<int> depth = line_depths(work_);
     std::ranges::stable_sort(rest, {}, [&](int line) { return depth[line]; });
     while (!rest.empty() && !progress.should_stop()) {
       auto next = std::ranges::find_if(rest, [&](int line) { return can_press(line); });
       if (next == rest.end())
         next = std::ranges::find_if(rest, [&](int line) {
-          const auto& closes = model_.work().lines[line].closes;
+          const auto& closes = work_.lines[line].closes;
           return !closes || holds(formed_, *closes);
         });
-      LineSet alone = no_lines(static_cast<int>(model_.work().lines.size()));
+      LineSet alone = no_lines(cache_.inputs().lines());
       insert(alone, *next);
       add(alone);
       rest.erase(next);
@@ -73,8 +80,8 @@ class OrderSteps {
  private:
   /// Of these lines as many as a stroke may press together; one if it may press none.
   LineSet offered(const LineSet& lines) {
-    LineSet best = no_lines(static_cast<int>(model_.work().lines.size()));
-    for (const StrokeChoice& choice : model_.choices(standing(formed_)))
+    LineSet best = no_lines(cache_.inputs().lines());
+    for (const StrokeChoice& choice : choices(cache_, standing(formed_)))
       if (within(choice.lines, lines) && count(choice.lines) > count(best)) best = choice.lines;
     if (count(best) == 0) insert(best, members(lines).front());
     return best;
@@ -82,15 +89,15 @@ class OrderSteps {
 
   std::vector<StrokeChoice> ways(const LineSet& lines) {
     const LineSet stage = standing(formed_);
-    std::vector<StrokeChoice> ways = model_.choices(stage);
+    std::vector<StrokeChoice> ways = choices(cache_, stage);
     std::erase_if(ways, [&](const StrokeChoice& choice) {
-      return choice.lines != lines || !model_.check(stage, choice).feasible;
+      return choice.lines != lines || !check(cache_, stage, choice).feasible;
     });
     return ways;
   }
 
   bool can_press(int line) {
-    LineSet alone = no_lines(static_cast<int>(model_.work().lines.size()));
+    LineSet alone = no_lines(cache_.inputs().lines());
     insert(alone, line);
     return !ways(alone).empty();
   }
@@ -99,8 +106,8 @@ class OrderSteps {
     OrderStep step{formed_, ways(lines)};
     if (step.ways.empty()) {
       const LineSet stage = standing(formed_);
-      auto nearest = model_.blocked_way(stage, lines);
-      const auto& closes = model_.work().lines[members(lines).front()].closes;
+      auto nearest = blocked_way(cache_, stage, lines);
+      const auto& closes = work_.lines[members(lines).front()].closes;
       if (closes && !holds(stage, *closes))
         nearest.bend = {nearest.bend.bend, {}, {}, 0.0, {}, "a hem is bent before it is closed"};
       step.ways = {nearest.choice};
@@ -110,32 +117,33 @@ class OrderSteps {
     formed_ = joined(std::move(formed_), lines);
   }
 
-  StrokeModel& model_;
+  StageCache& cache_;
+  const Workpiece& work_;
   LineSet formed_;
   std::vector<OrderStep> steps_;
 };
 
-std::string names_of(const std::vector<BendId>& bends) {
-  std::string names;
-  for (const BendId bend : bends)
-    names += (names.empty() ? "" : ", ") + name_of(bend);
-  return names;
+/// A stroke of an order, by its number from 1, and its bends.
+Error refused(const Refusal& refusal, int number, const OrderedStroke& stroke) {
+  Facts facts{{"stroke", place::stroke(number)}};
+  for (const BendId bend : stroke.bends)
+    facts.emplace_back("bend", place::bend(name_of(bend)));
+  return error_of(refusal, facts, "order");
 }
 
 /// Presses what an order says. The error says which of its strokes makes no sense.
 std::optional<Error> take(OrderSteps& steps, const Workpiece& work,
                           const std::vector<OrderedStroke>& order, const Progress& progress) {
   LineSet taken = no_lines(static_cast<int>(work.lines.size()));
+  int number = 0;
   for (const OrderedStroke& stroke : order) {
     if (progress.should_stop()) return std::nullopt;
     const LineSet lines = lines_of(work, stroke);
+    ++number;
     if (count(lines) == 0)
-      return Error{code::bad_option,
-                   fmt::format("no stroke presses \"{}\" in this way", names_of(stroke.bends)),
-                   "order"};
-    if (!disjoint(taken, lines))
-      return Error{code::bad_option,
-                   fmt::format("the order presses {} twice", names_of(stroke.bends)), "order"};
+      return refused(stroke.bends.empty() ? refuse::stroke_of_no_bend : refuse::no_such_stroke,
+                     number, stroke);
+    if (!disjoint(taken, lines)) return refused(refuse::pressed_twice, number, stroke);
     taken = joined(std::move(taken), lines);
     steps.press(lines);
   }
@@ -164,7 +172,8 @@ Result<StrokeSearch> cheapest(const std::vector<OrderStep>& steps, const LineSet
 struct OrderChecker::State {
   BrakeTools tools;
   PlanOptions options;
-  std::unique_ptr<StrokeModel> model;
+  std::optional<StrokeInputs> inputs = {};
+  std::optional<StageCache> cache = {};
 };
 
 OrderChecker::OrderChecker(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -174,20 +183,21 @@ OrderChecker::~OrderChecker() = default;
 
 Result<OrderChecker> OrderChecker::make(const Sheet& sheet, const Layout& layout,
                                         const BrakeTools& tools, const PlanOptions& options) {
-  auto state = std::make_unique<State>(State{tools, options, nullptr});
+  auto state = std::make_unique<State>(State{tools, options});
   state->options.begin_with.clear();
-  auto model = stroke_model(sheet, layout, state->tools, state->options);
-  if (!model) return pass_on(model);
-  state->model = std::move(*model);
+  auto inputs = prepared(sheet, layout, state->tools, state->options);
+  if (!inputs) return pass_on(inputs);
+  state->cache.emplace(state->inputs.emplace(std::move(*inputs)));
   return OrderChecker(std::move(state));
 }
 
 Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order,
                                          const Progress& progress) {
-  StrokeModel& model = *state_->model;
-  OrderSteps steps(model);
-  if (const auto error = take(steps, model.work(), order, progress)) return tl::unexpected(*error);
-  if (progress.should_stop()) return fail(code::cancelled, "checking the order was stopped");
+  StageCache& cache = *state_->cache;
+  OrderSteps steps(cache);
+  if (const auto error = take(steps, cache.inputs().work, order, progress))
+    return tl::unexpected(*error);
+  if (progress.should_stop()) return fail(refuse::checking_cancelled);
   const auto search = cheapest(steps.steps(), steps.formed(), state_->options.weights, progress);
   if (!search) return pass_on(search);
   CheckedOrder checked;
@@ -199,8 +209,8 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
   for (std::size_t i = 0; i < search->strokes.size(); ++i) {
     const OrderStep& step = steps.steps()[i];
     const LineSet stage = steps.standing(step.formed);
-    checked.strokes.push_back({model.stroke(stage, search->strokes[i]), step.blocked,
-                               model.scene(stage, search->strokes[i])});
+    checked.strokes.push_back({describe(cache, stage, search->strokes[i]), step.blocked,
+                               scene(cache, stage, search->strokes[i])});
   }
   return checked;
 }

@@ -1,6 +1,7 @@
-#include "made_model.hpp"
+#include "describe.hpp"
 #include "plan_search.hpp"
 #include "preferred_tools.hpp"
+#include "prepared.hpp"
 
 #include <planish/brake/plan.hpp>
 
@@ -23,14 +24,13 @@ std::string bends_have(const std::vector<std::string>& names) {
 }
 
 /// Radii that air bending over the chosen V does not give, a note for each of them.
-void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOptions& options,
-                Plan& plan) {
+void note_radii(const StrokeInputs& inputs, Plan& plan) {
   constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
   std::vector<std::pair<std::string, std::vector<std::string>>> names_by_radius;
-  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
-    const BrakeLine& line = model.work().lines[i];
-    const double opening = tools.dies[model.fitting(i).dies.front()].opening;
-    const double given = options.radius_of_opening * opening;
+  for (int i = 0; i < inputs.lines(); ++i) {
+    const BrakeLine& line = inputs.work.lines[i];
+    const double opening = inputs.tools.dies[inputs.fitting[i].dies.front()].opening;
+    const double given = inputs.options.radius_of_opening * opening;
     if (!line.given_radius || line.closes || line.closed_by ||
         std::abs(line.inside_radius - given) <= kBeyond * given)
       continue;
@@ -45,15 +45,14 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
   }
   for (const auto& [radius, names] : names_by_radius)
     plan.notes.push_back(fmt::format("{} {}", bends_have(names), radius));
-  for (const BendId bend : model.work().rolled)
+  for (const BendId bend : inputs.work.rolled)
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
 }
 
-void add_strokes(StrokeModel& model, const BrakeTools& tools, const StrokeSearch& search,
-                 Plan& plan) {
-  LineSet formed = no_lines(static_cast<int>(model.work().lines.size()));
-  for (const StrokeChoice& choice : with_preferred_tools(model, tools, search.strokes)) {
-    plan.strokes.push_back(model.stroke(formed, choice));
+void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
+  LineSet formed = no_lines(cache.inputs().lines());
+  for (const StrokeChoice& choice : with_preferred_tools(cache, search.strokes)) {
+    plan.strokes.push_back(describe(cache, formed, choice));
     formed = joined(formed, choice.lines);
   }
 }
@@ -71,13 +70,13 @@ std::string why_not(const BlockedBend& blocked) {
 /// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
 /// rest in the stage that got furthest. Nothing is told of a bend that could be formed there, and
 /// was not because another can no longer be.
-void note_furthest(StrokeModel& model, const LineSet& furthest, Clock::time_point until,
+void note_furthest(StageCache& cache, const LineSet& furthest, Clock::time_point until,
                    Plan& plan) {
   constexpr int kTold = 4;  // lines: more say the same again
   int told = 0;
-  for (int line = 0; line < std::ssize(model.work().lines); ++line) {
+  for (int line = 0; line < cache.inputs().lines(); ++line) {
     if (holds(furthest, line) || told == kTold) continue;
-    const BlockedBend blocked = model.blocked(furthest, line, until);
+    const BlockedBend blocked = brake_detail::blocked(cache, furthest, line, until);
     if (blocked.hits.empty() && blocked.why.empty()) continue;
     ++told;
     plan.in_the_way.push_back(blocked);
@@ -87,41 +86,40 @@ void note_furthest(StrokeModel& model, const LineSet& furthest, Clock::time_poin
 }
 
 /// What every stage hits, told for the stage that got furthest.
-void add_blocked(StrokeModel& model, const StrokeSearch& search, Clock::time_point until,
+void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_point until,
                  Plan& plan) {
+  const std::vector<BrakeLine>& lines = cache.inputs().work.lines;
   for (const int line : search.blocked) {
-    const auto& closes = model.work().lines[line].closes;
+    const auto& closes = lines[line].closes;
     if (closes && std::count(search.blocked.begin(), search.blocked.end(), *closes)) continue;
-    BlockedBend blocked = model.blocked(search.furthest, line, until);
-    for (const BendId bend : model.work().lines[line].bends) {
+    BlockedBend blocked = brake_detail::blocked(cache, search.furthest, line, until);
+    for (const BendId bend : lines[line].bends) {
       blocked.bend = bend;
       plan.blocked.push_back(blocked);
     }
   }
-  for (int i = 0; i < std::ssize(model.work().lines); ++i)
+  for (int i = 0; i < std::ssize(lines); ++i)
     if (!holds(search.furthest, i)) {
-      const auto& bends = model.work().lines[i].bends;
-      for (const BendId bend : bends)
+      for (const BendId bend : lines[i].bends)
         if (!std::count(plan.unformed.begin(), plan.unformed.end(), bend))
           plan.unformed.push_back(bend);
     }
-  if (search.blocked.empty()) note_furthest(model, search.furthest, until, plan);
+  if (search.blocked.empty()) note_furthest(cache, search.furthest, until, plan);
 }
 
 }  // namespace
 
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                           const PlanOptions& options, const Progress& progress) {
-  auto made = stroke_model(sheet, layout, tools, options);
-  if (!made) return pass_on(made);
-  StrokeModel& model = **made;
+  const auto inputs = prepared(sheet, layout, tools, options);
+  if (!inputs) return pass_on(inputs);
+  StageCache cache(*inputs);
   Plan plan;
-  note_radii(model, tools, options, plan);
+  note_radii(*inputs, plan);
   const Clock::time_point until = options.limits.end(Clock::now());
-  auto search = search_plan(model, options, progress);
+  auto search = search_plan(cache, progress);
   if (!search) return pass_on(search);
-  if (search->furthest.empty())
-    search->furthest = no_lines(static_cast<int>(model.work().lines.size()));
+  if (search->furthest.empty()) search->furthest = no_lines(inputs->lines());
   plan.status = search->status;
   plan.cost = search->cost;
   plan.turn_overs = search->turn_overs;
@@ -129,8 +127,8 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   plan.tool_changes = search->tool_changes;
   plan.ungauged = search->ungauged;
   plan.states = search->stages;
-  add_strokes(model, tools, *search, plan);
-  if (plan.status == PlanStatus::infeasible) add_blocked(model, *search, until, plan);
+  add_strokes(cache, *search, plan);
+  if (plan.status == PlanStatus::infeasible) add_blocked(cache, *search, until, plan);
   return plan;
 }
 

@@ -1,5 +1,10 @@
+// Orders of many lines: first those from the outside in, which are few and mostly contain a good
+// one, within a share of the time, then all. The cheaper plan counts; the bound is that of the
+// whole search (math.md#bend-order).
 #include "plan_search.hpp"
 
+#include "check.hpp"
+#include "choices.hpp"
 #include "line_depth.hpp"
 
 #include <algorithm>
@@ -8,18 +13,19 @@
 namespace planish::brake_detail {
 namespace {
 
-StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
+StrokeProblem problem_of(StageCache& cache) {
+  const StrokeInputs& inputs = cache.inputs();
   StrokeProblem problem;
-  problem.lines = static_cast<int>(model.work().lines.size());
-  problem.choices = [&model](const LineSet& formed) { return model.choices(formed); };
-  problem.check = [&model](const LineSet& formed, const StrokeChoice& choice) {
-    return model.check(formed, choice);
+  problem.lines = inputs.lines();
+  problem.choices = [&cache](const LineSet& formed) { return choices(cache, formed); };
+  problem.check = [&cache](const LineSet& formed, const StrokeChoice& choice) {
+    return check(cache, formed, choice);
   };
-  problem.possible = model.possible();
-  problem.depth = line_depths(model.work());
-  for (const BendId bend : options.begin_with)
+  problem.possible = possible(inputs);
+  problem.depth = line_depths(inputs.work);
+  for (const BendId bend : inputs.options.begin_with)
     for (int i = 0; i < problem.lines; ++i) {
-      const auto& bends = model.work().lines[i].bends;
+      const auto& bends = inputs.work.lines[i].bends;
       if (std::count(bends.begin(), bends.end(), bend)) problem.begin_with.push_back(i);
     }
   return problem;
@@ -27,21 +33,21 @@ StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
 
 }  // namespace
 
-Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
-                                 const Progress& progress) {
+Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
   constexpr int kMany = 14;           // lines: fewer are searched whole in a moment
   constexpr double kOutsideIn = 0.4;  // share of the time
-  const StrokeProblem whole = problem_of(model, options);
+  const PlanOptions& options = cache.inputs().options;
+  const StrokeProblem whole = problem_of(cache);
   StrokeLimits limits = options.limits;
   std::optional<StrokeSearch> outside_in;
   const auto start = std::chrono::steady_clock::now();
   if (whole.lines > kMany) {
     StrokeProblem narrow = whole;
-    narrow.choices = [&model](const LineSet& formed) {
-      std::vector<StrokeChoice> choices = model.choices(formed);
-      std::erase_if(choices,
-                    [&](const auto& choice) { return !model.is_outermost(formed, choice); });
-      return choices;
+    narrow.choices = [&cache](const LineSet& formed) {
+      std::vector<StrokeChoice> outermost = choices(cache, formed);
+      std::erase_if(outermost,
+                    [&](const auto& choice) { return !is_outermost(cache, formed, choice); });
+      return outermost;
     };
     limits.seconds *= kOutsideIn;
     limits.reasons = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stroke_model.hpp"
+#include "stage_cache.hpp"
 
 #include <planish/brake/plan.hpp>
 
@@ -8,7 +8,6 @@ namespace planish::brake_detail {
 
 /// The search, and where it gives up the cheapest order from the outside in. That is looked for
 /// first: those orders are few, and most parts with many bends have one.
-Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
-                                 const Progress& progress);
+Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress);
 
 }  // namespace planish::brake_detail

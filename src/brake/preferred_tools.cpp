@@ -1,4 +1,9 @@
+// Among plans of one cost that with the tools a shop would take: for each run of strokes with one
+// pair of tools, other pairs are tried in the order of preference. What must hold: the cost
+// depends on which strokes share tools and not on which tools these are.
 #include "preferred_tools.hpp"
+
+#include "check.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -45,7 +50,7 @@ std::vector<Pair> pairs_of(const FittingTools& fitting, const BrakeTools& tools)
 }
 
 /// Whether a pair can make all strokes of a run.
-bool makes(StrokeModel& model, const std::vector<StrokeChoice>& strokes, const Run& run,
+bool makes(StageCache& cache, const std::vector<StrokeChoice>& strokes, const Run& run,
            const Pair& pair) {
   LineSet formed = run.formed;
   for (std::size_t s = run.from; s < run.to; ++s) {
@@ -53,12 +58,12 @@ bool makes(StrokeModel& model, const std::vector<StrokeChoice>& strokes, const R
     choice.punch = pair.punch;
     choice.die = pair.die;
     for (const int line : members(choice.lines)) {
-      const FittingTools& fitting = model.fitting(line);
+      const FittingTools& fitting = cache.inputs().fitting[line];
       if (!std::ranges::count(fitting.punches, pair.punch) ||
           !std::ranges::count(fitting.dies, pair.die))
         return false;
     }
-    if (!model.check(formed, choice).feasible) return false;
+    if (!check(cache, formed, choice).feasible) return false;
     formed = joined(formed, choice.lines);
   }
   return true;
@@ -66,14 +71,14 @@ bool makes(StrokeModel& model, const std::vector<StrokeChoice>& strokes, const R
 
 }  // namespace
 
-std::vector<StrokeChoice> with_preferred_tools(StrokeModel& model, const BrakeTools& tools,
+std::vector<StrokeChoice> with_preferred_tools(StageCache& cache,
                                                std::vector<StrokeChoice> strokes) {
-  const int lines = static_cast<int>(model.work().lines.size());
-  for (const Run& run : runs_of(strokes, lines)) {
+  const StrokeInputs& inputs = cache.inputs();
+  for (const Run& run : runs_of(strokes, inputs.lines())) {
     const Pair now = tools_of(strokes[run.from]);
     const int line = members(strokes[run.from].lines).front();
-    for (const Pair& pair : pairs_of(model.fitting(line), tools)) {
-      if (pair != now && !makes(model, strokes, run, pair)) continue;
+    for (const Pair& pair : pairs_of(inputs.fitting[line], inputs.tools)) {
+      if (pair != now && !makes(cache, strokes, run, pair)) continue;
       for (std::size_t s = run.from; s < run.to; ++s) {
         strokes[s].punch = pair.punch;
         strokes[s].die = pair.die;

@@ -1,3 +1,7 @@
+// How the sheet moves in a stroke of air bending: both sides rise by half the turn about an arc
+// whose length stays the allowance, and the die follows so that its shoulders touch the outside.
+// Written with sin(x)/x and (1 − cos)/θ, which have limits at θ = 0. What must hold: the speeds
+// bound all derivatives up to the turn (math.md#stroke, math.md#stroke-clearance).
 #include "press_motion.hpp"
 
 #include <planish/base/tolerance.hpp>

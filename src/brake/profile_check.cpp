@@ -1,9 +1,13 @@
+// Whether a polygon is the outline of a body. Edges are held against each other pairwise, which is
+// quick for the few corners of a tool; what is nearer than the digits in which profiles are
+// written counts as touching.
 #include "profile_check.hpp"
 
-#include <planish/base/tolerance.hpp>
-#include <planish/geometry/region.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
+#include <planish/geometry/region.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,43 +22,26 @@ const Vec2& cyclic(const ToolProfile& profile, std::size_t i) {
   return profile[i % profile.size()];
 }
 
-double crossed(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double distance_to_edge(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - (a + t * along)).norm();
+Segment edge_at(const ToolProfile& profile, std::size_t i) {
+  return {cyclic(profile, i), cyclic(profile, i + 1)};
 }
 
-bool properly_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  const auto sides = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-    return crossed(q - p, r - p) * crossed(q - p, s - p) < 0.0;
-  };
-  return sides(a, b, c, d) && sides(c, d, a, b);
-}
+std::string row(std::size_t corner) { return "/" + std::to_string(corner); }
 
-/// Edges that do not follow one another.
-bool touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double near) {
-  return properly_cross(a, b, c, d) || distance_to_edge(a, c, d) < near ||
-         distance_to_edge(b, c, d) < near || distance_to_edge(c, a, b) < near ||
-         distance_to_edge(d, a, b) < near;
-}
+/// A place in the plane of the profile.
+Facts at_corner(const Vec2& p) { return {{"x", p.x(), unit::mm}, {"z", p.y(), unit::mm}}; }
 
 std::optional<ProfileFault> bad_corner(const ToolProfile& profile) {
   if (profile.size() < 3)
-    return ProfileFault{
-        "", fmt::format("has {} corners, and an outline has at least 3", profile.size())};
+    return ProfileFault{"", refuse::few_profile_corners, {{"corners", profile.size()}}};
   for (std::size_t i = 0; i < profile.size(); ++i)
     if (!profile[i].allFinite() || profile[i].cwiseAbs().maxCoeff() > kFarthest)
-      return ProfileFault{fmt::format("/{}", i), "has a corner that is not a place within 10 km"};
+      return ProfileFault{row(i), refuse::corner_nowhere, {}};
   const double near = corner_tolerance(profile);
   for (std::size_t i = 0; i < profile.size(); ++i)
     if ((cyclic(profile, i + 1) - profile[i]).norm() <= near) {
       const std::size_t again = i + 1 == profile.size() ? i : i + 1;
-      return ProfileFault{fmt::format("/{}", again),
-                          fmt::format("has two corners in a row at ({:.6g}, {:.6g}): leave one out",
-                                      profile[i].x(), profile[i].y())};
+      return ProfileFault{row(again), refuse::corner_again, at_corner(profile[i])};
     }
   return std::nullopt;
 }
@@ -63,25 +50,22 @@ std::optional<ProfileFault> bad_corner(const ToolProfile& profile) {
 bool is_spike(const ToolProfile& profile, std::size_t i, double near) {
   const std::size_t n = profile.size();
   const Vec2 &before = cyclic(profile, i + n - 1), &after = cyclic(profile, i + 1);
-  return distance_to_edge(before, profile[i], after) < near ||
-         distance_to_edge(after, before, profile[i]) < near;
+  return distance(before, Segment{profile[i], after}) < near ||
+         distance(after, Segment{before, profile[i]}) < near;
 }
 
 std::optional<ProfileFault> bad_outline(const ToolProfile& profile) {
   const std::size_t n = profile.size();
   const double near = corner_tolerance(profile);
   const auto crossing = [&](std::size_t i) {
-    return ProfileFault{fmt::format("/{}", i),
-                        fmt::format("crosses or touches itself near ({:.6g}, {:.6g})",
-                                    profile[i].x(), profile[i].y())};
+    return ProfileFault{row(i), refuse::profile_crosses, at_corner(profile[i])};
   };
   for (std::size_t i = 0; i < n; ++i)
     if (is_spike(profile, i, near)) return crossing(i);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
       const bool neighbours = i == 0 && j + 1 == n;
-      if (!neighbours &&
-          touch(profile[i], profile[i + 1], profile[j], cyclic(profile, j + 1), near))
+      if (!neighbours && distance(edge_at(profile, i), edge_at(profile, j)) < near)
         return crossing(j);
     }
   return std::nullopt;
@@ -99,8 +83,7 @@ double corner_tolerance(const ToolProfile& profile) {
 std::optional<ProfileFault> fault_of(const ToolProfile& profile) {
   if (const auto fault = bad_corner(profile)) return fault;
   if (const auto fault = bad_outline(profile)) return fault;
-  if (ring_area(profile) < 0.0)
-    return ProfileFault{"", "runs clockwise: list its corners counter-clockwise"};
+  if (ring_area(profile) < 0.0) return ProfileFault{"", refuse::runs_clockwise, {}};
   return std::nullopt;
 }
 
@@ -114,29 +97,28 @@ std::optional<std::size_t> corner_at(const ToolProfile& profile, const Vec2& pla
 
 bool on_outline(const ToolProfile& profile, const Vec2& place) {
   for (std::size_t i = 0; i < profile.size(); ++i)
-    if (distance_to_edge(place, profile[i], cyclic(profile, i + 1)) <= corner_tolerance(profile))
-      return true;
+    if (distance(place, edge_at(profile, i)) <= corner_tolerance(profile)) return true;
   return false;
 }
 
 double angle_within(const ToolProfile& profile, std::size_t corner) {
   const Vec2 in = profile[corner] - cyclic(profile, corner + profile.size() - 1);
   const Vec2 out = cyclic(profile, corner + 1) - profile[corner];
-  return std::numbers::pi - std::atan2(crossed(in, out), in.dot(out));
+  return std::numbers::pi - std::atan2(cross(in, out), in.dot(out));
 }
 
-std::optional<std::string> fault_of_rounding(const ToolProfile& profile, std::size_t corner,
-                                             double radius) {
+std::optional<ProfileFault> fault_of_rounding(const ToolProfile& profile, std::size_t corner,
+                                              double radius) {
   const double turned = std::abs(std::numbers::pi - angle_within(profile, corner));
   const double taken = radius * std::tan(0.5 * turned);
   const Vec2& at = profile[corner];
   const double edge = std::min((cyclic(profile, corner + 1) - at).norm(),
                                (at - cyclic(profile, corner + profile.size() - 1)).norm());
   if (taken <= edge + corner_tolerance(profile)) return std::nullopt;
-  return fmt::format(
-      "is {:.4g} mm, which takes {:.4g} mm of the edges beside the corner that it rounds; the "
-      "profile has {:.4g} mm there",
-      radius, taken, edge);
+  return ProfileFault{
+      "",
+      refuse::radius_takes_edges,
+      {{"radius", radius, unit::mm}, {"taken", taken, unit::mm}, {"edge", edge, unit::mm}}};
 }
 
 }  // namespace planish::brake_detail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/base/message.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <optional>
@@ -7,9 +8,12 @@
 
 namespace planish::brake_detail {
 
-/// What is wrong, as the end of a sentence, and where below the profile ("/3", or "").
+/// What is wrong, with what its refusal needs except the subject, and where below the profile
+/// ("/3", or "").
 struct ProfileFault {
-  std::string where, what;
+  std::string where;
+  const Refusal& refusal;
+  Facts facts = {};
 };
 
 /// Why a profile is not the outline of a body, run counter-clockwise: corners missing, not finite
@@ -30,7 +34,7 @@ double angle_within(const ToolProfile& profile, std::size_t corner);
 
 /// Why a radius cannot round a corner: what it takes of the edges beside it is longer than they
 /// are. Straight corners take nothing.
-std::optional<std::string> fault_of_rounding(const ToolProfile& profile, std::size_t corner,
-                                             double radius);
+std::optional<ProfileFault> fault_of_rounding(const ToolProfile& profile, std::size_t corner,
+                                              double radius);
 
 }  // namespace planish::brake_detail

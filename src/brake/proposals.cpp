@@ -1,6 +1,10 @@
+// What would make an infeasible part possible. Each kind of change is tried within its share of
+// the time; the least that does is found by doubling and halving, which takes for granted that
+// more of a change helps no less, until it does harm elsewhere. Each is told only if it was
+// planned again (bend.md#proposals).
 #include "changed_work.hpp"
-#include "made_model.hpp"
 #include "plan_search.hpp"
+#include "prepared.hpp"
 
 #include <planish/brake/proposals.hpp>
 
@@ -96,9 +100,10 @@ class Trying {
     options.limits.first = true;
     options.limits.reasons = false;
     options.limits.seconds = kMostShared * left;
-    StrokeModel model(std::move(work), tools, options, &tools == &tools_ ? obstacles_ : nullptr);
-    if (line_without_tool(model)) return false;
-    const auto search = search_plan(model, options, progress_);
+    const StrokeInputs inputs = stroke_inputs(std::move(work), tools, options);
+    if (line_without_tool(inputs)) return false;
+    StageCache cache(inputs, &tools == &tools_ ? obstacles_ : nullptr);
+    const auto search = search_plan(cache, progress_);
     return search &&
            (search->status == PlanStatus::optimal || search->status == PlanStatus::feasible);
   }
@@ -123,10 +128,9 @@ class Trying {
 
   /// The widest V that any line is pressed over now.
   double widest() const {
-    const StrokeModel model(work_, tools_, options_, obstacles_);
     double opening = 0.0;
-    for (int i = 0; i < std::ssize(work_.lines); ++i)
-      for (const int die : model.fitting(i).dies)
+    for (const BrakeLine& line : work_.lines)
+      for (const int die : fitting_tools(line, tools_, options_).dies)
         opening = std::max(opening, tools_.dies[die].opening);
     return opening;
   }

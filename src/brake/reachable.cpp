@@ -1,3 +1,6 @@
+// Which lines can be formed at all, when no order forms all: goes to every stage that can be
+// reached, until each line that may be possible has been formed in one. Only explains a verdict,
+// so it may give up.
 #include "stroke_work.hpp"
 
 namespace planish::brake_detail {

@@ -1,3 +1,7 @@
+// Rows of segments. The sums that segments add up to are listed once, each with its fewest
+// segments (subset sums by rounded length); a row is the shortest sum that presses its stretch and
+// has room, and where walls part the line the rest of the segments fill the next stretch. What
+// must hold: every segment stands once (math.md#tool-segments).
 #include "segments.hpp"
 
 #include "tool_shape.hpp"

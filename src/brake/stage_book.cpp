@@ -1,3 +1,8 @@
+// What a search has learned of stages. A stroke is infeasible because of a few lines that are
+// formed or not; it is so in each stage that agrees on them. If such reasons cover all cases, the
+// stroke is infeasible everywhere, told apart by splitting on the lines of the shortest reason; if
+// one by formed lines alone holds for each way to press a line, the stage is dead. What must hold:
+// reasons are true (StrokeVerdict), and what is formed stays so (bend.md#search).
 #include "stage_book.hpp"
 
 #include <planish/base/assert.hpp>

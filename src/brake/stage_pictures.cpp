@@ -1,7 +1,9 @@
+// Sections of workpiece and tools across the line, before a stroke and after it; of a hem that is
+// closed after it alone (math.md#machine-frame, math.md#closing-hems).
 #include "closed_hem.hpp"
 #include "fits.hpp"
 #include "line_set.hpp"
-#include "made_model.hpp"
+#include "prepared.hpp"
 #include "stage_pose.hpp"
 #include "tool_shape.hpp"
 

@@ -1,3 +1,7 @@
+// Where the parts of the workpiece are in a stage, seen from the line that is pressed: a tree of
+// bodies and zones whose place follows from that of the body before and how the line between is.
+// Formed zones are blocks between chords of their arcs. What must hold: a part's place depends on
+// the lines of its path alone (math.md#stages, math.md#machine-frame).
 #include "stage_pose.hpp"
 
 #include <planish/base/assert.hpp>

@@ -1,3 +1,8 @@
+// The least that is still to be paid, whatever stages allow: a tour of set-ups that serves each
+// class of lines once, by dynamic programming over the classes left (Held and Karp's), at each
+// step relaxed over side, direction and tools one after the other, since a change costs their sum.
+// What must hold: it is a lower bound, so tools that are never better count as those that are, and
+// of many classes the tour leaves some out (bend.md#search).
 #include "stroke_bound.hpp"
 
 #include <planish/base/assert.hpp>

@@ -1,9 +1,11 @@
+// The cheapest order of strokes: first any plan depth first, with growing patience, then A*, both
+// against a bound that is made again when more choices are known to be infeasible everywhere. A
+// plan as cheap as the bound is proven without a search (math.md#bend-order, bend.md#search).
+#include "refusals.hpp"
 #include "stroke_work.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,8 +115,7 @@ Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weig
   for (const double weight :
        {weights.turn_over, weights.rotate, weights.tool_change, weights.stroke, weights.ungauged})
     if (!is_weight(weight))
-      return fail(code::bad_option, fmt::format("a weight is {}; it must be 0 or more", weight),
-                  "weights");
+      return fail(refuse::bad_weight, {{"value", weight, unit::none}}, "weights");
   for (const int line : problem.begin_with)
     PLANISH_ASSERT(line >= 0 && line < problem.lines);
   return {};
@@ -184,8 +185,7 @@ Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWe
   }
   StrokeWork work(problem, weights, limits, progress);
   const bool ended = run(work, limits);
-  if (work.stopped() == StrokeWork::Stop::cancelled)
-    return fail(code::cancelled, "ordering the strokes was stopped");
+  if (work.stopped() == StrokeWork::Stop::cancelled) return fail(refuse::ordering_cancelled);
   if (work.has_plan()) {
     result.status = ended ? PlanStatus::optimal : PlanStatus::feasible;
     tell_plan(result, work);

@@ -1,4 +1,11 @@
+// Whether a part of the sheet meets a tool at any turn. An interval of turns is proven clear if in
+// its middle the distance exceeds what part and tool can move in half of it, else it is halved,
+// down to `kFollowed`. Along the line the same is asked of slices: a stroke keeps x, so where a
+// block is in the way is found by halving x. What must hold: the speeds bound the motion
+// (math.md#stroke-clearance).
 #include "sweep.hpp"
+
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +14,6 @@ namespace planish::brake_detail {
 namespace {
 
 constexpr double kAlong = 0.01;  // mm: how well the ends of a blocked stretch are found
-
-Box2 box_of(const Convex& polygon) {
-  Box2 box;
-  for (const Vec2& p : polygon)
-    box.add(p);
-  return box;
-}
 
 /// At most the distance of what is in the boxes; below 0 if they overlap.
 double apart(const Box2& a, const Box2& b) {

@@ -1,3 +1,6 @@
+// All tools as obstacles, made when first asked for. What must hold: equal keys stand for equal
+// shapes, so what hits one need not be found again; a tool that is its own mirror image has one
+// key for both directions of the gauge.
 #include "tool_room.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,14 @@
+// Sections of tools as obstacles. The tip and the shoulders are rounded by the circle that touches
+// both edges of their corner; the punch then comes down until the tip touches
+// (math.md#machine-frame). What may be penetrated is taken off the section, which is cut into
+// convex pieces; with a clearance the section stays whole and is kept away from
+// (math.md#stroke-clearance).
 #include "tool_shape.hpp"
 
 #include "profile_check.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +36,7 @@ std::optional<Rounded> rounding(const ToolProfile& profile, const Vec2& at, doub
   const Vec2 back = profile[(*corner + n - 1) % n] - at, ahead = profile[(*corner + 1) % n] - at;
   const Vec2 u = back.normalized(), v = ahead.normalized();
   const double half = 0.5 * std::acos(std::clamp(u.dot(v), -1.0, 1.0));
-  if (u.x() * v.y() - u.y() * v.x() >= 0.0 || std::cos(half) < tolerance::kAside)
+  if (cross(u, v) >= 0.0 || std::cos(half) < tolerance::kAside)
     return std::nullopt;  // a straight or inner corner
   const double cut = std::min({radius / std::tan(half), back.norm(), ahead.norm()});
   const double r = cut * std::tan(half);
@@ -40,7 +46,7 @@ std::optional<Rounded> rounding(const ToolProfile& profile, const Vec2& at, doub
 
 std::vector<Vec2> arc_points(const Rounded& rounded) {
   const Vec2 a = rounded.start - rounded.center, b = rounded.end - rounded.center;
-  const double sweep = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  const double sweep = std::atan2(cross(a, b), a.dot(b));
   return sampled(Arc{rounded.center, rounded.radius, std::atan2(a.y(), a.x()), sweep},
                  kRoundingChord);
 }
@@ -82,11 +88,8 @@ void add_boxes(Obstacle& obstacle) {
   obstacle.boxes.clear();
   obstacle.box = {};
   for (const Convex& piece : obstacle.pieces) {
-    Box2 box;
-    for (const Vec2& p : piece)
-      box.add(p);
-    obstacle.boxes.push_back(box);
-    obstacle.box.add(box);
+    obstacle.boxes.push_back(box_of(piece));
+    obstacle.box.add(obstacle.boxes.back());
   }
 }
 

@@ -1,15 +1,18 @@
 #include "profile_check.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/brake/codes.hpp>
 #include <planish/brake/tools.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace planish {
 namespace {
@@ -24,52 +27,60 @@ class ToolCheck {
 
   const std::optional<Error>& error() const { return error_; }
 
-  /// "the opening of die "V16"", or the part itself without `what`.
-  void wrong(const std::string& key, const std::string& what, const std::string& sentence) {
+  /// About "The opening of die "V16"", or the part itself without `what`.
+  void wrong(const std::string& key, const std::string& what, const Refusal& refusal,
+             Facts facts = {}) {
     if (error_) return;
-    const std::string subject = what.empty() ? name_ : fmt::format("the {} of {}", what, name_);
-    error_ = Error{code::bad_tools, subject + " " + sentence, pointer_ + key};
+    std::string subject = what.empty() ? name_ : "the " + what + " of " + name_;
+    subject.front() = static_cast<char>(std::toupper(subject.front()));
+    facts.emplace_back("subject", std::move(subject));
+    facts.emplace_back("field", place::pointer(pointer_ + key));
+    error_ = error_of(refusal, facts);
   }
 
-  void above_zero(const std::string& key, const std::string& what, double value) {
+  void above_zero(const std::string& key, const std::string& what, double value,
+                  std::string_view unit = unit::mm) {
     if (!(value > 0.0 && std::isfinite(value)))
-      wrong(key, what, fmt::format("is {:g}; it must be above 0", value));
+      wrong(key, what, refuse::bad_tool_value,
+            {{"value", value, unit}, {"range", "a value above 0"}});
   }
 
   void at_least_zero(const std::string& key, const std::string& what, double value) {
     if (!(value >= 0.0 && std::isfinite(value)))
-      wrong(key, what, fmt::format("is {:g}; it must be 0 or more", value));
+      wrong(key, what, refuse::bad_tool_value,
+            {{"value", value, unit::mm}, {"range", "0 or more"}});
   }
 
   void profile(const std::string& key, const std::string& what, const ToolProfile& profile) {
-    if (const auto fault = fault_of(profile)) wrong(key + fault->where, what, fault->what);
+    if (const auto fault = fault_of(profile))
+      wrong(key + fault->where, what, fault->refusal, fault->facts);
   }
 
   void segments(const std::vector<double>& lengths) {
-    if (lengths.empty())
-      wrong("/segments", "", "has no segments: list the lengths in which it is there");
+    if (lengths.empty()) wrong("/segments", "", refuse::no_segments);
     for (std::size_t i = 0; i < lengths.size(); ++i)
-      above_zero(fmt::format("/segments/{}", i), "length of a segment", lengths[i]);
+      above_zero("/segments/" + std::to_string(i), "length of a segment", lengths[i]);
   }
 
   void angle(Angle value) {
     if (!(value.degrees() > 0.0 && (value.degrees() <= kFlat || flattens(value))))
-      wrong("/angle", "angle",
-            fmt::format("is {:g}°; it must be above 0, and at most 180°, which is flat",
-                        value.degrees()));
+      wrong("/angle", "angle", refuse::bad_tool_value,
+            {{"value", value.degrees(), unit::degrees},
+             {"range", "an angle above 0° and at most 180°, which is flat"}});
   }
 
   template <typename Tool>
   void common(const Tool& tool) {
-    if (tool.id.empty()) wrong("/id", "", "has no id: every tool has its own");
+    if (tool.id.empty()) wrong("/id", "", refuse::no_id);
     angle(tool.angle);
     segments(tool.segments);
-    if (tool.max_force) above_zero("/max_force", "max_force", *tool.max_force);
+    if (tool.max_force) above_zero("/max_force", "max_force", *tool.max_force, kPerMetre);
     profile("/profile", "profile", tool.profile);
   }
 
  private:
   static constexpr double kFlat = 180.0;
+  static constexpr std::string_view kPerMetre = "kN/m";
   std::string pointer_, name_;
   std::optional<Error> error_;
 };
@@ -83,25 +94,21 @@ void check_side(ToolCheck& to, const std::string& key, const std::string& what,
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const double z = profile[i].y();
     if (body == Body::above ? z < -near : z > near)
-      to.wrong(fmt::format("{}/{}", key, i), what,
-               fmt::format("reaches z = {:.6g}; {}", z,
-                           body == Body::above ? "nothing of it is lower than the tip, at z = 0"
-                                               : "nothing of it is higher than its top, at z = 0"));
+      to.wrong(key + "/" + std::to_string(i), what,
+               body == Body::above ? refuse::below_tip : refuse::above_top, {{"z", z, unit::mm}});
   }
 }
 
 void check_tip(ToolCheck& to, const Punch& punch) {
   const auto tip = corner_at(punch.profile, Vec2::Zero());
-  if (!tip) return to.wrong("/profile", "profile", "has no corner at (0, 0), where the tip is");
+  if (!tip) return to.wrong("/profile", "profile", refuse::no_tip);
   const double near = corner_tolerance(punch.profile);
   for (std::size_t i = 0; i < punch.profile.size(); ++i)
     if (i != *tip && punch.profile[i].y() <= near)
-      to.wrong(fmt::format("/profile/{}", i), "profile",
-               fmt::format("has a second corner at z = 0, ({:.6g}, {:.6g}); the tip alone is "
-                           "there, unless the angle is 180°",
-                           punch.profile[i].x(), punch.profile[i].y()));
+      to.wrong("/profile/" + std::to_string(i), "profile", refuse::second_corner,
+               {{"x", punch.profile[i].x(), unit::mm}, {"z", punch.profile[i].y(), unit::mm}});
   if (const auto fault = fault_of_rounding(punch.profile, *tip, punch.tip_radius))
-    to.wrong("/tip_radius", "tip_radius", *fault);
+    to.wrong("/tip_radius", "tip_radius", fault->refusal, fault->facts);
 }
 
 void check_punch(ToolCheck& to, const Punch& punch) {
@@ -111,7 +118,7 @@ void check_punch(ToolCheck& to, const Punch& punch) {
   check_side(to, "/profile", "profile", punch.profile, Body::above);
   if (!flattens(punch.angle)) return check_tip(to, punch);
   if (!on_outline(punch.profile, Vec2::Zero()))
-    to.wrong("/profile", "profile", "does not pass through (0, 0), where it touches the sheet");
+    to.wrong("/profile", "profile", refuse::not_through_origin);
 }
 
 /// The corners from the right shoulder to the left one, which are those of the V, are below both.
@@ -120,21 +127,18 @@ void check_opening(ToolCheck& to, const Die& die) {
   const double half = 0.5 * die.opening, near = corner_tolerance(profile);
   const auto left = corner_at(profile, {-half, 0.0}), right = corner_at(profile, {half, 0.0});
   if (!left || !right)
-    return to.wrong("/opening", "opening",
-                    fmt::format("is {0:.6g} mm, but its profile has no corner at ({1:.6g}, 0)",
-                                die.opening, right ? -half : half));
+    return to.wrong("/opening", "opening", right ? refuse::no_left_shoulder : refuse::no_shoulder,
+                    {{"opening", die.opening, unit::mm}, {"half", half, unit::none}});
   const std::size_t n = profile.size();
   bool open = (*right + 1) % n != *left;
   for (std::size_t i = (*right + 1) % n; i != *left; i = (i + 1) % n)
     open = open && profile[i].y() < -near;
   if (!open)
-    return to.wrong("/opening", "opening",
-                    fmt::format("is {:.6g} mm, but its profile is not open between ({:.6g}, 0) and "
-                                "({:.6g}, 0)",
-                                die.opening, -half, half));
+    return to.wrong("/opening", "opening", refuse::not_open,
+                    {{"opening", die.opening, unit::mm}, {"half", half, unit::none}});
   for (const std::size_t shoulder : {*left, *right})
     if (const auto fault = fault_of_rounding(profile, shoulder, die.shoulder_radius))
-      to.wrong("/shoulder_radius", "shoulder_radius", *fault);
+      to.wrong("/shoulder_radius", "shoulder_radius", fault->refusal, fault->facts);
 }
 
 void check_die(ToolCheck& to, const Die& die) {
@@ -146,27 +150,26 @@ void check_die(ToolCheck& to, const Die& die) {
   check_side(to, "/profile", "profile", die.profile, Body::below);
   if (!flat) return check_opening(to, die);
   if (die.opening != 0.0)
-    to.wrong("/opening", "opening",
-             fmt::format("is {:.6g} mm; a die of 180° is flat, and its opening 0", die.opening));
+    to.wrong("/opening", "opening", refuse::flat_die_opens, {{"opening", die.opening, unit::mm}});
   if (!on_outline(die.profile, Vec2::Zero()))
-    to.wrong("/profile", "profile", "does not pass through (0, 0), where the sheet lies");
+    to.wrong("/profile", "profile", refuse::not_through_origin);
 }
 
 void check_gauge(ToolCheck& to, const BackGauge& gauge) {
   to.at_least_zero("/range/0", "range", gauge.from);
   to.above_zero("/range/1", "range", gauge.to);
   if (!(gauge.from < gauge.to))
-    to.wrong("/range", "range",
-             fmt::format("ends at {:g} mm, before it begins at {:g} mm", gauge.to, gauge.from));
+    to.wrong("/range", "range", refuse::range_ends_early,
+             {{"to", gauge.to, unit::mm}, {"from", gauge.from, unit::mm}});
   to.above_zero("/finger_width", "finger_width", gauge.finger_width);
   to.profile("/finger", "finger", gauge.finger);
   if (!to.error() && !on_outline(gauge.finger, Vec2::Zero()))
-    to.wrong("/finger", "finger", "does not pass through (0, 0), where it touches the sheet");
+    to.wrong("/finger", "finger", refuse::not_through_origin);
 }
 
 std::optional<Error> fault_of_machine(const PressBrake& machine) {
   ToolCheck to("/machine", "the machine");
-  to.above_zero("/force", "force", machine.force);
+  to.above_zero("/force", "force", machine.force, unit::kilonewtons);
   to.above_zero("/length", "length", machine.length);
   const auto beam = [&](const std::string& key, const ToolProfile& profile, Body body) {
     if (profile.empty()) return;
@@ -184,16 +187,16 @@ std::optional<Error> fault_of_machine(const PressBrake& machine) {
 template <typename Tool>
 std::optional<Error> fault_of_tools(const std::vector<Tool>& tools, const std::string& kind,
                                     void (*check_one)(ToolCheck&, const Tool&)) {
-  const std::string list = fmt::format("/{}{}", kind, kind == "punch" ? "es" : "s");
+  const std::string list = "/" + kind + (kind == "punch" ? "es" : "s");
   if (tools.empty())
-    return Error{code::bad_tools, fmt::format("there is no {}: list at least one", kind), list};
+    return error_of(refuse::no_tools, {{"kind", kind}, {"field", place::pointer(list)}});
   std::set<std::string> ids;
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    const std::string name = tools[i].id.empty() ? fmt::format("{} {}", kind, i + 1)
-                                                 : fmt::format("{} \"{}\"", kind, tools[i].id);
-    ToolCheck to(fmt::format("{}/{}", list, i), name);
+    const std::string& id = tools[i].id;
+    ToolCheck to(list + "/" + std::to_string(i),
+                 kind + " " + (id.empty() ? std::to_string(i + 1) : "\"" + id + "\""));
     check_one(to, tools[i]);
-    if (!ids.insert(tools[i].id).second) to.wrong("/id", "id", "is there twice: give each its own");
+    if (!ids.insert(id).second) to.wrong("/id", "id", refuse::same_tool_id);
     if (to.error()) return to.error();
   }
   return std::nullopt;

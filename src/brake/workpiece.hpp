@@ -4,6 +4,7 @@
 #include "press_motion.hpp"
 
 #include <planish/base/result.hpp>
+#include <planish/geometry/interval.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <array>
@@ -11,13 +12,6 @@
 #include <vector>
 
 namespace planish::brake_detail {
-
-struct Interval {
-  double lo = 0.0, hi = 0.0;
-};
-
-/// Sorts intervals and joins those that touch within `touching`.
-std::vector<Interval> joined(std::vector<Interval> intervals, double touching);
 
 /// A straight line that is pressed at once: of a bend, of several bends between the same two
 /// bodies, or one press line of a bend.
@@ -42,7 +36,7 @@ struct BrakeLine {
   Vec2 across() const { return {-along.y(), along.x()}; }  ///< to the left
   double from() const { return pieces.front().lo; }
   double to() const { return pieces.back().hi; }
-  double length() const;  ///< of material
+  double length() const { return total(pieces); }  ///< of material
 };
 
 /// A straight free border in the pattern, the material on its left.

@@ -9,10 +9,18 @@
 #include "model_places.hpp"
 #include "refusals.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+// What was recognised becomes a Sheet: faces group by group, then joints, then features. A cylinder
+// or cone may be read at any turn of its azimuth, so faces of a bend are brought to one turn first,
+// from a leader outwards along their seams. A joint between different surfaces is a ruling; one
+// that the file's rounding has bent a little is straightened, and one that is curved for good means
+// a surface that no development keeps.
 
 namespace planish::brep {
 namespace {

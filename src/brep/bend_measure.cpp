@@ -5,6 +5,11 @@
 #include <limits>
 #include <numbers>
 
+// Angle, radius and inside of a bend, from its faces alone. Cylinders and cones have closed forms;
+// of others the normals at equal steps along the middle of the face give the turn, the smallest
+// radius and the side. The angle between two normals is less than half a turn, so a bend that turns
+// farther is told by how far its normal has travelled.
+
 namespace planish::brep {
 namespace {
 

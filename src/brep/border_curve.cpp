@@ -17,6 +17,12 @@
 #include <algorithm>
 #include <cmath>
 
+// A border of a face, run over one parameter in (u, v) and in space alike: the kernel requires an
+// edge's curves to agree at equal parameters. Lines and circles stay exact where the surface has
+// them; others are fitted in space, with a knot wherever the border or the surface below it is not
+// smooth. Across a joint the neighbour's own border is used if its points agree, else the leading
+// one is projected onto the neighbour.
+
 namespace planish::brep {
 namespace {
 
@@ -213,6 +219,18 @@ Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, c
     return projection(s) + (1.0 - share) * start_gap + share * end_gap;
   };
   return plane_curve(fit_path(path, breaks_of(face, border), tolerance));
+}
+
+Handle(Geom2d_Curve)
+    curve_in_own_face(const Sheet& sheet, const SheetCorners& corners, BorderId border,
+                      const BorderCurve& leading, double tolerance) {
+  const auto face_of = [&](BorderId id) -> const Face& {
+    return sheet[corners.topology()[id].face];
+  };
+  if (std::holds_alternative<Frame>(face_of(border).surface)) return {};
+  if (corners.leads(border)) return leading.uv;
+  return across_joint(face_of(corners.leader(border)), leading, face_of(border),
+                      reversed(sheet[corners.topology()[border]].curve), tolerance);
 }
 
 }  // namespace planish::brep

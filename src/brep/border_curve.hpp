@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fitted_curve.hpp"
+#include "sheet_corners.hpp"
 
 #include <planish/sheet/sheet.hpp>
 
@@ -71,5 +72,12 @@ FittedPath fit_two_depths(const Face& face, const BorderCurve& border, double de
 /// Otherwise, if it runs at another speed, `border` is projected onto `other`.
 Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, const Face& other,
                                   const Curve2& reversed_other, double tolerance);
+
+/// A border in its own face's surface, with the parameter of the edge that it shares: null on
+/// planes, otherwise the curve of the border that leads its joint, `leading`, or that across the
+/// joint.
+Handle(Geom2d_Curve)
+    curve_in_own_face(const Sheet& sheet, const SheetCorners& corners, BorderId border,
+                      const BorderCurve& leading, double tolerance);
 
 }  // namespace planish::brep

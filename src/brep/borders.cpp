@@ -7,6 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+// Edges of the solid as borders in the (u, v) of a surface. A ruling is a line of constant u, a
+// circle about the axis one of constant v; what is neither is fitted, with u scaled to mm so that
+// the tolerance means the same in both directions. u is unwrapped along the edge from samples, so
+// that it runs on continuously over the seam of the kernel's surface.
+
 namespace planish::brep {
 namespace {
 

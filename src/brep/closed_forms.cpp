@@ -6,6 +6,10 @@
 #include <map>
 #include <set>
 
+// Bridges and lances that stay attached at both ends are stretched, not bent, and would make a loop
+// of joints. A group inside an inner loop of a flange is one if it makes a ring with the flange: a
+// tree of n groups has n joints with it and among themselves, more of them make a ring.
+
 namespace planish::brep {
 namespace {
 

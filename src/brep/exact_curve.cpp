@@ -4,6 +4,11 @@
 #include <numbers>
 #include <optional>
 
+// Splines that are lines or circles, as many systems write them. A line must be followed without
+// turning back; a circle goes through three points of the curve, and the rest must lie on it and
+// turn one way. Both are compared at evenly spread probes, a check that real edges, which do not
+// wave between them, pass only if they are what they seem.
+
 namespace planish::brep {
 namespace {
 

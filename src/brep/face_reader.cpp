@@ -6,6 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+// A face of the solid as a face of the sheet, on the surface that represents its group. Loops of
+// one face are read each from a first point of its own, so a hole on a cylinder may come out a turn
+// away from the outer loop, and is moved back by whole turns. A border along an edge below the skin
+// keeps its depth; where a chamfer ends, the step to the next border is closed by its short side.
+
 namespace planish::brep {
 namespace {
 

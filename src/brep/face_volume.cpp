@@ -7,6 +7,11 @@
 
 #include <cmath>
 
+// A face's share of the solid's volume, ⅓∫(x − c)·n dA. By Green's theorem the integral over a
+// plane, cylinder or cone becomes a sum along its borders, in closed form on lines and circles
+// about the axis and by adaptive Gauss rules on others. A loop must be closed for that, so gaps
+// between edges, which files of loose tolerance have, are closed by straight ways.
+
 namespace planish::brep {
 namespace {
 

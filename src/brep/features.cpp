@@ -12,6 +12,12 @@
 #include <algorithm>
 #include <cmath>
 
+// What the flat pattern only outlines: forms, bosses, pockets, countersinks, chamfers. A part of
+// the rim becomes a feature by which skins its loops touch and on which side it leaves the sheet;
+// what lies on the other skin alone is drawn as seen through the sheet. Each feature also says what
+// it adds to the plain sheet's volume and openings, or the certificate would not close
+// (math.md#volume-identity, math.md#openings-and-genus).
+
 namespace planish::brep {
 namespace {
 

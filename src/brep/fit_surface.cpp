@@ -5,6 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+// The plane, cylinder or cone through sampled points and normals. Normals tell the axis: they are
+// perpendicular to a cylinder's and equally inclined to a cone's, so it is the direction of least
+// spread, about zero or about their mean. With the axis known, radius and place are linear least
+// squares, and a cone's apex lies in every tangent plane. A fit holds only if points and normals
+// agree, as points alone leave a wobbling spline undetected.
+
 namespace planish::brep {
 namespace {
 

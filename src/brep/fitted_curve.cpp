@@ -13,6 +13,12 @@
 #include <algorithm>
 #include <cmath>
 
+// Paths of several coordinates fitted by cubic Hermite spans with common knots, so that curves that
+// belong together (both edges of a wall, space and parameters) keep one parameter. Spans are halved
+// until three points in each are near enough. C1 spans become a cubic B-spline with two poles a
+// knot, and a planar spline gets knots spaced by its speed, so that it is C1 wherever its spans are
+// tangent.
+
 namespace planish::brep {
 namespace {
 

@@ -29,6 +29,11 @@
 #include <map>
 #include <utility>
 
+// A mesh of a solid from the kernel's triangles. The kernel meshes each face for itself; nodes
+// along common edges and vertices are united by what the kernel says they are, never by distance.
+// It does not mesh all faces rightly: a face counts only if its nodes lie where its edges are, and
+// the whole only if it is closed and has the solid's volume but for a layer as thick as the chord.
+
 namespace planish {
 namespace {
 

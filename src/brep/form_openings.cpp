@@ -11,6 +11,11 @@
 #include <cmath>
 #include <limits>
 
+// What is cut within a form (math.md#pilot-holes). Passages of the form (passages.cpp) are holes; a
+// narrow one beside a free edge is a slit. A hole drawn out of the sheet is pierced smaller: by the
+// volume identity, what is left beside the pilot hole makes the form. Where the hole is no more
+// than cut out (an emboss's floor), it is the hole itself.
+
 namespace planish::brep {
 namespace {
 

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 
+// Handles of a solid by Euler's formula (math.md#openings-and-genus), and the openings of a patch
+// of its faces. A vertex at which shells only touch is several corners: ends of edges are united
+// along loops, not by place. The same count for a part of the faces, as if nothing lay beyond its
+// outer edges, costs what the part has of edges.
+
 namespace planish::brep {
 namespace {
 

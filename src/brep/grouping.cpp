@@ -8,6 +8,11 @@
 #include <map>
 #include <set>
 
+// Faces of a skin that make one flange or one bend. Faces that continue each other on one surface
+// are united; then bends that join the same two flanges and lie on one surface are, since a notch
+// or a hole may cut a bend through. Groups come in the order of their first faces, so the result
+// does not hang on the order of the edges.
+
 namespace planish::brep {
 namespace {
 

@@ -8,6 +8,11 @@
 #include <map>
 #include <set>
 
+// The model as it was meant: slivers closed (slivers.cpp), neighbouring planes that continue each
+// other made one face. Its outline is walked anew: at an edge between two of the faces the walk
+// goes on in the other one. A merged face keeps the number of the first, and the others stay in the
+// list without loops, so that numbers are those of the file.
+
 namespace planish::brep {
 namespace {
 

@@ -12,6 +12,11 @@
 
 #include <vector>
 
+// A fingerprint of a solid that agrees for congruent copies: counts, and moments of points on its
+// edges about their centroid, which no motion changes. One moment is a determinant of three of
+// them, which a mirror changes in sign, so parts of the other hand differ. What agrees within the
+// rounding of placed copies is the same body.
+
 namespace planish::brep {
 namespace {
 

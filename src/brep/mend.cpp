@@ -17,6 +17,10 @@
 
 #include <vector>
 
+// As little mending as possible (docs/decisions/0010): a closed solid whose faces are readable is
+// not touched, since the kernel's mending takes time with the square of a face's loops. Faces that
+// are not readable are mended each by itself; only what does not close then is mended as a whole.
+
 namespace planish::brep {
 namespace {
 

@@ -20,6 +20,10 @@
 #include <numeric>
 #include <utility>
 
+// A closed mesh as a solid: one plane face a triangle, edges shared, and triangles in one plane
+// united by the kernel afterwards. Before that each edge must be run once each way, and each
+// connected part must have a volume; connected parts become solids of their own.
+
 namespace planish {
 namespace {
 

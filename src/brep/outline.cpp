@@ -6,6 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+// Which faces lie opposite each other, and how far apart. Coarse polygons in the parameters of a
+// face (u in mm) are enough: of a face and the projection of another onto it the common area is
+// summed along lines of constant v. Only faces of one kind of surface can be opposite, since an
+// offset keeps the kind. Depth is measured along the normal at the nearest point, so curved faces
+// are treated as plane ones are.
+
 namespace planish::brep {
 namespace {
 

@@ -10,6 +10,12 @@
 #include <queue>
 #include <set>
 
+// Where a form lets through, as a smallest cut of a graph (math.md#pilot-holes): nodes are its
+// faces, an edge of the solid costs its length to cut, and a face that looks towards one skin costs
+// its projected area on the other's side. Shortest augmenting paths find the cut; its edges are
+// chained into closed curves face by face round each corner. A lip that is rolled looks both ways:
+// then areas are left out, and the shortest edges decide.
+
 namespace planish::brep {
 namespace {
 

@@ -15,6 +15,12 @@
 #include <algorithm>
 #include <vector>
 
+// The volume share of a face of any surface: an integral along its borders in the parameters, of
+// the integral across the patch up to there (Green). The inner one is made span by span, so that
+// Gauss rules meet smooth functions only; the outer one is broken at knots that a straight border
+// crosses, and halved until it agrees elsewhere. Written because the kernel's own are off by per
+// cents on surfaces of many spans, or do not end.
+
 namespace planish::brep {
 namespace {
 

@@ -37,6 +37,12 @@
 #include <optional>
 #include <set>
 
+// Products down the assemblies of a STEP file and of files that it refers to, with names, places,
+// materials and colours. The kernel's check of every entity against the standard is passed by
+// (docs/decisions/0010): it takes time with the square of a loop's edges, and nobody asks for what
+// it finds. A file that is missing, broken, or being read already holds nothing, so a circle of
+// references ends.
+
 namespace planish::brep {
 namespace {
 

@@ -15,6 +15,12 @@
 #include <optional>
 #include <tuple>
 
+// A sheet in a solid. Likely thicknesses are tried in turn (thickness.cpp): skins grown, forms left
+// out, faces grouped, the rest told apart as rim, and a sheet assembled. A reading counts only if
+// it accounts for the solid: it lies flat, is wider than thick (math.md#plates-and-bars), and has
+// the solid's volume within what its features allow (math.md#volume-identity). Without one the
+// error is that of the first, likeliest reading.
+
 namespace planish {
 namespace {
 

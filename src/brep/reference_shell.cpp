@@ -4,6 +4,7 @@
 #include "refusals.hpp"
 #include "sheet_corners.hpp"
 #include "solid_builder.hpp"
+#include "valid_input.hpp"
 
 #include <planish/base/union_find.hpp>
 #include <planish/sheet/places.hpp>
@@ -18,15 +19,16 @@
 #include <utility>
 #include <vector>
 
+// The reference surface of a sheet as an open shell. Corners that joints unite become one vertex in
+// the middle of theirs, a joint one edge, led by one of its borders; nothing is sewn. Joints whose
+// ends gape by more than the tolerance are left open before, as they would tear the surface. Parts
+// that no joint connects are shells of their own.
+
 namespace planish::brep {
 namespace {
 
 Result<void> check_input(const Sheet& sheet) {
-  if (const auto right = check(sheet); !right) {
-    Error error = right.error();
-    error.code = code::invalid_input;
-    return fail(std::move(error));
-  }
+  if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
       return fail(refuse::no_reference_radius,
@@ -125,16 +127,10 @@ class ShellMaker {
 
   /// The edge of a border as used by its own face; its curve is still in the face's (u, v).
   EdgeUse use_of(BorderId border) const {
-    const BorderId leader = corners_.leader(border);
-    const bool leads = leader == border;
-    const BorderEdge& made = edges_[leader];
-    EdgeUse use{&made.edge, made.border.uv, leads};
-    if (std::holds_alternative<Frame>(face_at(border).surface))
-      use.curve.Nullify();
-    else if (!leads)
-      use.curve = across_joint(face_at(leader), made.border, face_at(border),
-                               reversed(curve_at(border)), options_.shape_tolerance);
-    return use;
+    const BorderEdge& made = edges_[corners_.leader(border)];
+    return {&made.edge,
+            curve_in_own_face(sheet_, corners_, border, made.border, options_.shape_tolerance),
+            corners_.leads(border)};
   }
 
   void make_face(FaceId id) {

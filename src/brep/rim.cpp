@@ -7,6 +7,10 @@
 #include <cmath>
 #include <set>
 
+// What belongs to neither skin, in connected parts: the walls of a cut, a countersink, an emboss, a
+// boss. A part is told by the loops of skin faces that it touches, and by whether points of its
+// own, not on a skin's border, lie between the skins or leave the sheet, and on which side.
+
 namespace planish::brep {
 namespace {
 

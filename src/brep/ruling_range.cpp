@@ -10,6 +10,11 @@
 #include <algorithm>
 #include <cmath>
 
+// The part of each ruling that a face uses, as a smooth limit that stays clear of the edge of
+// regression (math.md#general-developable): the surface narrows along a ruling as 1 + q v, and a
+// limit of −L / (1 + q L) is never where it vanishes, whatever q is. q is a polynomial through its
+// values at nodes, so the rectangle of (u, v) that a kernel's B-spline needs carries no kink.
+
 namespace planish::brep {
 namespace {
 

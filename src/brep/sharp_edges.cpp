@@ -7,6 +7,11 @@
 #include <map>
 #include <set>
 
+// Bends without radius. Where two faces of a skin meet at an angle, the sheet is folded if the
+// faces opposite meet too, the other way round, or are rounded about the edge by a cylinder of the
+// sheet's thickness. Walls of a cut meet both skins convexly, which is how they differ from a fold.
+// Mitres grow with the angle, and so does the distance at which the other edge is looked for.
+
 namespace planish::brep {
 namespace {
 

@@ -10,6 +10,11 @@
 
 #include <numbers>
 
+// Corners of a sheet as vertices of its solid: starts of borders, united over joints. On the other
+// skin a corner is the shortest step that lies the thickness below every plane that meets there,
+// which mitres sharp joints and is one normal elsewhere. A mitre that becomes too long is refused,
+// as the walls beside it would turn over.
+
 namespace planish::brep {
 namespace {
 

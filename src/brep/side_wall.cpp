@@ -14,6 +14,11 @@
 
 #include <cmath>
 
+// The cut edge between both skins. Between two circles about an axis it is a plane, a cylinder or a
+// cone, along a straight border a plane, unless mitres twist it into a ruled surface; otherwise it
+// is ruled between two curves fitted as one path, so that its rulings are the normals of the sheet.
+// Its four edges get their curves in its parameters here, since these are known in closed form.
+
 namespace planish::brep {
 namespace {
 

@@ -15,6 +15,11 @@
 #include <cmath>
 #include <limits>
 
+// The kernel's surface for a face, or for its offset below: planes, cylinders and cones exactly,
+// ruled surfaces as B-splines over the part of the rulings in use (ruling_range.cpp). An offset
+// keeps its rulings and (u, v) (math.md#neutral-surface), so one curve in the face's parameters is
+// carried to every depth. The smallest radius tells whether an offset folds over.
+
 namespace planish::brep {
 namespace {
 

@@ -7,6 +7,12 @@
 #include <algorithm>
 #include <limits>
 
+// Both skins of a sheet, grown over smooth and sharply bent edges from candidates: faces that have
+// enough of their area covered by opposite ones at the sheet's thickness. The first skin is the
+// largest component (of a flat plate the largest in one plane), the second the one that shares most
+// area with it. An island opposite one skin, cut off from the other, belongs to that other. At last
+// depths must agree, or it is no sheet.
+
 namespace planish::brep {
 namespace {
 

@@ -6,6 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+// Cuts that are not square to the sheet (math.md#slanted-cuts): saw cuts, mitres. The pattern keeps
+// the reference skin's outline there, and the volume that the solid has more or less is half the
+// difference of the skins' areas, as walls between them are straight. Nothing is measured where
+// chamfers or sharp bends make the skins differ too.
+
 namespace planish::brep {
 namespace {
 

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 
+// Faces narrower than the accuracy of files, between two that were meant to meet. One long edge
+// replaces the other, and the sliver keeps its number without loops. Only where both neighbours
+// have one direction at the edge: elsewhere the step may be meant.
+
 namespace planish::brep {
 namespace {
 

@@ -14,6 +14,11 @@
 
 #include <algorithm>
 
+// Topology for the kernel with tolerances that are true: each edge covers how far its curve is from
+// its curves in the surfaces, at parameters between all knots, where fits are off most, and each
+// vertex covers its edges. Loops are turned to run counter-clockwise about the surface's own
+// normal, and an edge that a loop uses twice is a seam, which needs both of its curves at once.
+
 namespace planish::brep {
 namespace {
 

@@ -27,6 +27,12 @@
 #include <cmath>
 #include <memory>
 
+// A kernel's solid as a SolidModel, after which no kernel is needed to recognise it. Edges become
+// curves of a closed form where they are lines or circles (exact_curve.cpp), faces what
+// surface_reader.cpp finds, loops the uses of the wires: as the file has them where these follow
+// each other, since sorting by the kernel costs more than all else. A volume that is negative tells
+// a solid written inside out.
+
 namespace planish::brep {
 namespace {
 

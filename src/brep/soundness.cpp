@@ -27,6 +27,11 @@
 #include <numbers>
 #include <vector>
 
+// Whether a face as written is read rightly (docs/decisions/0010): edges have curves in space and
+// follow each other, and no loop runs round a cylinder or cone without a seam. Turns round an axis
+// are counted from ends and middles of edges, none of which turns by more than half a turn a step.
+// The same in parameters, for meshing: curves of a loop must not be a period apart.
+
 namespace planish::brep {
 namespace {
 

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <numbers>
 
+// Points, lengths and distances of a solid's edges. Lines and circles have closed forms; of others
+// the length is a Gauss integral, and the nearest point the best of samples, refined by golden
+// section about it.
+
 namespace planish::brep {
 namespace {
 

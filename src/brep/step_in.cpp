@@ -19,6 +19,11 @@
 #include <map>
 #include <sstream>
 
+// Bodies of a STEP file: all placed solids of its product tree, the same shape in several places
+// being one body with several places. Solids of one material that agree by their fingerprint
+// (identical.cpp) are merged too: copies that a file spells out. That looks at every edge, so it
+// comes last and tells its progress.
+
 namespace planish {
 namespace {
 

@@ -16,6 +16,12 @@
 #include <algorithm>
 #include <cmath>
 
+// What a face's surface is: the kernel's plane, cylinder or cone, the same fitted through samples
+// of any other (fit_surface.cpp), or a developable with rulings along a direction in which the
+// patch is straight and its normal constant. Knots are doubled until points half-way between, where
+// interpolation is worst, are near. A kernel's cone goes on through its apex: the border's farthest
+// point tells the nappe.
+
 namespace planish::brep {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "sheet_corners.hpp"
 #include "side_wall.hpp"
 #include "solid_builder.hpp"
+#include "valid_input.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/places.hpp>
@@ -24,6 +25,12 @@
 #include <optional>
 #include <set>
 
+// The solid of a sheet, built and not sewn: faces on both skins, a wall along each free border,
+// edges shared by what the sheet says of its joints. Where a mitre at a fold that ends inside an
+// edge turns a wall over, its edges across the thickness cross; both are divided there, and the two
+// halves look opposite ways. The result must be valid to the kernel, closed, and of positive
+// volume.
+
 namespace planish::brep {
 namespace {
 
@@ -34,11 +41,7 @@ std::string row_text(const BorderRef& ref) {
 }
 
 Result<void> check_input(const Sheet& sheet) {
-  if (const auto right = check(sheet); !right) {
-    Error error = right.error();
-    error.code = code::invalid_input;
-    return fail(std::move(error));
-  }
+  if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
                                   smallest_radius(sheet[id], Depths(sheet).second));
@@ -168,16 +171,10 @@ class Thickener {
 
   /// The edge of a border as used by its own face; its curve is still in the face's (u, v).
   EdgeUse skin_use(BorderId border, double depth) const {
-    const BorderId leader = corners_.leader(border);
-    const bool leads = leader == border;
-    const BorderEdges& edges = edges_[leader];
-    EdgeUse use{depth == depths_.first ? &edges.reference : &edges.other, edges.border.uv, leads};
-    if (std::holds_alternative<Frame>(face_at(border).surface))
-      use.curve.Nullify();
-    else if (!leads)
-      use.curve = across_joint(face_at(leader), edges.border, face_at(border),
-                               reversed(curve_at(border)), options_.shape_tolerance);
-    return use;
+    const BorderEdges& edges = edges_[corners_.leader(border)];
+    return {depth == depths_.first ? &edges.reference : &edges.other,
+            curve_in_own_face(sheet_, corners_, border, edges.border, options_.shape_tolerance),
+            corners_.leads(border)};
   }
 
   void make_skin(FaceId id, double depth) {

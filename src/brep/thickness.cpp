@@ -4,6 +4,11 @@
 #include <limits>
 #include <tuple>
 
+// The likely thicknesses of a solid. Large faces vote for the depth of the nearest face opposite
+// them, with the area that both share; votes within the tolerance of each other are counted
+// together, and at most three are returned. The number of voters bounds the cost, and small general
+// surfaces, mostly the walls of letters, do not vote.
+
 namespace planish::brep {
 namespace {
 

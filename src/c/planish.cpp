@@ -13,7 +13,9 @@
 #include <new>
 #include <utility>
 
+namespace code = planish::code;
 namespace job = planish::job;
+namespace process = planish::process;
 using planish::Error;
 using planish::ErrorCode;
 
@@ -117,8 +119,8 @@ planish::Result<planish_options> read_options(const planish_options* given) {
   return options;
 }
 
-job::Limits limits_of(const planish_options& options) {
-  job::Limits limits;
+process::Limits limits_of(const planish_options& options) {
+  process::Limits limits;
   if (options.time_limit > 0.0)
     limits.time = std::chrono::ceil<std::chrono::milliseconds>(
         std::chrono::duration<double>(options.time_limit));

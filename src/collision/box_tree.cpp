@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <numeric>
 
+// Which boxes meet, of one list or two, by Eigen's hierarchy of bounding volumes. A pair is near if
+// the boxes are at most `reach` apart along each axis: no pair that is nearer than that is missed,
+// some that are farther along a diagonal are reported.
+
 namespace planish::collision_detail {
 namespace {
 

@@ -7,6 +7,12 @@
 #include <numeric>
 #include <optional>
 
+// How often a surface encloses a point, and the room about it (math.md#self-intersection). Rays
+// along three axes count where they leave less where they enter, and the least of the counts is
+// taken, so that a gap that one of them meets encloses nothing twice; a ray that passes an edge
+// does not count. A ball grows by moving away from all that it nearly touches, along the shortest
+// vector of their directions' hull (Gilbert), and never leaves the ball before it.
+
 namespace planish::collision_detail {
 namespace {
 

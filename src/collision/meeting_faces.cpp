@@ -11,6 +11,12 @@
 #include <optional>
 #include <utility>
 
+// Which faces of a folded sheet share room deeper than `depth` (math.md#self-intersection): a first
+// look that may say too much but misses nothing. Boxes come first, then directions in which two
+// hulls share too little for a ball, the sheet's own normals among them; only the rest is cut into
+// convex blocks, shrunk by half the depth, and these are intersected. Blocks are made when first
+// asked for, of flanges with few neighbours only near these.
+
 namespace planish {
 
 using namespace collision_detail;

@@ -6,6 +6,11 @@
 #include <cmath>
 #include <optional>
 
+// Where material below two triangles is shared: points just below both planes, on the line where
+// they cross, or below the lower of two that cover each other (math.md#self-intersection). Corners
+// within rounding of a plane are in it, with a height of exactly 0. Skins that touch enclose a flat
+// wedge and are left out, as are triangles with an edge in common.
+
 namespace planish::collision_detail {
 namespace {
 

@@ -8,6 +8,12 @@
 #include <algorithm>
 #include <optional>
 
+// How deep a closed surface runs through itself (math.md#self-intersection). Pairs of faces, then
+// of triangles, that are near each other propose points below both; a point that the surface
+// encloses twice is in shared material, and the widest ball about it, stuck on all sides, is the
+// depth there. So the triangles only propose, and a wrong proposal costs time, not truth. Of each
+// pair of faces the deepest place is kept.
+
 namespace planish {
 
 using namespace collision_detail;

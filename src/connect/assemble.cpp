@@ -2,18 +2,22 @@
 
 #include "joined_face.hpp"
 #include "orientation.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/connect/codes.hpp>
 #include <planish/sheet/builder.hpp>
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <map>
 #include <utility>
+
+// Plates and fits become a Sheet. The reference skin is the inner one of the folds wherever that
+// can be, since a fold's plates meet there in a line; from outside, a fold is found only if it
+// takes both edges from corner to corner. A further stretch of a bend is a further face of the same
+// bend. Borders are joined by the rows of the fits that share them, not by where they lie.
 
 namespace planish::connect_detail {
 namespace {
@@ -55,11 +59,9 @@ Result<void> check_folds(const Parts& parts) {
     if (!fit.fold || fit.fold->reference_inside) continue;
     for (std::size_t side = 0; side < 2; ++side)
       if (!fit.fold->at_corner[side][0] || !fit.fold->at_corner[side][1])
-        return fail(code::no_bend_fits,
-                    fmt::format("folds of inside radius 0 in both directions need edges of equal "
-                                "length; plate {} has a longer one: give it an inside radius of "
-                                "{} mm or more",
-                                parts.ids[fit.report.plates[side]], kSmallestInsideRadius));
+        return fail(refuse::folds_both_ways,
+                    {{"plate", place::plate(parts.ids[fit.report.plates[side]])},
+                     {"least", kSmallestInsideRadius, unit::mm}});
   }
   return {};
 }

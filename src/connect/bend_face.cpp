@@ -7,6 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+// The face of a bend in the (u, v) of its mid-surface: two lateral boundaries and two tangent
+// rulings, each of these cut into joints with its plate and what lies free beside them. Lengths are
+// measured by chords in space and extrapolated, independent of the development that lays the face
+// flat later, so that a wrong one shows in the certificate (math.md#certificate-independence).
+
 namespace planish::connect_detail {
 namespace {
 

@@ -2,32 +2,32 @@
 
 #include "general_fit.hpp"
 #include "outline_run.hpp"
+#include "refusals.hpp"
 #include "sharp_fit.hpp"
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+
+// One bend between two plates (math.md#bend-fitting): its frame and edges, then the tangent line of
+// least plate extension, the surface tangent to both planes along it, and at last its lateral
+// boundaries, within what neither plate's material forbids. Each step takes the one before as
+// given. A line that touches an edge already drawn along it is moved clear, so that no such edge is
+// cut by rounding.
 
 namespace planish::connect_detail {
 namespace {
 
 using Corners = std::array<std::vector<Vec2>, 2>;
-using Interval = std::pair<double, double>;
+using Spread = std::pair<double, double>;
 
 // A corner within this share of the extent of the tangent ruling lies on it.
 constexpr double kOnRuling = tolerance::kComputed;
-
-Error at(const FitTask& task, Error error) {
-  // Keys of the request become pointers; other places stay.
-  if (error.where.empty() || error.where.front() == '/') error.where = task.pointer + error.where;
-  return error;
-}
 
 double extent_of(const FitTask& task) {
   double extent = 0.0;
@@ -47,30 +47,30 @@ RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corne
   return ends;
 }
 
-std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-  std::vector<Interval> both;
-  for (const Interval& p : a)
-    for (const Interval& q : b) {
-      const Interval part{std::max(p.first, q.first), std::min(p.second, q.second)};
+std::vector<Spread> common(const std::vector<Spread>& a, const std::vector<Spread>& b) {
+  std::vector<Spread> both;
+  for (const Spread& p : a)
+    for (const Spread& q : b) {
+      const Spread part{std::max(p.first, q.first), std::min(p.second, q.second)};
       if (part.second > part.first) both.push_back(part);
     }
   return both;
 }
 
-std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface,
-                                    const RunEnds& ends) {
+std::vector<Spread> legal_on_both(const FitTask& task, const BendSurface& surface,
+                                  const RunEnds& ends) {
   const double extent = extent_of(task);
   double low = std::min(ends.low[0].x(), ends.low[1].x()) - extent;
   const double high = std::max(ends.high[0].x(), ends.high[1].x()) + extent;
   if (surface.kind == BendKind::cone) low = std::max(low, 0.0);
   if (surface.kind == BendKind::general)
     low = std::max(low, -std::min(surface.rails[0], surface.rails[1]));
-  std::array<std::vector<Interval>, 2> legal;
+  std::array<std::vector<Spread>, 2> legal;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     legal[i] = legal_sections(local_rings(*task.plates[i], surface, side), low, high,
                               kOnRuling * extent);
-    for (Interval& section : legal[i])
+    for (Spread& section : legal[i])
       section = {surface.level(side, section.first), surface.level(side, section.second)};
   }
   return common(legal[0], legal[1]);
@@ -112,11 +112,9 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
 Result<void> check_radius(const FitTask& task, double radius) {
   if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - tolerance::kComputed))
     return {};
-  return fail(code::radius_too_small,
-              fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface "
-                          "has a radius of {:.4g} "
-                          "mm at one end and needs more than {:.4g} mm",
-                          task.thickness, radius, 0.5 * task.thickness));
+  return fail(refuse::sheet_too_thick, about(task, {{"thickness", task.thickness, unit::mm},
+                                                    {"radius", radius, unit::mm},
+                                                    {"least", 0.5 * task.thickness, unit::mm}}));
 }
 
 Result<void> check_radii(const FitTask& task, const BendFit& fit) {
@@ -155,19 +153,15 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
 Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
   if (frame.parallel() && (is_conical(task.request) || task.request.inside_radii ||
                            task.request.aperture || task.request.surface == SurfaceChoice::general))
-    return fail(code::no_bend_fits,
-                "plates in parallel planes are joined by half a cylinder: leave surface, slope, "
-                "aperture and inside_radii out",
-                "/surface");
+    return fail(refuse::half_turn_only, about(task, {{"field", place::pointer("/surface")}}));
   if (!frame.parallel() || !task.request.inside_radius) return {};
   const double fixed = 0.5 * (frame.rise.norm() - task.thickness);
   if (std::abs(*task.request.inside_radius - fixed) <= kSmallestInsideRadius) return {};
-  return fail(code::no_bend_fits,
-              fmt::format("plates in parallel planes {:.4g} mm apart are joined by a half-turn of "
-                          "inside radius {:.4f} "
-                          "mm, not {:.4g} mm",
-                          frame.rise.norm(), fixed, *task.request.inside_radius),
-              "/inside_radius");
+  return fail(refuse::half_turn_radius,
+              about(task, {{"distance", frame.rise.norm(), unit::mm},
+                           {"radius", fixed, unit::mm},
+                           {"asked", *task.request.inside_radius, unit::mm},
+                           {"field", place::pointer("/inside_radius")}}));
 }
 
 // The line of a cylinder, moved so far that no edge drawn along it is cut: further stretches of the
@@ -233,6 +227,31 @@ LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
 
 }  // namespace
 
+Facts about(const FitTask& task, Facts facts) {
+  Facts all;
+  for (const std::string& id : task.request.between)
+    all.emplace_back("plate", place::plate(id));
+  all.insert(all.end(), std::make_move_iterator(facts.begin()),
+             std::make_move_iterator(facts.end()));
+  return all;
+}
+
+Error in_request(const FitTask& task, Error error) {
+  const auto is = [](PlaceKind kind) {
+    return [kind](const Place& place) { return place.kind == kind; };
+  };
+  for (Place& place : error.places)
+    if (auto* key = std::get_if<std::string>(&place.id); key && place.kind == PlaceKind::pointer)
+      *key = task.pointer + *key;
+  if (std::ranges::none_of(error.places, is(PlaceKind::plate)))
+    for (const std::string& id : task.request.between)
+      error.places.push_back(place::plate(id));
+  if (!task.pointer.empty() && std::ranges::none_of(error.places, is(PlaceKind::pointer)))
+    error.places.push_back(place::pointer(task.pointer));
+  error.where = task.pointer + (error.where.starts_with('/') ? error.where : "");
+  return error;
+}
+
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return pass_on(turn);
@@ -266,15 +285,15 @@ Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options)
   if (asks_for_fold(asked.request)) return fit_fold(asked, options);
   const FitTask task = at_limit_of_edges(asked, options);
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
-    return tl::unexpected(at(
-        task, {code::radius_too_small,
-               fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
-                           *task.request.inside_radius, kSmallestInsideRadius),
-               "/inside_radius"}));
+    return fail(
+        in_request(task, error_of(refuse::small_radius,
+                                  about(task, {{"radius", *task.request.inside_radius, unit::mm},
+                                               {"least", kSmallestInsideRadius, unit::mm},
+                                               {"field", place::pointer("/inside_radius")}}))));
   const auto choice = search_pair(task, options);
-  if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
+  if (!choice) return fail(in_request(task, with_range(task, options, choice.error())));
   auto fit = fit_choice(task, *choice, options);
-  if (!fit) return tl::unexpected(at(task, with_range(task, options, fit.error())));
+  if (!fit) return fail(in_request(task, with_range(task, options, fit.error())));
   fit->report.request = asked.request;
   return fit;
 }

@@ -3,6 +3,7 @@
 #include "lateral.hpp"
 #include "plate_plane.hpp"
 
+#include <planish/base/result.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <array>
@@ -70,6 +71,13 @@ struct FitTask {
   std::array<std::map<int, EdgeParts>, 2> taken_parts;  ///< of further edges, by number
   bool shares_edges = false;  ///< uses no more of an edge than lies opposite the other plate
 };
+
+/// Facts of a refusal, with the plates of the task before them, named "plate".
+Facts about(const FitTask& task, Facts facts);
+
+/// An error about a task becomes one about its request: keys of the request, "/inside_radius",
+/// become pointers into the file, and the plates and the request are among the places.
+Error in_request(const FitTask& task, Error error);
 
 /// Fits a bend between two plates (math.md#bend-fitting). Errors: those of `connect` for one bend.
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);

@@ -6,6 +6,12 @@
 #include <cmath>
 #include <limits>
 
+// The axes in which a bend is looked for (math.md#bend-frame). Crossing planes have one frame for
+// each combination of sides of their intersection line on which the plates have corners; parallel
+// planes one for each direction of an edge and each way to look from it. In such a frame a plate is
+// an outline in (x, y), y the distance from the line, and the problem is plane. Angles below a
+// limit count as parallel, since their line is out of reach.
+
 namespace planish::connect_detail {
 namespace {
 

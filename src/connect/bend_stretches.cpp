@@ -7,6 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+// Further stretches of an interrupted bend: free edges of both plates that lie on the tangent lines
+// already found and opposite each other. A stretch is kept only where neither plate has material
+// beyond its ruling; two of them become one where an edge of one plate goes on unbroken between
+// them, past a recess of the other. No new line is sought, so stretches are coaxial by
+// construction.
+
 namespace planish::connect_detail {
 namespace {
 

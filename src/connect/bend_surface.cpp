@@ -5,6 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+// The mid-surface tangent to both plates along a line y = k x − q: a cylinder where k is 0
+// (math.md#tangent-cylinder), a right cone with its apex where the height vanishes
+// (math.md#tangent-cone), a half turn between parallel planes. The axis lies in the bisecting
+// plane, and azimuths run from the first side through the middle of the bend to the other, so that
+// they never pass the seam.
+
 namespace planish::connect_detail {
 namespace {
 

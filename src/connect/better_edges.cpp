@@ -7,6 +7,12 @@
 #include <cmath>
 #include <utility>
 
+// What a shop would choose in place of the search's optimum. The search weighs width against length
+// alone (math.md#widest-bend), and so prefers edges round the back, beside each other, or in a
+// recess, where these are a little wider. Each rule searches again among fewer chains: in front,
+// opposite each other, drawn up to the bend. Edges in front replace those at the back unless the
+// ratio of span to width is worse there; without a bend among the fewer chains the choice stays.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -7,13 +7,18 @@
 #include <planish/connect/codes.hpp>
 #include <planish/sheet/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <string_view>
 #include <utility>
+
+// All that a request leaves open is tried until a fit keeps to the checks: edges nearest and widest
+// first, lateral boundaries, cylinders nearer or farther, general bends at last, as these take a
+// hundred times longer. The first that holds is taken. If none holds, the first of all is, if it
+// keeps to what it must; otherwise the error is that of the choices that came farthest.
 
 namespace planish::connect_detail {
 namespace {
@@ -73,11 +78,6 @@ bool is_drawn_up(const BendFit& fit, double thickness) {
   return fit.report.extension_area <= kContact * thickness * fit.report.width;
 }
 
-Error placed(Error error, const FitTask& task) {
-  if (error.where.empty()) error.where = task.pointer;
-  return error;
-}
-
 /// Tries choices and remembers why they failed.
 class Trial {
  public:
@@ -88,16 +88,16 @@ class Trial {
   bool take(Result<BendFit> fit) {
     ++tries_;
     if (!fit) return failed(fit.error());
-    if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error(), task_));
+    if (auto sound = checks_.must(*fit); !sound) return failed(in_request(task_, sound.error()));
     const bool drawn_up = is_drawn_up(*fit, task_.thickness);
     if (!drawn_up)
       if (auto flat = checks_.flat(*fit); !flat) {
         if (tries_ == 1) fallback_ = std::move(*fit);
-        return failed(placed(flat.error(), task_));
+        return failed(in_request(task_, flat.error()));
       }
     if (auto room = checks_.room(*fit); !room) {
       fall_back_to(std::move(*fit), !drawn_up);
-      return failed(placed(room.error(), task_));
+      return failed(in_request(task_, room.error()));
     }
     found_ = std::move(*fit);
     return true;
@@ -106,7 +106,9 @@ class Trial {
   bool take(const PairChoice& choice, const BendRequest& request) {
     FitTask task = task_;
     task.request = request;
-    return take(fit_choice(task, choice, options_));
+    auto fit = fit_choice(task, choice, options_);
+    if (!fit) fit = fail(in_request(task, fit.error()));
+    return take(std::move(fit));
   }
 
   bool tired() const { return tries_ >= kMostTries; }
@@ -149,15 +151,18 @@ class Trial {
     if (touch_) error = *touch_;
     if (rank(first_.code) == 1 || tries_ == 1) error = first_;
     if (tries_ == 1) return error;
-    constexpr std::array kWhat{"fit no tangent line", "are too near for the thickness",
-                               "have no width on which the bend runs over neither plate",
-                               "would cut or cover a plate", "are too long"};
-    std::string counts;
+    constexpr std::array<std::string_view, 5> kCounts{
+        "{count} without a tangent line", "{count} too near for the thickness",
+        "{count} without a width on which the bend runs over neither plate",
+        "{count} that would cut or cover a plate", "{count} too long"};
+    Facts facts{{"choices", tries_}};
     for (const auto& [rank, failure] : failures_)
-      counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", failure.first, kWhat[rank]);
-    error.message = fmt::format(
-        "{}; none of {} choices of edges, lateral boundaries and surfaces works ({})",
-        error.message, tries_, counts);
+      facts.emplace_back("counts", tell(kCounts[rank], {{"count", failure.first}}).sentence);
+    Told tried = tell(
+        "None of {choices} choices of edges, lateral boundaries and surfaces works: {counts}.",
+        facts);
+    error.message += " " + tried.sentence;
+    std::ranges::move(tried.numbers, std::back_inserter(error.numbers));
     return error;
   }
 
@@ -212,9 +217,9 @@ Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& opti
   auto fit = fit_between(task, options);
   if (!fit) return fit;
   for (const auto& check : {checks.must, checks.room})
-    if (auto sound = check(*fit); !sound) return tl::unexpected(placed(sound.error(), task));
+    if (auto sound = check(*fit); !sound) return fail(in_request(task, sound.error()));
   if (!is_drawn_up(*fit, task.thickness))
-    if (auto flat = checks.flat(*fit); !flat) return tl::unexpected(placed(flat.error(), task));
+    if (auto flat = checks.flat(*fit); !flat) return fail(in_request(task, flat.error()));
   return fit;
 }
 

@@ -3,36 +3,51 @@
 #include "join_tree.hpp"
 #include "loops.hpp"
 #include "plate_pairs.hpp"
+#include "refusals.hpp"
+#include "request_check.hpp"
 
 #include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
+
+// Plates in space become one sheet (math.md#bend-fitting). Plates are placed in their planes and
+// must be apart; bends are fitted as requested or along a tree of nearest pairs, stretches added,
+// the whole assembled and checked as any sheet is. Bends are numbered by the plates that they join,
+// so that one keeps its number when a plate moves.
 
 namespace planish {
 namespace {
 
 using namespace connect_detail;
 
+std::string pointer_of(std::size_t plate) { return "/plates/" + std::to_string(plate); }
+
 Result<std::vector<PlacedPlate>> place_all(const PlateStructure& structure,
                                            const ConnectOptions& options) {
   std::vector<PlacedPlate> plates;
   for (std::size_t p = 0; p < structure.plates.size(); ++p) {
-    auto plate = placed(structure.plates[p], fmt::format("/plates/{}", p), options.planarity);
+    auto plate = placed(structure.plates[p], pointer_of(p), options.planarity);
     if (!plate) return pass_on(plate);
     for (std::size_t q = 0; q < p; ++q)
       if (structure.plates[q].id == structure.plates[p].id)
-        return fail(
-            code::invalid_input,
-            fmt::format("two plates have the id \"{}\": ids must differ", structure.plates[p].id),
-            fmt::format("/plates/{}/id", p));
+        return fail(refuse::same_id, {{"plate", place::plate(structure.plates[p].id)},
+                                      {"id", place::pointer(pointer_of(p) + "/id")}});
     plates.push_back(std::move(*plate));
   }
   return plates;
+}
+
+/// Two plates, the place where they come too near, and the later one in the file.
+Facts both_at(const PlateStructure& structure, std::size_t a, std::size_t b, const Vec3& at) {
+  return {{"plate", place::at(place::plate(structure.plates[a].id), at)},
+          {"plate", place::at(place::plate(structure.plates[b].id), at)},
+          {"at", place::point(at)},
+          {"later", place::pointer(pointer_of(b))}};
 }
 
 Result<void> check_apart(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
@@ -40,23 +55,15 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
   for (std::size_t a = 0; a < plates.size(); ++a)
     for (std::size_t b = a + 1; b < plates.size(); ++b) {
       if (const auto at = intersection(plates[a], plates[b], options.planarity))
-        return fail(
-            code::plates_intersect,
-            fmt::format(
-                "plates \"{}\" and \"{}\" pass through each other at ({:.6g}, {:.6g}, {:.6g})",
-                structure.plates[a].id, structure.plates[b].id, at->x(), at->y(), at->z()),
-            fmt::format("/plates/{}", b));
+        return fail(refuse::plates_cross, both_at(structure, a, b, *at));
       auto near = too_near(plates[a], plates[b], structure.thickness);
       if (!near) near = too_near(plates[b], plates[a], structure.thickness);
-      if (near)
-        return fail(code::plates_touch,
-                    fmt::format("plates \"{}\" and \"{}\" are {:.4g} mm apart at ({:.6g}, {:.6g}, "
-                                "{:.6g}), where sheets of {:.4g} mm need {:.4g} "
-                                "mm between their middles: move them apart",
-                                structure.plates[a].id, structure.plates[b].id, near->distance,
-                                near->at.x(), near->at.y(), near->at.z(), structure.thickness,
-                                near->needed),
-                    fmt::format("/plates/{}", b));
+      if (!near) continue;
+      Facts facts = both_at(structure, a, b, near->at);
+      facts.emplace_back("gap", near->distance, unit::mm);
+      facts.emplace_back("thickness", structure.thickness, unit::mm);
+      facts.emplace_back("least", near->needed, unit::mm);
+      return fail(refuse::plates_too_near, facts);
     }
   return {};
 }
@@ -70,34 +77,34 @@ Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPla
   }
   for (std::size_t p = 0; p < plates.size(); ++p)
     if (structure.plates[p].id == structure.root) return static_cast<int>(p);
-  return fail(code::unknown_plate,
-              fmt::format("root is \"{}\", which is not the id of a plate", structure.root),
-              "/root");
+  return fail(refuse::no_such_plate, of_unknown_plate(structure, structure.root, "/root"));
 }
 
 Result<void> check_options(const ConnectOptions& options) {
-  const auto bad = [](const char* name, double value, const char* range) {
-    return fail(code::bad_option, fmt::format("{} is {}; it must be {}", name, value, range));
+  const auto bad = [](const char* name, double value, std::string_view unit, const char* range) {
+    return fail(refuse::bad_connect_option,
+                {{"name", name}, {"value", value, unit}, {"range", range}});
   };
   if (!(options.k_factor >= 0.0 && options.k_factor <= 1.0))
-    return bad("the K-factor", options.k_factor, "from 0 to 1");
+    return bad("`k`", options.k_factor, unit::none, "a value from 0 to 1");
   if (!(options.smallest_slope >= 0.0 && std::isfinite(options.smallest_slope)))
-    return bad("the smallest slope", options.smallest_slope, "0 or more");
+    return bad("The smallest slope", options.smallest_slope, unit::none, "0 or more");
   if (!(options.planarity >= 0.0 && std::isfinite(options.planarity)))
-    return bad("the planarity", options.planarity, "0 mm or more");
+    return bad("The planarity", options.planarity, unit::mm, "0 mm or more");
   if (options.alternatives < 0)
-    return bad("the number of alternatives", options.alternatives, "0 or more");
+    return bad("The number of alternatives", options.alternatives, unit::none, "0 or more");
   return {};
 }
 
 Result<void> check_whole(const PlateStructure& structure) {
   if (!(structure.thickness > 0.0) || !std::isfinite(structure.thickness))
-    return fail(code::invalid_input,
-                fmt::format("thickness is {} mm; it must be above 0", structure.thickness),
-                "/thickness");
+    return fail(refuse::bad_value, {{"name", "thickness"},
+                                    {"value", structure.thickness, unit::mm},
+                                    {"range", "a value above 0"},
+                                    {"field", place::pointer("/thickness")}});
   if (structure.plates.empty() && structure.bends.size() != 1)
-    return fail(code::invalid_input,
-                "without plates there must be exactly one bend, a section by itself", "/plates");
+    return fail(refuse::bends_without_plates,
+                {{"bends", structure.bends.size()}, {"field", place::pointer("/plates")}});
   return {};
 }
 

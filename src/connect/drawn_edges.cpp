@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+// The edges that a drawing has already brought to the bend. Edges on one tangent line whose ends
+// lie opposite each other are drawn for each other; of several groups of them the widest is used,
+// and a recess between groups stays open. The measure is in mm and not of the extent: drawings are
+// off by what their files and chords are off, whatever the size of the part.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -5,6 +5,11 @@
 #include <set>
 #include <tuple>
 
+// Every choice of edges that may be worth fitting, the smallest ratio of span to width first. For
+// each frame there are the optima of several trade-offs with their alternatives, each edge and each
+// two neighbours, and what is left of facing edges above the height that a bend of some radius
+// needs. Each choice is kept once.
+
 namespace planish::connect_detail {
 namespace {
 

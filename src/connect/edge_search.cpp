@@ -1,13 +1,18 @@
 #include "chain_pair.hpp"
+#include "refusals.hpp"
 
 #include <planish/connect/codes.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
+
+// The widest bend that is little longer than the shortest (math.md#widest-bend), exactly. The
+// reference bend of all pairs of chains is found first, and its length bounds what each pair is
+// worth; pairs come nearest first, so most are left out at one look. Within a pair runs are
+// searched by branch and bound (widest_bend.cpp). The result is that of the mixed-integer programs
+// [thesis 99, 114], but for their linearised arcs.
 
 namespace planish {
 namespace {
@@ -40,11 +45,11 @@ std::vector<Spot> places_in(const std::vector<Chain>& chains, const std::vector<
   return places;
 }
 
-std::string listed(const std::vector<int>& edges) {
-  std::string text;
-  for (const int e : edges)
-    text += (text.empty() ? "" : ", ") + std::to_string(e);
-  return text;
+tl::unexpected<Error> no_bend_on(const std::vector<int>& edges) {
+  Facts facts{{"noun", edges.size() == 1 ? "edge" : "edges"}};
+  for (const int edge : edges)
+    facts.emplace_back("edge", edge);
+  return fail(refuse::edges_of_no_bend, facts);
 }
 
 using Places = std::array<std::optional<std::vector<Spot>>, 2>;
@@ -55,12 +60,7 @@ Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (!options.edges[i]) continue;
     places[i] = places_in(sides[i], *options.edges[i]);
-    if (places[i]->empty())
-      return fail(code::unknown_edge,
-                  fmt::format("edges {} cannot carry one bend: they must follow each other, look "
-                              "the same way, towards the line where the plates' planes meet or "
-                              "away from it, lie on one side of it and be free",
-                              listed(*options.edges[i])));
+    if (places[i]->empty()) return no_bend_on(*options.edges[i]);
   }
   return places;
 }
@@ -182,18 +182,10 @@ bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
                      [&](const Chain& chain) { return chain.kind == kind; });
 }
 
-Error nothing_fits(const Sides& sides) {
+tl::unexpected<Error> nothing_fits(const Sides& sides) {
   for (const EdgeKind kind : {EdgeKind::facing, EdgeKind::averted})
-    if (faces(sides[0], kind) && faces(sides[1], kind))
-      return {code::no_bend_fits,
-              "no tangent line that leaves both plates whole fits between any of their edges, with "
-              "what is given",
-              {}};
-  return {code::no_bend_fits,
-          fmt::format("no edges look the same way on both plates (of {} and {} chains of edges): "
-                      "turn a plate over or move it to the other side",
-                      sides[0].size(), sides[1].size()),
-          {}};
+    if (faces(sides[0], kind) && faces(sides[1], kind)) return fail(refuse::no_line);
+  return fail(refuse::no_edges_alike, {{"chains", sides[0].size()}, {"chains", sides[1].size()}});
 }
 
 /// The next best choices: the best of each other pair of chains, nearest pairs first.
@@ -233,7 +225,7 @@ Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearch
   Search search{sides, *places, beta, options};
   search.candidates = candidates_of(search);
   const double noise = noise_of(search), length = shortest_length(search, noise);
-  if (!std::isfinite(length)) return tl::unexpected(nothing_fits(sides));
+  if (!std::isfinite(length)) return nothing_fits(sides);
   EdgeSearch found;
   found.reference_length = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : search.candidates) {

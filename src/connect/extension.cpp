@@ -1,13 +1,17 @@
+#include "refusals.hpp"
 #include "tangent_program.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/connect/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+// The tangent line of least plate extension (math.md#least-extension). The area between runs and a
+// line is linear in its slope and offset, so it is a linear program in two unknowns; for a slope
+// the best offset lies at a bound, and what remains is convex and piecewise linear. The same bounds
+// say which slopes and offsets are possible at all, for the messages.
 
 namespace planish {
 namespace {
@@ -46,11 +50,12 @@ Vec2 area_of_line(const Corners& corners) {
 
 double sign_of(EdgeKind kind) { return kind == EdgeKind::facing ? 1.0 : -1.0; }
 
-std::string limits(const Corners& corners, EdgeKind kind) {
+tl::unexpected<Error> no_tangent_line(const Corners& corners, EdgeKind kind) {
   const auto slopes = feasible_slopes(corners, kind);
-  return slopes
-             ? fmt::format("slopes from {:.6g} to {:.6g} are possible", slopes->low, slopes->high)
-             : "no slope is possible";
+  if (!slopes) return fail(refuse::no_such_line);
+  if (!std::isfinite(slopes->low)) return fail(refuse::no_line);
+  return fail(refuse::no_line_of_slopes,
+              {{"low", slopes->low, unit::none}, {"high", slopes->high, unit::none}});
 }
 
 // The largest (sign +1) or smallest slope.
@@ -80,10 +85,7 @@ Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind ki
   TangentCost cost;
   cost.linear = -sign_of(kind) * area_of_line(corners);
   const auto best = cheapest_tangent(envelopes.sides, kind, cost, given, size_of(envelopes.sides));
-  if (!best)
-    return fail(code::no_bend_fits,
-                fmt::format("no such tangent line leaves both plates whole between these edges; {}",
-                            limits(corners, kind)));
+  if (!best) return no_tangent_line(corners, kind);
   return SmallestExtension{best->line, std::max(0.0, extension_area(corners, kind, best->line))};
 }
 

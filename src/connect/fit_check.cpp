@@ -3,19 +3,25 @@
 #include "assemble.hpp"
 #include "joined_face.hpp"
 #include "pair_search.hpp"
+#include "refusals.hpp"
 #include "sheets_meet.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 #include <planish/geometry/curve.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
+#include <utility>
+
+// What a bend must not do to its plates: cut into them, leave them no common width, come round
+// their back without room, or cover itself when laid flat. Each is measured on the finished outline
+// and sheet instead of being derived from the fit, so a mistake of the fit is found. A way through
+// a plate is found between its crossings of the outline, as between these it lies on one side.
 
 namespace planish::connect_detail {
 namespace {
@@ -50,8 +56,8 @@ std::optional<Vec2> within(const PlacedPlate& plate, const Vec2& a, const Vec2& 
   std::vector<double> cuts{0.0, 1.0};
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 along = ring[(i + 1) % ring.size()] - ring[i], way = b - a, to = ring[i] - a;
-    const double across = way.x() * along.y() - way.y() * along.x();
-    const double share = (to.x() * along.y() - to.y() * along.x()) / across;
+    const double across = cross(way, along);
+    const double share = cross(to, along) / across;
     if (share > 0.0 && share < 1.0) cuts.push_back(share);
   }
   std::sort(cuts.begin(), cuts.end());
@@ -72,24 +78,16 @@ std::optional<Vec2> cut_place(const PlacedPlate& plate, const std::vector<Vec2>&
   return std::nullopt;
 }
 
-Error cuts(const std::string& id, const Vec3& at) {
-  return {code::overlap,
-          fmt::format("the straight way from the edges of plate {} to the bend would cut through "
-                      "the plate, near ({:.6g}, {:.6g}, {:.6g})",
-                      id, at.x(), at.y(), at.z()),
-          {}};
-}
-
 Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
   const BendFrame& frame = parts.fits[bend].report.frame;
-  return {code::plates_touch,
-          fmt::format("the sheets of {:.4g} mm run into each other at ({:.6g}, {:.6g}, {:.6g}): "
-                      "move the plates apart or cut them back there, to {:.4g} mm from the line "
-                      "where their planes meet; plates that share an edge can be folded sharply "
-                      "(inside_radius 0)",
-                      parts.thickness, meet.at.x(), meet.at.y(), meet.at.z(),
-                      tangent_distance(frame, kSmallestInsideRadius + 0.5 * parts.thickness)),
-          {}};
+  Facts facts;
+  for (const int plate : parts.fits[bend].report.plates)
+    facts.emplace_back("plate", place::at(place::plate(parts.ids[plate]), meet.at));
+  facts.emplace_back("at", place::point(meet.at));
+  facts.emplace_back("thickness", parts.thickness, unit::mm);
+  facts.emplace_back(
+      "least", tangent_distance(frame, kSmallestInsideRadius + 0.5 * parts.thickness), unit::mm);
+  return error_of(refuse::sheets_run_into_each_other, facts);
 }
 
 }  // namespace
@@ -98,23 +96,18 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
   if (!parts.fits[bend].fold) {
     const JoinedFace face = bend_face(parts, bend, 1);
     for (const Border& border : face.face.loops.front())
-      if (!is_regular(border.curve))
-        return fail(code::no_bend_fits,
-                    "the planes of the plates are so nearly parallel that a bend between them is "
-                    "out of reach: make them parallel, or turn one by more");
+      if (!is_regular(border.curve)) return fail(refuse::nearly_parallel, plates_of(parts, bend));
   }
   for (const int plate : parts.fits[bend].report.plates) {
     const auto made = plate_face(parts, plate, 1);
     if (!made) return pass_on(made);
     const bool joined = std::any_of(made->joints.begin(), made->joints.end(),
                                     [&](const auto& joint) { return joint.bend == bend; });
-    if (!joined)
-      return fail(code::no_common_width,
-                  fmt::format("the bend touches plate {} in a point only", parts.ids[plate]));
+    if (!joined) return fail(refuse::touches_in_point, {{"plate", place::plate(parts.ids[plate])}});
     if (parts.fits[bend].fold) continue;  // which cuts the plates back
     const PlacedPlate& placed = parts.plates[plate];
     if (const auto at = cut_place(placed, corners_of(made->face.loops.front())))
-      return tl::unexpected(cuts(parts.ids[plate], placed.frame.point(*at)));
+      return fail(refuse::cuts_plate, plate_at(parts.ids[plate], placed.frame.point(*at)));
   }
   // A bend round the back leaves the plates as near each other in front as they are.
   if (parts.fits[bend].report.edge_kind == EdgeKind::averted) return check_room(parts, bend);
@@ -151,16 +144,20 @@ Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
   options.allowance = ConstantK{k_factor};
   options.root = made->root;
   const auto layout = lay_out(made->sheet, options);
-  if (!layout) return pass_on(layout);
+  if (!layout) {
+    Error error = layout.error();
+    error.places.clear();  // which are of a sheet that nobody sees
+    return fail(std::move(error));
+  }
   const double clearance = std::max(kContact * parts.thickness, 2.0 * options.curve_tolerance);
   std::vector<Polygon> faces;
   for (const FaceId face : made->sheet.faces.ids())
     faces.push_back(polygon_of(layout->region(face), 0.25 * clearance));
   const auto twice = overlaps(faces, clearance, clearance * clearance);
   if (twice.empty()) return {};
-  return fail(code::overlap,
-              fmt::format("laid flat, the plates and the bend would cover each other by {:.4g} mm²",
-                          twice.front().area));
+  Facts facts = plates_of(parts, bend);
+  facts.emplace_back("area", twice.front().area, unit::mm2);
+  return fail(refuse::covers_itself, facts);
 }
 
 }  // namespace planish::connect_detail

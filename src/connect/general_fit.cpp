@@ -1,14 +1,20 @@
 #include "general_fit.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
 #include <planish/connect/edge_search.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+// A general cone: one apex on the intersection line, a slope for each side (math.md#general-cone).
+// For an apex the least extension of a side is its steepest line that does not cut it, so only
+// apexes where an edge's own extension meets the line need be tried. The arc is elliptic and leaves
+// both plates as their tangents do (math.md#corner-cone); by default it begins where it would be
+// circular. Offsets keep the rulings (math.md#neutral-surface).
 
 namespace planish::connect_detail {
 namespace {
@@ -96,13 +102,13 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
   const Vec3 foot = frame.origin + (point - frame.origin).dot(frame.d) * frame.d;
   const double off = (point - foot).norm();
   if (off > kOnLine * extent)
-    return fail(
-        code::no_bend_fits,
-        fmt::format("the tangent point lies {:.4g} mm off the line where the plates' planes meet",
-                    off),
-        "/tangent_point");
+    return fail(refuse::tangent_point_off, {{"at", place::point(point)},
+                                            {"off", off, unit::mm},
+                                            {"foot", place::point(foot)},
+                                            {"field", place::pointer("/tangent_point")}});
   if ((foot - apex).norm() <= kOnLine * extent)
-    return fail(code::no_bend_fits, "the tangent point is the apex of the bend", "/tangent_point");
+    return fail(refuse::tangent_point_at_apex,
+                {{"at", place::point(point)}, {"field", place::pointer("/tangent_point")}});
   return foot;
 }
 
@@ -111,29 +117,19 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
 Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
                                    std::optional<double> apex) {
   if (edges == EdgeKind::averted)
-    return fail(code::no_bend_fits,
-                "a general bend joins edges that look towards each other; these look away from "
-                "each other: choose a cylinder or a cone",
-                "/surface");
+    return fail(refuse::general_of_averted, {{"field", place::pointer("/surface")}});
   if (apex && !beyond(*apex, corners))
-    return fail(
-        code::apex_in_span,
-        fmt::format(
-            "the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm",
-            *apex, low_x(corners), high_x(corners)),
-        "/apex");
+    return fail(refuse::apex_between, {{"apex", *apex, unit::mm},
+                                       {"low", low_x(corners), unit::mm},
+                                       {"high", high_x(corners), unit::mm},
+                                       {"field", place::pointer("/apex")}});
   std::optional<GeneralLines> best;
   for (const double x : apex ? std::vector{*apex} : edge_apexes(corners)) {
     if (!beyond(x, corners)) continue;
     const auto lines = lines_from(x, corners);
     if (lines && (!best || lines->area < best->area)) best = *lines;
   }
-  if (!best)
-    return fail(
-        code::no_bend_fits,
-        "no edge runs towards the line where the plates' planes meet, so a general bend has "
-        "no apex: give one, or choose a cylinder or a cone",
-        "/surface");
+  if (!best) return fail(refuse::general_without_apex, {{"field", place::pointer("/surface")}});
   return *best;
 }
 

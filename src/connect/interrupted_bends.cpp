@@ -8,6 +8,11 @@
 #include <algorithm>
 #include <utility>
 
+// Stretches are added once every bend has its edges, so that none takes an edge that another bend
+// needs. If the outlines do not hold with all of them, bends are widened one after another, and one
+// that breaks an outline keeps its own band alone. Afterwards further stretches and joints are fits
+// of their own, in rows behind all others, so that the rows of the bends stay as they were.
+
 namespace planish::connect_detail {
 namespace {
 

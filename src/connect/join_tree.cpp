@@ -4,18 +4,23 @@
 #include "choices.hpp"
 #include "fit_check.hpp"
 #include "interrupted_bends.hpp"
+#include "refusals.hpp"
 #include "request_check.hpp"
 
+#include <planish/base/search.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
 #include <planish/connect/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <queue>
+#include <string>
+
+// Which plates to join: a minimum spanning tree by the ratio of span to width, grown nearest pair
+// first. An edge is used once, so a pair that comes up after its edges were taken is measured again
+// and put back. Bends with given edges are fitted first. Where a bend that uses whole edges would
+// leave another without an edge in front, bends take no more than they need.
 
 namespace planish::connect_detail {
 namespace {
@@ -23,8 +28,6 @@ namespace {
 // Two pairs whose ratios of span to width differ by less are equally near; the wider, then the
 // earlier wins.
 constexpr double kEquallyNear = tolerance::kComputed;
-
-constexpr const char* kCancelled = "cancelled";
 
 // A bend longer than this many diagonals of its plates joins what a shop would call two parts.
 constexpr double kFarApart = 2.0;
@@ -43,13 +46,14 @@ std::vector<std::size_t> with_edges_first(const std::vector<BendRequest>& bends)
 Result<void> check_joined(const PlateStructure& structure, UnionFind& groups) {
   for (std::size_t p = 1; p < structure.plates.size(); ++p)
     if (!groups.same(static_cast<int>(p), 0))
-      return fail(code::not_connected,
-                  fmt::format("the bends given do not join plate \"{}\" to plate \"{}\": add a "
-                              "bend, or give no bends at all to have them found",
-                              structure.plates[p].id, structure.plates[0].id),
-                  "/bends");
+      return fail(refuse::left_out, {{"plate", place::plate(structure.plates[p].id)},
+                                     {"other", place::plate(structure.plates[0].id)},
+                                     {"field", place::pointer("/bends")}});
   return {};
 }
+
+std::string bend_pointer(std::size_t bend) { return "/bends/" + std::to_string(bend); }
+std::string plate_pointer(int plate) { return "/plates/" + std::to_string(plate); }
 
 /// The indices of the plates that each request joins. Errors: those of `rows_of`;
 /// `not_connected`.
@@ -58,7 +62,7 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
   std::vector<std::vector<int>> rows;
   for (std::size_t b = 0; b < structure.bends.size(); ++b) {
     const BendRequest& request = structure.bends[b];
-    const std::string pointer = fmt::format("/bends/{}", b);
+    const std::string pointer = bend_pointer(b);
     auto found = rows_of(structure, request, pointer);
     if (!found) return pass_on(found);
     if (found->size() == 2) groups.unite((*found)[0], (*found)[1]);
@@ -74,14 +78,13 @@ struct SpanLimit {
   bool given = false;
 };
 
-Result<void> check_span(double reach, const SpanLimit& limit) {
-  if (reach <= limit.most) return {};
-  return fail(code::too_far_apart,
-              fmt::format("the bend would be {:.4g} mm long from plate to plate, and {}", reach,
-                          limit.given ? fmt::format("largest_span is {:.4g} mm", limit.most)
-                                      : fmt::format("up to {:.4g} mm are joined: give a larger "
-                                                    "largest_span, or the bend itself",
-                                                    limit.most)));
+Result<void> check_span(const Parts& parts, int bend, const SpanLimit& limit) {
+  const double span = parts.fits[bend].report.reach;
+  if (span <= limit.most) return {};
+  Facts facts = plates_of(parts, bend);
+  facts.emplace_back("span", span, unit::mm);
+  facts.emplace_back("most", limit.most, unit::mm);
+  return fail(limit.given ? refuse::longer_than_given : refuse::longer_than_joined, facts);
 }
 
 /// A fit of bend number `bend`, between the plates in `rows`, is held against the others.
@@ -98,7 +101,7 @@ FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows
   };
   return {held([limit](const Parts& all, int number) -> Result<void> {
             if (auto on_plates = check_on_plates(all, number); !on_plates) return on_plates;
-            return check_span(all.fits[number].report.reach, limit);
+            return check_span(all, number, limit);
           }),
           held([&options](const Parts& all, int number) {
             return check_flat(all, number, options.k_factor);
@@ -130,7 +133,7 @@ struct LaterPair {
   }
 };
 
-using PairQueue = std::priority_queue<Pair, std::vector<Pair>, LaterPair>;
+using PairQueue = Frontier<Pair, LaterPair>;
 
 /// The input of the search for a tree.
 struct Problem {
@@ -173,13 +176,13 @@ Result<PairQueue> open_pairs(const Problem& problem, UnionFind& groups, const Ta
                              bool any, const Progress& progress) {
   PairQueue pairs;
   for (int a = 0; a < problem.count(); ++a) {
-    if (progress.should_stop()) return fail(code::cancelled, kCancelled);
+    if (progress.should_stop()) return fail(refuse::cancelled);
     progress.at("finding which plates to join", static_cast<double>(a) / problem.count());
     for (int b = a + 1; b < problem.count(); ++b) {
       if (groups.same(a, b)) continue;
       if (const auto pair = measured(problem, a, b, taken, any);
           pair && pair->span <= problem.largest_span(a, b))
-        pairs.push(*pair);
+        pairs.add(*pair);
     }
   }
   return pairs;
@@ -199,45 +202,45 @@ std::optional<Error> too_far(const Problem& problem, UnionFind& groups, int p,
   if (!nearest || nearest->span <= problem.largest_span(nearest->a, nearest->b))
     return std::nullopt;
   const std::vector<Plate>& plates = problem.structure.plates;
-  return Error{
-      code::too_far_apart,
-      fmt::format("plate \"{}\" is not joined to the others: the shortest bend, to plate "
-                  "\"{}\", would be {:.4g} mm long from plate to plate, and up to {:.4g} mm "
-                  "are joined: give a larger largest_span, or the bend itself",
-                  plates[nearest->a].id, plates[nearest->b].id, nearest->span,
-                  problem.largest_span(nearest->a, nearest->b)),
-      fmt::format("/plates/{}", nearest->a)};
+  return error_of(refuse::nearest_too_far,
+                  {{"plate", place::plate(plates[nearest->a].id)},
+                   {"other", place::plate(plates[nearest->b].id)},
+                   {"span", nearest->span, unit::mm},
+                   {"most", problem.largest_span(nearest->a, nearest->b), unit::mm},
+                   {"field", place::pointer(plate_pointer(nearest->a))}});
+}
+
+/// The error of the nearest pair of a plate that stays alone. The request of that pair is not in
+/// the file, so neither are its fields.
+Error alone_because(const Place& plate, const std::string& pointer, Error why) {
+  why.message = tell("{@plate} cannot be joined to the others.", {{"plate", plate}}).sentence +
+                " " + why.message;
+  std::erase_if(why.places, [&](const Place& place) {
+    return place.kind == PlaceKind::pointer || (place.at.empty() && place == plate);
+  });
+  why.places.insert(why.places.begin(), {plate, place::pointer(pointer)});
+  why.where = pointer;
+  return why;
 }
 
 /// Why a plate remains unconnected; `why` is that of its nearest pair, if one was tried.
 Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
   const std::vector<Plate>& plates = problem.structure.plates;
-  const std::string where = fmt::format("/plates/{}", p);
-  if (why)
-    return {
-        why->code,
-        fmt::format("plate \"{}\" cannot be joined to the others: {}", plates[p].id, why->message),
-        where};
+  const Place plate = place::plate(plates[p].id);
+  const std::string pointer = plate_pointer(p);
+  if (why) return alone_because(plate, pointer, *why);
   if (const auto radius = problem.structure.defaults.inside_radius)
-    return {
-        code::no_bend_fits,
-        fmt::format("plate \"{}\" cannot be joined to the others by a bend of the default inside "
-                    "radius, {:.6g} mm: make it smaller, or give it to single bends",
-                    plates[p].id, *radius),
-        "/defaults/inside_radius"};
+    return error_of(refuse::default_radius_does_not_fit,
+                    {{"plate", plate},
+                     {"radius", *radius, unit::mm},
+                     {"field", place::pointer("/defaults/inside_radius")}});
   for (int other = 0; other < problem.count(); ++other)
     if (other != p && plane_pair(problem.plates[p], problem.plates[other],
                                  problem.options.planarity) == PlanePair::coplanar)
-      return {code::plates_coplanar,
-              fmt::format("plates \"{}\" and \"{}\" lie in one plane, so there is nothing to bend "
-                          "between them: make them one plate",
-                          plates[other].id, plates[p].id),
-              where};
-  return {code::no_bend_fits,
-          fmt::format("plate \"{}\" cannot be joined to the others: none of their edges and its "
-                      "own look towards each other",
-                      plates[p].id),
-          where};
+      return error_of(refuse::in_one_plane, {{"plate", place::plate(plates[other].id)},
+                                             {"plate", plate},
+                                             {"field", place::pointer(pointer)}});
+  return error_of(refuse::faces_no_other, {{"plate", plate}, {"field", place::pointer(pointer)}});
 }
 
 /// Grows over the plates, nearest pairs first.
@@ -258,15 +261,14 @@ class Tree {
     auto open = open_pairs(problem_, groups_, taken_, any, progress);
     if (!open) return pass_on(open);
     while (!open->empty() && parts_.fits.size() + 1 < problem_.plates.size()) {
-      if (progress.should_stop()) return fail(code::cancelled, kCancelled);
-      const Pair pair = open->top();
-      open->pop();
+      if (progress.should_stop()) return fail(refuse::cancelled);
+      const Pair pair = open->take();
       if (groups_.same(pair.a, pair.b)) continue;
       // Its edges may have been taken since.
       const auto now = measured(problem_, pair.a, pair.b, taken_, any);
       if (!now || now->span > problem_.largest_span(pair.a, pair.b)) continue;
       if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
-        open->push(*now);
+        open->add(*now);
         continue;
       }
       join(pair, fit);
@@ -340,11 +342,11 @@ Result<std::vector<BendFit>> fit_all_requested(const PlateStructure& structure,
   if (structure.largest_span) limit = {*structure.largest_span, true};
   std::size_t done = 0;
   for (const std::size_t b : with_edges_first(structure.bends)) {
-    if (progress.should_stop()) return fail(code::cancelled, kCancelled);
+    if (progress.should_stop()) return fail(refuse::cancelled);
     progress.at("fitting bends",
                 static_cast<double>(done++) / static_cast<double>(structure.bends.size()));
     FitTask task = task_of(structure, plates, taken, (*rows)[b], structure.bends[b]);
-    task.pointer = fmt::format("/bends/{}", b);
+    task.pointer = bend_pointer(b);
     task.shares_edges = share_edges;
     auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], limit, options));
     if (!fit) return pass_on(fit);

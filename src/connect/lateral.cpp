@@ -1,20 +1,25 @@
 #include "lateral.hpp"
 
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 #include <planish/geometry/fit.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+// The sides of a bend (math.md#lateral-boundaries): straight in the flat between the plates'
+// corners, at the neutral surface, or along a circle of the surface. A straight one must meet
+// corner, ruling, other ruling and other corner in this order, and lean no more than 45°. The bend
+// may run over neither plate: sections of the tangent rulings beside which there is no material are
+// found from crossings of a line just below, after appendix 1 of bibliography.md#thesis.
+
 namespace planish::connect_detail {
 namespace {
 
-using Interval = std::pair<double, double>;
+using Spread = std::pair<double, double>;
 
 // A bend has no width below this share of the plates' extent.
 constexpr double kNoWidth = kNegligible;
@@ -106,7 +111,7 @@ double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
   return std::abs(corners[1].x() - corners[0].x()) / way;
 }
 
-bool within(const BendSurface& surface, const Boundaries& b, const Interval& legal,
+bool within(const BendSurface& surface, const Boundaries& b, const Spread& legal,
             double tolerance) {
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
@@ -117,22 +122,13 @@ bool within(const BendSurface& surface, const Boundaries& b, const Interval& leg
   return true;
 }
 
-std::optional<Interval> widest(const std::vector<Interval>& legal, double low, double high) {
-  std::optional<Interval> best;
-  for (const Interval& section : legal) {
-    const Interval part{std::max(low, section.first), std::min(high, section.second)};
+std::optional<Spread> widest(const std::vector<Spread>& legal, double low, double high) {
+  std::optional<Spread> best;
+  for (const Spread& section : legal) {
+    const Spread part{std::max(low, section.first), std::min(high, section.second)};
     if (!best || part.second - part.first > best->second - best->first) best = part;
   }
   return best;
-}
-
-Error too_narrow(double width) {
-  return {code::no_common_width,
-          fmt::format(
-              "the edges have no width in common on which a bend runs over neither plate (their "
-              "ranges miss each other by {:.4g} mm): choose other edges or move a plate",
-              std::max(0.0, -width)),
-          {}};
 }
 
 std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const Flat& flat,
@@ -144,7 +140,7 @@ std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const 
   for (std::size_t side = 0; side < 2; ++side)
     if (both.high.v[side] - both.low.v[side] <= kNoWidth * options.extent) return std::nullopt;
   const double tolerance = kNoWidth * options.extent;
-  for (const Interval& section : options.legal)
+  for (const Spread& section : options.legal)
     if (within(surface, both, section, tolerance)) return both;
   return std::nullopt;
 }
@@ -164,7 +160,9 @@ Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnd
     high = low;
   }
   const double width = surface.v_at(0, high) - surface.v_at(0, low);
-  if (width <= kNoWidth * options.extent) return tl::unexpected(too_narrow(width));
+  if (width <= -kNoWidth * options.extent)
+    return fail(refuse::ranges_apart, {{"gap", -width, unit::mm}});
+  if (width <= kNoWidth * options.extent) return fail(refuse::no_width);
   return Boundaries{kind, along_directrix(surface, low, options.extent),
                     along_directrix(surface, high, options.extent)};
 }
@@ -185,23 +183,19 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
                       std::max(leaning(flat, ends.low), leaning(flat, ends.high)) < kLeaning;
     if (near)
       if (auto both = straight_boundaries(surface, flat, ends, options)) return *both;
-    if (wanted == LateralBoundary::straight)
-      return fail(code::no_common_width,
-                  "a straight lateral boundary would run over a plate or past the end of the bend: "
-                  "choose arc "
-                  "or corner");
+    if (wanted == LateralBoundary::straight) return fail(refuse::straight_over_plate);
     wanted = LateralBoundary::corner;
   }
   return directrix_boundaries(surface, ends, wanted, options);
 }
 
-std::vector<Interval> legal_sections(const std::vector<Vec2>& outline, double low, double high,
-                                     double tolerance) {
+std::vector<Spread> legal_sections(const std::vector<Vec2>& outline, double low, double high,
+                                   double tolerance) {
   return legal_sections(std::vector<std::vector<Vec2>>{outline}, low, high, tolerance);
 }
 
-std::vector<Interval> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
-                                     double high, double tolerance) {
+std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
+                                   double high, double tolerance) {
   // Crossings of the line just below h = 0: a corner on it counts as above.
   std::vector<double> crossings;
   for (const std::vector<Vec2>& ring : rings)
@@ -214,7 +208,7 @@ std::vector<Interval> legal_sections(const std::vector<std::vector<Vec2>>& rings
       crossings.push_back(a.x() + t * (b.x() - a.x()));
     }
   std::sort(crossings.begin(), crossings.end());
-  std::vector<Interval> sections;
+  std::vector<Spread> sections;
   double from = low;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
     if (std::min(crossings[i], high) > from)

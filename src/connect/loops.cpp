@@ -1,13 +1,14 @@
 #include "loops.hpp"
 
 #include "orientation.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/union_find.hpp>
 #include <planish/connect/codes.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 
-#include <fmt/format.h>
+#include <string>
 
 namespace planish::connect_detail {
 namespace {
@@ -22,13 +23,11 @@ std::optional<int> closing_bend(const Parts& parts) {
   return std::nullopt;
 }
 
-Error loop_error(const Parts& parts, int bend, const std::string& why) {
-  const std::vector<int>& plates = parts.fits[bend].report.plates;
-  return {code::bend_loop,
-          fmt::format("the bend between \"{}\" and \"{}\" closes a loop, as they are joined "
-                      "already, and {}: leave it out, so that the sheet is open there",
-                      parts.ids[plates[0]], parts.ids[plates[1]], why),
-          fmt::format("/bends/{}", bend)};
+tl::unexpected<Error> loop_error(const Parts& parts, int bend, const char* why) {
+  Facts facts = plates_of(parts, bend);
+  facts.emplace_back("bend", place::pointer("/bends/" + std::to_string(bend)));
+  facts.emplace_back("why", why);
+  return fail(refuse::closes_loop, facts);
 }
 
 }  // namespace
@@ -36,14 +35,13 @@ Error loop_error(const Parts& parts, int bend, const std::string& why) {
 Result<void> check_loops(const Parts& parts, const Assembled& made, double k_factor) {
   const auto bend = closing_bend(parts);
   if (!bend) return {};
-  if (!has_two_sides(parts))
-    return tl::unexpected(loop_error(parts, *bend, "the loop turns the sheet over"));
+  if (!has_two_sides(parts)) return loop_error(parts, *bend, "the loop turns the sheet over");
   FlattenOptions options;
   options.allowance = ConstantK{k_factor};
   options.root = made.root;
   const auto layout = lay_out(made.sheet, options);
   if (layout || layout.error().code != code::closed_loop) return {};
-  return tl::unexpected(loop_error(parts, *bend, "this loop does not lie flat"));
+  return loop_error(parts, *bend, "the loop does not lie flat");
 }
 
 }  // namespace planish::connect_detail

@@ -8,6 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+// Runs of edges, and what bends leave of them. An edge is used in shares of its length, so that a
+// bend narrower than its edge leaves the rest to others; a rest shorter than the thickness goes
+// with the run. Chains are broken where an edge is taken and keep the numbers of their edges.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -2,14 +2,18 @@
 
 #include "better_edges.hpp"
 #include "outline_run.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+// The edges and the frame of one bend: all frames of the two plates are searched, and the one with
+// the shortest reference bend is taken (math.md#shortest-bend). What a request gives of the tangent
+// line takes part if it does not depend on the edges chosen. An inside radius that the edges miss
+// by a micrometre is reduced to what they allow, since files of real parts are rounded.
 
 namespace planish::connect_detail {
 namespace {
@@ -185,12 +189,8 @@ Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
       choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
   }
   if (frame.parallel() && beside(outlines))
-    return fail(
-        code::plates_offset,
-        fmt::format(
-            "the plates lie in parallel planes {:.4g} mm apart and beside each other; a "
-            "half-turn joins plates that lie over each other: put a third plate between them",
-            frame.rise.norm()));
+    return fail(refuse::beside_each_other,
+                about(task, {{"distance", frame.rise.norm(), unit::mm}}));
   return choice;
 }
 
@@ -219,13 +219,10 @@ std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& 
 
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options) {
   const PlanePair kind = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
-  if (kind == PlanePair::coplanar)
-    return fail(code::plates_coplanar,
-                "the plates lie in one plane, so there is nothing to bend between them: make them "
-                "one plate");
+  if (kind == PlanePair::coplanar) return fail(refuse::in_one_plane, about(task, {}));
   const std::optional<EdgeKind> natural = natural_kind(task, options);
   std::optional<PairChoice> best;
-  Error why{code::no_bend_fits, "no edges of the two plates look towards each other", {}};
+  Error why = error_of(refuse::no_edges_facing, about(task, {}));
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], kind)) {
     auto choice = search_frame(task, frame, options, natural);
     if (!choice) {

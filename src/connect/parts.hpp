@@ -2,6 +2,8 @@
 
 #include "bend_fit.hpp"
 
+#include <planish/base/message.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,5 +28,18 @@ struct Parts {
     return rows[side];
   }
 };
+
+/// The plates that a bend joins, as facts for its refusal.
+inline Facts plates_of(const Parts& parts, int bend) {
+  Facts facts;
+  for (const int plate : parts.fits[bend].report.plates)
+    facts.emplace_back("plate", place::plate(parts.ids[plate]));
+  return facts;
+}
+
+/// A plate and a place on it, likewise.
+inline Facts plate_at(const std::string& id, const Vec3& at) {
+  return {{"plate", place::at(place::plate(id), at)}, {"at", place::point(at)}};
+}
 
 }  // namespace planish::connect_detail

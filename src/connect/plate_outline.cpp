@@ -1,15 +1,21 @@
 #include "plate_outline.hpp"
 
+#include "parts.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+// A plate's outline with its extensions (math.md#tangent-lines). From each end of a run the outline
+// goes on to the lateral boundary by the shortest path that does not cut the plate, the convex hull
+// of the corners between; then along the tangent ruling. An extension that runs back over an edge
+// becomes one with it, and an outline that crosses itself is refused.
 
 namespace planish::connect_detail {
 namespace {
@@ -18,8 +24,6 @@ using Edge = ExtendedOutline::Edge;
 
 // Points closer than this share of the plate's extent are one.
 constexpr double kSame = tolerance::kComputed;
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Corners of the run in (v, h), in the order of the outline.
 std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
@@ -55,7 +59,7 @@ std::vector<Vec2> taut(const std::vector<Vec2>& corners, const Vec2& target) {
   const auto add = [&](const Vec2& p) {
     while (way.size() > 1) {
       const Vec2& a = way[way.size() - 2];
-      if (below * inward * cross2(way.back() - a, p - a) > 0.0) break;
+      if (below * inward * cross(way.back() - a, p - a) > 0.0) break;
       way.pop_back();
     }
     way.push_back(p);
@@ -132,7 +136,7 @@ void with_runs_joined(ExtendedOutline& outline, bool on_too, double same) {
     const std::size_t next = (i + 1) % edges.size();
     const Vec2 there = e.b - e.a, on = edges[next].b - edges[next].a;
     const bool along = !e.bend && !edges[next].bend && (on_too || there.dot(on) < 0.0) &&
-                       std::abs(cross2(there, on)) <= same * std::max(there.norm(), on.norm());
+                       std::abs(cross(there, on)) <= same * std::max(there.norm(), on.norm());
     if (!along) {
       ++i;
       continue;
@@ -206,19 +210,11 @@ Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& pla
   const auto crossings = self_crossings(ring);
   if (crossings.empty() && (number == 0 ? 1.0 : -1.0) * ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))
-      return fail(code::no_common_width,
-                  fmt::format("the bend that fits best begins beside the edges of plate {}, where "
-                              "its extension would run over the plate at "
-                              "({:.6g}, {:.6g}, {:.6g}): choose other edges or move a plate",
-                              id, plate.frame.point(*at).x(), plate.frame.point(*at).y(),
-                              plate.frame.point(*at).z()));
+      return fail(refuse::begins_beside_edges, plate_at(id, plate.frame.point(*at)));
     return {};
   }
   const Vec3 p = plate.frame.point(crossings.empty() ? ring.front() : crossings.front());
-  return fail(code::overlap, fmt::format("the extensions of plate {} that its bends need run "
-                                         "into each other or over the plate, near "
-                                         "({:.6g}, {:.6g}, {:.6g})",
-                                         id, p.x(), p.y(), p.z()));
+  return fail(refuse::extensions_meet, plate_at(id, p));
 }
 
 }  // namespace

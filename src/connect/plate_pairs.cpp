@@ -11,17 +11,22 @@
 #include <cmath>
 #include <limits>
 
+// Whether two plates pass through each other, or leave each other no room. Planes that cross share
+// their line only: plates intersect where both have material there on both of its sides. Each sheet
+// needs half its thickness, as far as it leans over the other; near a border a bend or a weld may
+// be intended, so only places farther in count.
+
 namespace planish::connect_detail {
 namespace {
 
-using Interval = std::pair<double, double>;
+using Spread = std::pair<double, double>;
 
 // Plates that pass through each other by less than this share of their extent touch.
 constexpr double kTouch = kNegligible;
 
 // Intervals of the line y = 0 with material on both of its sides.
-std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d,
-                                       const Vec3& e, double tolerance) {
+std::vector<Spread> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d,
+                                     const Vec3& e, double tolerance) {
   std::vector<std::vector<Vec2>> above, below;
   double low = 0.0, high = 0.0;
   for (int r = 0; r < plate.ring_count(); ++r) {
@@ -35,13 +40,13 @@ std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& ori
     }
   }
   // Complements of the sections that are free on one side or the other.
-  std::vector<Interval> free = legal_sections(above, low, high, tolerance);
-  for (const Interval& section : legal_sections(below, low, high, tolerance))
+  std::vector<Spread> free = legal_sections(above, low, high, tolerance);
+  for (const Spread& section : legal_sections(below, low, high, tolerance))
     free.push_back(section);
   std::sort(free.begin(), free.end());
-  std::vector<Interval> inside;
+  std::vector<Spread> inside;
   double from = low;
-  for (const Interval& section : free) {
+  for (const Spread& section : free) {
     if (section.first > from) inside.emplace_back(from, section.first);
     from = std::max(from, section.second);
   }
@@ -51,8 +56,8 @@ std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& ori
 
 std::optional<Vec3> crossing(const PlacedPlate& a, const PlacedPlate& b, const BendFrame& frame) {
   const double tolerance = kTouch * std::max(a.extent, b.extent);
-  for (const Interval& p : inside_intervals(a, frame.origin, frame.d, frame.e[0], tolerance))
-    for (const Interval& q : inside_intervals(b, frame.origin, frame.d, frame.e[1], tolerance)) {
+  for (const Spread& p : inside_intervals(a, frame.origin, frame.d, frame.e[0], tolerance))
+    for (const Spread& q : inside_intervals(b, frame.origin, frame.d, frame.e[1], tolerance)) {
       const double low = std::max(p.first, q.first), high = std::min(p.second, q.second);
       if (high - low > tolerance) return frame.origin + 0.5 * (low + high) * frame.d;
     }

@@ -1,13 +1,21 @@
 #include "plate_plane.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+
+// A plate in the axes of its own plane. The normal is Newell's: twice the vector area, robust for
+// corners nearly in one plane, from which each must be off by less than the planarity. Polygons may
+// not cross themselves, nor come within rounding of each other; boxes part most pairs of holes
+// first. Rings run as the frame sees them, and edge numbers remain those of the file.
 
 namespace planish::connect_detail {
 namespace {
@@ -19,9 +27,33 @@ constexpr double kSameCorner = tolerance::kFileDigits;
 // A polygon whose area is below this share of extent² is a line.
 constexpr double kNoArea = tolerance::kComputed;
 
-std::string text(const Vec3& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
-}
+/// A polygon of a plate, as refusals name it: the outline, or a hole by its index.
+struct PlateRing {
+  const Ring& ring;
+  const std::string& plate;  ///< id
+  std::string pointer;
+  std::optional<std::size_t> hole = std::nullopt;
+
+  std::string name() const {
+    return hole ? "hole " + std::to_string(*hole + 1) : std::string("the outline");
+  }
+  /// What is wrong with it, at a corner.
+  Facts at_corner(std::size_t i) const {
+    return {{"plate", place::at(place::plate(plate), ring[i])},
+            {"ring", name()},
+            {"corner", i + 1},
+            {"at", place::point(ring[i])},
+            {"field", place::pointer(corner_pointer(i))}};
+  }
+  /// At a place in space.
+  Facts at(const Vec3& p) const {
+    return {{"plate", place::at(place::plate(plate), p)},
+            {"ring", name()},
+            {"at", place::point(p)},
+            {"field", place::pointer(pointer)}};
+  }
+  std::string corner_pointer(std::size_t i) const { return pointer + "/" + std::to_string(i); }
+};
 
 // Newell's method: twice the vector area, robust for corners that are nearly in one plane.
 Vec3 vector_area(const Ring& ring) {
@@ -48,31 +80,35 @@ double extent_of(const Ring& ring) {
   return (hi - lo).norm();
 }
 
-Result<void> check_corners(const Ring& ring, const std::string& pointer) {
+Result<void> check_corners(const PlateRing& polygon) {
+  const Ring& ring = polygon.ring;
   if (ring.size() < 3)
-    return fail(code::too_few_corners,
-                fmt::format("a polygon needs at least 3 corners, this one has {}", ring.size()),
-                pointer);
+    return fail(refuse::few_corners, {{"plate", place::plate(polygon.plate)},
+                                      {"ring", polygon.name()},
+                                      {"corners", ring.size()},
+                                      {"field", place::pointer(polygon.pointer)}});
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (!ring[i].allFinite())
-      return fail(code::invalid_input, "a corner must be three finite numbers",
-                  fmt::format("{}/{}", pointer, i));
+      return fail(refuse::corner_not_finite,
+                  {{"plate", place::plate(polygon.plate)},
+                   {"ring", polygon.name()},
+                   {"corner", i + 1},
+                   {"field", place::pointer(polygon.corner_pointer(i))}});
   const double same = kSameCorner * extent_of(ring);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::size_t next = (i + 1) % ring.size();
-    if ((ring[next] - ring[i]).norm() <= same)
-      return fail(
-          code::repeated_corner,
-          fmt::format("corners {} and {} are at the same place {}; a closed polygon does not "
-                      "repeat a corner",
-                      i, next, text(ring[i])),
-          fmt::format("{}/{}", pointer, next));
+    if ((ring[next] - ring[i]).norm() <= same) {
+      Facts facts = polygon.at_corner(i);
+      facts.emplace_back("next", next + 1);
+      facts.emplace_back("repeated", place::pointer(polygon.corner_pointer(next)));
+      return fail(refuse::corner_repeated, facts, polygon.corner_pointer(next));
+    }
   }
   return {};
 }
 
-Result<void> check_planar(const Ring& ring, const Frame& frame, const std::string& pointer,
-                          double planarity) {
+Result<void> check_planar(const PlateRing& polygon, const Frame& frame, double planarity) {
+  const Ring& ring = polygon.ring;
   std::size_t worst = 0;
   double most = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -83,29 +119,25 @@ Result<void> check_planar(const Ring& ring, const Frame& frame, const std::strin
     }
   }
   if (most <= planarity) return {};
-  return fail(
-      code::not_planar,
-      fmt::format("corner {} lies {:.4g} mm off the plane of the plate, {:.4g} mm are allowed: "
-                  "a plate is flat",
-                  worst, most, planarity),
-      fmt::format("{}/{}", pointer, worst));
+  Facts facts = polygon.at_corner(worst);
+  facts.emplace_back("off", most, unit::mm);
+  facts.emplace_back("allowed", planarity, unit::mm);
+  return fail(refuse::corner_off_plane, facts);
 }
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // A spike: two edges at one corner that run back over each other.
 std::optional<std::size_t> spike(const std::vector<Vec2>& ring, double same) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
-    if (in.dot(out) < 0.0 && std::abs(cross2(in, out)) <= same * std::max(in.norm(), out.norm()))
+    if (in.dot(out) < 0.0 && std::abs(cross(in, out)) <= same * std::max(in.norm(), out.norm()))
       return i;
   }
   return std::nullopt;
 }
 
-Result<void> check_simple(const std::vector<Vec2>& ring, const Frame& frame,
-                          const std::string& pointer, double extent) {
+Result<void> check_simple(const PlateRing& polygon, const std::vector<Vec2>& ring,
+                          const Frame& frame, double extent) {
   const auto crossings = self_crossings(ring);
   std::optional<Vec2> at;
   if (!crossings.empty()) at = crossings.front();
@@ -115,9 +147,7 @@ Result<void> check_simple(const std::vector<Vec2>& ring, const Frame& frame,
     for (std::size_t j = i + 1; !at && j < ring.size(); ++j)
       if ((ring[i] - ring[j]).norm() <= kSameCorner * extent) at = ring[i];
   if (!at) return {};
-  return fail(code::self_crossing,
-              fmt::format("the polygon crosses or touches itself at {}", text(frame.point(*at))),
-              pointer);
+  return fail(refuse::ring_crosses_itself, polygon.at(frame.point(*at)));
 }
 
 std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
@@ -125,12 +155,6 @@ std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
   for (const Vec3& p : ring)
     corners.push_back(frame.local2(p));
   return corners;
-}
-
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 d = b - a;
-  const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (p - a - t * d).norm();
 }
 
 // A place where the borders of two polygons cross, or come within `same`.
@@ -142,20 +166,13 @@ std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Ve
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < second.size(); ++j) {
       const Vec2 &a = first[i], &b = next(first, i), &c = second[j], &d = next(second, j);
-      if (distance(a, c, d) <= same) return a;
-      if (distance(c, a, b) <= same) return c;
-      const double ca = cross2(b - a, c - a), da = cross2(b - a, d - a), ac = cross2(d - c, a - c),
-                   bc = cross2(d - c, b - c);
+      if (distance(a, Segment{c, d}) <= same) return a;
+      if (distance(c, Segment{a, b}) <= same) return c;
+      const double ca = cross(b - a, c - a), da = cross(b - a, d - a), ac = cross(d - c, a - c),
+                   bc = cross(d - c, b - c);
       if (ca * da < 0.0 && ac * bc < 0.0) return Vec2(c + ca / (ca - da) * (d - c));
     }
   return std::nullopt;
-}
-
-Box2 box_of(const std::vector<Vec2>& ring) {
-  Box2 box;
-  for (const Vec2& p : ring)
-    box.add(p);
-  return box;
 }
 
 bool apart(const Box2& a, const Box2& b, double by) {
@@ -164,24 +181,24 @@ bool apart(const Box2& a, const Box2& b, double by) {
 
 // `boxes` are those of the holes so far.
 Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>& boxes,
-                              const std::vector<Vec2>& hole, const std::string& place) {
+                              const std::vector<Vec2>& hole, const PlateRing& polygon) {
   const double same = kSameCorner * placed.extent;
   const Box2 box = box_of(hole);
+  const auto facts_at = [&](const Vec2& at) {
+    Facts facts = polygon.at(placed.frame.point(at));
+    facts.emplace_back("hole", *polygon.hole + 1);
+    return facts;
+  };
   if (const auto at = meeting(hole, placed.outline, same))
-    return fail(
-        code::self_crossing,
-        fmt::format("the hole touches or crosses the plate's outline at {}: leave material between",
-                    text(placed.frame.point(*at))),
-        place);
+    return fail(refuse::hole_meets_outline, facts_at(*at));
   for (std::size_t h = 0; h < placed.holes.size(); ++h) {
     if (apart(box, boxes[h], same)) continue;
     const auto& other = placed.holes[h];
     const auto at = meeting(hole, other, same);
     if (!at && !inside({other}, hole.front()) && !inside({hole}, other.front())) continue;
-    return fail(code::self_crossing,
-                fmt::format("the hole overlaps or touches hole {} at {}: make them one", h,
-                            text(placed.frame.point(at.value_or(hole.front())))),
-                place);
+    Facts facts = facts_at(at.value_or(hole.front()));
+    facts.emplace_back("other", h + 1);
+    return fail(refuse::holes_meet, facts);
   }
   return {};
 }
@@ -190,20 +207,20 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
                        double planarity) {
   std::vector<Box2> boxes;
   for (std::size_t h = 0; h < plate.holes.size(); ++h) {
-    const std::string place = fmt::format("{}/holes/{}", pointer, h);
     const Ring& ring = plate.holes[h];
-    if (auto sound = check_corners(ring, place); !sound) return sound;
-    if (auto planar = check_planar(ring, placed.frame, place, planarity); !planar) return planar;
+    const PlateRing polygon{ring, plate.id, pointer + "/holes/" + std::to_string(h), h};
+    if (auto sound = check_corners(polygon); !sound) return sound;
+    if (auto planar = check_planar(polygon, placed.frame, planarity); !planar) return planar;
     std::vector<Vec2> hole = flat(ring, placed.frame);
-    if (auto simple = check_simple(hole, placed.frame, place, placed.extent); !simple)
+    if (auto simple = check_simple(polygon, hole, placed.frame, placed.extent); !simple)
       return simple;
     for (std::size_t i = 0; i < hole.size(); ++i)
-      if (!inside({placed.outline}, hole[i]))
-        return fail(code::invalid_input,
-                    fmt::format("corner {} of the hole at {} lies outside the plate's outline", i,
-                                text(ring[i])),
-                    fmt::format("{}/{}", place, i));
-    if (auto apart = check_hole_apart(placed, boxes, hole, place); !apart) return apart;
+      if (!inside({placed.outline}, hole[i])) {
+        Facts facts = polygon.at_corner(i);
+        facts.emplace_back("hole", h + 1);
+        return fail(refuse::hole_outside, facts);
+      }
+    if (auto apart = check_hole_apart(placed, boxes, hole, polygon); !apart) return apart;
     boxes.push_back(box_of(hole));
     placed.turned.push_back(ring_area(hole) > 0.0);
     if (placed.turned.back()) std::reverse(hole.begin(), hole.end());
@@ -242,22 +259,20 @@ EdgePlace PlacedPlate::place_of(int edge) const {
 }
 
 Result<PlacedPlate> placed(const Plate& plate, const std::string& pointer, double planarity) {
-  const std::string place = pointer + "/outline";
-  if (auto sound = check_corners(plate.outline, place); !sound) return pass_on(sound);
+  const PlateRing outline{plate.outline, plate.id, pointer + "/outline"};
+  if (auto sound = check_corners(outline); !sound) return pass_on(sound);
   PlacedPlate result;
   result.extent = extent_of(plate.outline);
   const Vec3 area = vector_area(plate.outline);
   result.area = area.norm();
   if (result.area <= kNoArea * result.extent * result.extent)
-    return fail(code::self_crossing,
-                "the outline encloses no area: its corners lie on one line, or it crosses itself",
-                place);
+    return fail(refuse::no_area,
+                {{"plate", place::plate(plate.id)}, {"field", place::pointer(outline.pointer)}});
   result.frame = frame_from_axes(middle(plate.outline), area / result.area,
                                  plate.outline[1] - plate.outline[0]);
-  if (auto planar = check_planar(plate.outline, result.frame, place, planarity); !planar)
-    return pass_on(planar);
+  if (auto planar = check_planar(outline, result.frame, planarity); !planar) return pass_on(planar);
   result.outline = flat(plate.outline, result.frame);
-  if (auto simple = check_simple(result.outline, result.frame, place, result.extent); !simple)
+  if (auto simple = check_simple(outline, result.outline, result.frame, result.extent); !simple)
     return pass_on(simple);
   if (auto holes = add_holes(result, plate, pointer, planarity); !holes) return pass_on(holes);
   return result;

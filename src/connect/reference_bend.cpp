@@ -5,6 +5,12 @@
 #include <limits>
 #include <numeric>
 
+// The bend of least average length (math.md#shortest-bend) between single edges or given runs.
+// Units are sorted by mean height, with which lengths grow: pairs are looked at until the bound for
+// a pair of heights exceeds the best, and of the rest a hull of four corners bounds most. Only what
+// is left is solved. Of equal lengths the wider counts, then the smaller span, then the smaller
+// numbers, so the result does not hang on the order.
+
 namespace planish::connect_detail {
 namespace {
 

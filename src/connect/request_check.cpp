@@ -1,8 +1,8 @@
 #include "request_check.hpp"
 
-#include <planish/connect/codes.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/connect/codes.hpp>
 
 #include <cmath>
 
@@ -13,11 +13,7 @@ Result<int> row_of(const PlateStructure& structure, const std::string& id,
                    const std::string& pointer) {
   for (std::size_t p = 0; p < structure.plates.size(); ++p)
     if (structure.plates[p].id == id) return static_cast<int>(p);
-  std::string known;
-  for (const Plate& plate : structure.plates)
-    known += (known.empty() ? "" : ", ") + plate.id;
-  return fail(code::unknown_plate,
-              fmt::format("there is no plate \"{}\"; the plates are {}", id, known), pointer);
+  return fail(refuse::no_such_plate, of_unknown_plate(structure, id, pointer));
 }
 
 // In JSON pointers ~ and / in keys are escaped (RFC 6901).
@@ -30,79 +26,92 @@ std::string escaped(const std::string& key) {
 
 /// What is wrong with a request, and the key at fault.
 struct Fault {
-  std::string key, what;
+  std::string key;
+  const Refusal& refusal;
+  Facts facts = {};
 };
+
+Fault bad_value(const char* key, const char* name, const Quantity& value, const char* range) {
+  return {key,
+          refuse::bad_value,
+          {{"name", name}, {"value", value.value, value.unit}, {"range", range}}};
+}
 
 std::optional<Fault> wrong_size(const BendRequest& r) {
   if (!(r.trade_off >= 0.0 && std::isfinite(r.trade_off)))
-    return Fault{"/trade_off", fmt::format("trade_off is {}; it must be 0 or more", r.trade_off)};
+    return bad_value("/trade_off", "trade_off", {r.trade_off}, "0 or more");
   if (r.inside_radius && !(*r.inside_radius >= 0.0))
-    return Fault{"/inside_radius",
-                 fmt::format("inside_radius is {}; it must be 0 or more", *r.inside_radius)};
+    return bad_value("/inside_radius", "inside_radius", {*r.inside_radius, unit::mm}, "0 or more");
   if (r.inside_radii && !((*r.inside_radii)[0] >= 0.0 && (*r.inside_radii)[1] >= 0.0))
-    return Fault{"/inside_radii", "inside_radii must be 0 or more"};
+    return Fault{
+        "/inside_radii",
+        refuse::bad_radii,
+        {{"value", (*r.inside_radii)[0], unit::mm}, {"value", (*r.inside_radii)[1], unit::mm}}};
   if (r.angle && !std::isfinite(r.angle->radians()))
-    return Fault{"/angle", fmt::format("angle is {}°; it must be a number", r.angle->degrees())};
+    return bad_value("/angle", "angle", {r.angle->degrees(), unit::degrees}, "a finite number");
   if (r.aperture && !(r.aperture->degrees() > 0.0 && r.aperture->degrees() < 180.0))
-    return Fault{"/aperture", fmt::format("aperture is {}°; it must lie between 0 and 180°",
-                                          r.aperture->degrees())};
+    return bad_value("/aperture", "aperture", {r.aperture->degrees(), unit::degrees},
+                     "an angle between 0° and 180°");
   return std::nullopt;
 }
 
 std::optional<Fault> wrong_surface(const BendRequest& r) {
   const bool conical = r.slope || r.apex || r.aperture || r.inside_radii;
   if (r.surface == SurfaceChoice::cylinder && conical)
-    return Fault{"/surface",
-                 "a cylinder has no slope, apex, aperture or radii at its ends: give them with a "
-                 "cone"};
+    return Fault{"/surface", refuse::cylinder_given_as_cone};
   if (r.surface == SurfaceChoice::general &&
       (r.slope || r.aperture || r.inside_radius || r.inside_radii))
-    return Fault{"/surface",
-                 "of a general bend only edges, apex, tangent_point and lateral can be given"};
+    return Fault{"/surface", refuse::general_given_more};
   if (r.tangent_point && r.surface != SurfaceChoice::general)
-    return Fault{"/tangent_point", "a tangent_point goes with the surface general"};
+    return Fault{"/tangent_point", refuse::tangent_point_of_other};
   return std::nullopt;
 }
 
 std::optional<Fault> said_twice(const BendRequest& r) {
   const int ways = (r.inside_radii ? 1 : 0) + (r.aperture ? 1 : 0) + (r.slope || r.apex ? 1 : 0);
-  if (ways > 1)
-    return Fault{"",
-                 "slope and apex, aperture, and inside_radii each fix the cone: give one of the "
-                 "three"};
+  if (ways > 1) return Fault{"", refuse::cone_given_twice};
   if (r.inside_radius && (r.inside_radii || r.aperture || r.apex))
-    return Fault{"/inside_radius",
-                 "inside_radius goes with a cylinder, or with a cone of which at most the slope is "
-                 "given"};
+    return Fault{"/inside_radius", refuse::radius_given_twice};
   return std::nullopt;
 }
 
 }  // namespace
 
+Facts of_unknown_plate(const PlateStructure& structure, const std::string& id,
+                       const std::string& pointer) {
+  Facts facts{{"id", id}, {"field", place::pointer(pointer)}};
+  for (const Plate& plate : structure.plates)
+    facts.emplace_back("known", plate.id);
+  return facts;
+}
+
 Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequest& request,
                                  const std::string& pointer) {
   if (request.between.size() > 2)
-    return fail(code::invalid_input,
-                fmt::format("a bend joins two plates, not {}", request.between.size()),
-                pointer + "/between");
+    return fail(refuse::too_many_plates, {{"count", request.between.size()},
+                                          {"field", place::pointer(pointer + "/between")}});
   std::vector<int> rows;
   for (std::size_t i = 0; i < request.between.size(); ++i) {
     const auto row = row_of(structure, request.between[i],
-                            fmt::format("{}/between/{}", pointer, i));
+                            pointer + "/between/" + std::to_string(i));
     if (!row) return pass_on(row);
     rows.push_back(*row);
   }
   if (rows.size() == 2 && rows[0] == rows[1])
-    return fail(code::invalid_input,
-                fmt::format("a bend cannot join plate \"{}\" to itself", request.between[0]),
-                pointer + "/between");
+    return fail(refuse::plate_with_itself, {{"plate", place::plate(request.between[0])},
+                                            {"field", place::pointer(pointer + "/between")}});
   return rows;
 }
 
 Result<void> check_numbers(const BendRequest& request, const std::string& pointer) {
   for (const auto find : {wrong_size, wrong_surface, said_twice})
-    if (const auto fault = find(request))
-      return fail(code::invalid_input, fault->what, pointer + fault->key);
+    if (const auto fault = find(request)) {
+      Facts facts = fault->facts;
+      facts.emplace_back("field", place::pointer(pointer + fault->key));
+      for (const std::string& id : request.between)
+        facts.emplace_back("plate", place::plate(id));
+      return fail(fault->refusal, facts);
+    }
   return {};
 }
 
@@ -110,18 +119,19 @@ Result<void> check_edges(const FitTask& task) {
   for (std::size_t side = 0; side < 2; ++side) {
     if (!task.plates[side] || !task.request.edges[side]) continue;
     const int count = task.plates[side]->all_edges();
-    const std::string place = fmt::format("{}/edges/{}", task.pointer,
-                                          escaped(task.request.between[side]));
+    const std::string& id = task.request.between[side];
+    const std::string list = task.pointer + "/edges/" + escaped(id);
     if (task.request.edges[side]->empty())
-      return fail(code::invalid_input,
-                  "the list of edges is empty: leave it out to have them chosen", place);
+      return fail(refuse::no_edges_listed,
+                  {{"plate", place::plate(id)}, {"field", place::pointer(list)}});
     for (std::size_t i = 0; i < task.request.edges[side]->size(); ++i) {
       const int edge = (*task.request.edges[side])[i];
       if (edge >= 0 && edge < count) continue;
-      return fail(code::unknown_edge,
-                  fmt::format("plate \"{}\" has no edge {}: its edges are 0 to {}",
-                              task.request.between[side], edge, count - 1),
-                  fmt::format("{}/{}", place, i));
+      return fail(refuse::no_such_edge,
+                  {{"plate", place::plate(id)},
+                   {"edge", edge},
+                   {"last", count - 1},
+                   {"field", place::pointer(list + "/" + std::to_string(i))}});
     }
   }
   return {};

@@ -7,6 +7,10 @@
 
 namespace planish::connect_detail {
 
+/// Facts of `refuse::no_such_plate`: the id that is none, where it stands, and those there are.
+Facts of_unknown_plate(const PlateStructure& structure, const std::string& id,
+                       const std::string& pointer);
+
 /// Indices of the plates that a bend joins, in its order. `pointer` is the request's place,
 /// "/bends/1". Errors: `unknown_plate`, `invalid_input`.
 Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequest& request,

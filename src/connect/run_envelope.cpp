@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+// The extreme corner of any range of a chain in a direction (k, −1), asked for at every step of the
+// search. Blocks of sizes 2ⁿ keep their convex hulls; a range is made of few whole blocks, and
+// along a hull the height rises and falls once, so it is bisected. Short ranges are looked at
+// corner by corner.
+
 namespace planish::connect_detail {
 namespace {
 

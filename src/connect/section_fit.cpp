@@ -1,13 +1,18 @@
 #include "bend_fit.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+// A curved section with a free end, at a plate or by itself (math.md#free-sections). All of it is
+// given: radius, or radii at both ends of the ruling, sweep and length. The frame is that whose
+// tangent ruling is where the section begins; a cone's apex lies where the radii would vanish, and
+// its azimuth runs back where it opens the other way.
 
 namespace planish::connect_detail {
 namespace {
@@ -22,8 +27,11 @@ struct Beginning {
   double length = 0.0;
 };
 
-Error at(const FitTask& task, ErrorCode code, std::string message, const std::string& key) {
-  return {code, std::move(message), task.pointer + key};
+/// The refusal of a task for what stands at a key of its request.
+tl::unexpected<Error> refused(const FitTask& task, const Refusal& refusal, const char* key,
+                              Facts facts = {}) {
+  facts.emplace_back("field", place::pointer(key));
+  return fail(in_request(task, error_of(refusal, about(task, std::move(facts)))));
 }
 
 Result<Beginning> beginning(const FitTask& task) {
@@ -32,16 +40,10 @@ Result<Beginning> beginning(const FitTask& task) {
     return Beginning{Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), -Vec3::UnitX(),
                      *task.request.length};
   const auto& edges = task.request.edges[0];
-  if (!edges || edges->size() != 1)
-    return tl::unexpected(at(task, code::invalid_input,
-                             "a bend of one plate begins at one of its edges: name it in edges",
-                             "/edges"));
+  if (!edges || edges->size() != 1) return refused(task, refuse::section_without_edge, "/edges");
   const int edge = edges->front();
   if (task.taken[0].count(edge) + task.taken_parts[0].count(edge) != 0)
-    return tl::unexpected(
-        at(task, code::unknown_edge,
-           fmt::format("edge {} is used by another bend already: each edge carries one", edge),
-           "/edges"));
+    return refused(task, refuse::edge_taken, "/edges", {{"edge", edge}});
   const EdgePlace place = plate->place_of(edge);
   const std::vector<Vec2>& ring = plate->ring(place.ring);
   const Vec3 from = plate->frame.point(ring[place.corner]);
@@ -109,35 +111,30 @@ bool conical(const BendRequest& request) {
 
 Result<void> check(const FitTask& task) {
   const BendRequest& request = task.request;
-  const auto missing = [&](const std::string& what, const std::string& key) {
-    return tl::unexpected(at(task, code::invalid_input, what, key));
-  };
-  if (!request.angle) return missing("a section with a free end needs its angle", "/angle");
+  if (!request.angle) return refused(task, refuse::section_without_angle, "/angle");
   const double angle = std::abs(request.angle->radians());
   if (!(angle > 0.0) || angle > kFullTurn * (1.0 + tolerance::kRounding))
-    return missing(fmt::format("the angle is {:.6g}°; it must lie between 0 and 360°",
-                               request.angle->degrees()),
-                   "/angle");
+    return refused(task, refuse::bad_value, "/angle",
+                   {{"name", "angle"},
+                    {"value", request.angle->degrees(), unit::degrees},
+                    {"range", "more than 0° and at most 360°"}});
   if (!request.inside_radius && !request.inside_radii)
-    return missing("a section with a free end needs its inside_radius, or inside_radii for a cone",
-                   "/inside_radius");
+    return refused(task, refuse::section_without_radius, "/inside_radius");
   if (task.plates[0] == nullptr && !(request.length && *request.length > 0.0))
-    return missing("a section without plates needs its length", "/length");
+    return refused(task, refuse::section_without_length, "/length");
   if (request.surface == SurfaceChoice::cone && !conical(request))
-    return missing("a conical section needs two different inside_radii", "/surface");
+    return refused(task, refuse::section_cone_of_one_radius, "/surface");
   if (request.surface == SurfaceChoice::general)
-    return missing("a section with a free end is a cylinder or a cone", "/surface");
+    return refused(task, refuse::section_general, "/surface");
   if (request.surface == SurfaceChoice::cylinder && conical(request))
-    return missing("two different inside_radii make a cone, not a cylinder", "/surface");
+    return refused(task, refuse::section_cylinder_of_two_radii, "/surface");
   const double smallest = request.inside_radii
                               ? std::min((*request.inside_radii)[0], (*request.inside_radii)[1])
                               : *request.inside_radius;
   if (smallest < kSmallestInsideRadius)
-    return tl::unexpected(
-        at(task, code::radius_too_small,
-           fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
-                       smallest, kSmallestInsideRadius),
-           request.inside_radii ? "/inside_radii" : "/inside_radius"));
+    return refused(task, refuse::small_radius,
+                   request.inside_radii ? "/inside_radii" : "/inside_radius",
+                   {{"radius", smallest, unit::mm}, {"least", kSmallestInsideRadius, unit::mm}});
   return {};
 }
 

@@ -2,17 +2,21 @@
 
 #include "outline_run.hpp"
 #include "pair_search.hpp"
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/codes.hpp>
 #include <planish/sheet/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+// A fold of inside radius 0 along an edge that both plates have on the line where their planes
+// meet. The longest stretch of free edges there is taken. The drawn edge is on the line of the mid-
+// surfaces; inner skins meet before it, so the sheets are cut back, and the edge beside a corner
+// must be long enough for that.
 
 namespace planish::connect_detail {
 namespace {
@@ -88,12 +92,10 @@ std::optional<double> crossing_at(const Segment& beside, double reach, double ne
   return corner.x() + (reach - corner.y()) / (far.y() - corner.y()) * (far.x() - corner.x());
 }
 
-Error no_room(double reach) {
-  return {code::overlap,
-          fmt::format("the edges beside the fold leave no room to cut the plates back by {:.4g} "
-                      "mm, to where their inner skins meet",
-                      reach),
-          "/inside_radius"};
+tl::unexpected<Error> no_room(const FitTask& task, double reach) {
+  return fail(
+      refuse::fold_without_room,
+      about(task, {{"reach", reach, unit::mm}, {"field", place::pointer("/inside_radius")}}));
 }
 
 Result<Fold> fold_along(const FitTask& task, const Common& common) {
@@ -117,7 +119,7 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
       fold.at_corner[static_cast<std::size_t>(side)][low ? 0 : 1] = corner;
       if (!corner) continue;
       const auto cut = crossing_at(beside, fold.reach, near);
-      if (!cut) return tl::unexpected(no_room(fold.reach));
+      if (!cut) return no_room(task, fold.reach);
       if (low)
         fold.low = std::max(fold.low, *cut);
       else
@@ -125,7 +127,7 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
     }
   }
   if (fold.high - fold.low <= kNegligible * task.plates[0]->extent)
-    return tl::unexpected(no_room(fold.reach));
+    return no_room(task, fold.reach);
   return fold;
 }
 
@@ -138,17 +140,11 @@ bool asks_for_fold(const BendRequest& request) {
 Result<BendFit> fit_fold(const FitTask& task, const ConnectOptions& options) {
   const auto common = longest_common(task, options);
   if (!common)
-    return fail(code::no_bend_fits,
-                "a fold of inside radius 0 needs an edge of both plates on the line where the "
-                "planes of their middle surfaces meet, side by side on some length: extend the "
-                "plates to that line, or give a radius",
-                task.pointer + "/inside_radius");
+    return fail(
+        in_request(task, error_of(refuse::fold_without_edges,
+                                  about(task, {{"field", place::pointer("/inside_radius")}}))));
   auto fold = fold_along(task, *common);
-  if (!fold) {
-    Error error = fold.error();
-    error.where = task.pointer + error.where;
-    return tl::unexpected(error);
-  }
+  if (!fold) return fail(in_request(task, fold.error()));
   BendFit fit;
   fit.fold = *fold;
   fit.report.line = {0.0, -fold->reach};

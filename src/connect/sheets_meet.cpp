@@ -10,10 +10,15 @@
 #include <utility>
 #include <vector>
 
+// Whether two sheets in planes that cross share material. A section across the intersection line
+// turns each sheet into rectangles half the thickness to both sides, and two rectangles are apart
+// only if they are so along a side of one of them. Sections lie at even places and just beside
+// every corner, since between corners a section's ends move linearly.
+
 namespace planish::connect_detail {
 namespace {
 
-using Interval = std::pair<double, double>;
+using Spread = std::pair<double, double>;
 
 constexpr int kSections = 64;
 // Sheets that share less than this share of the thickness touch.
@@ -34,7 +39,7 @@ Rings rings_near(const PlacedPlate& plate, const BendFrame& frame, int side, dou
 }
 
 // Where the section at x has material.
-std::vector<Interval> section(const Rings& rings, double x) {
+std::vector<Spread> section(const Rings& rings, double x) {
   std::vector<double> ys;
   for (const std::vector<Vec2>& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -43,7 +48,7 @@ std::vector<Interval> section(const Rings& rings, double x) {
         ys.push_back(p.y() + (x - p.x()) / (q.x() - p.x()) * (q.y() - p.y()));
     }
   std::sort(ys.begin(), ys.end());
-  std::vector<Interval> material;
+  std::vector<Spread> material;
   for (std::size_t i = 0; i + 1 < ys.size(); i += 2)
     material.emplace_back(ys[i], ys[i + 1]);
   return material;
@@ -54,7 +59,7 @@ struct Bar {
   Vec2 e, low, high;
   double half = 0.0;
 
-  Interval along(const Vec2& axis) const {
+  Spread along(const Vec2& axis) const {
     const double a = low.dot(axis), b = high.dot(axis);
     const double wide = half * std::abs(axis.dot(Vec2(-e.y(), e.x())));
     return {std::min(a, b) - wide, std::max(a, b) + wide};
@@ -65,7 +70,7 @@ struct Bar {
 bool overlap(const Bar& a, const Bar& b, double least) {
   for (const Bar* bar : {&a, &b})
     for (const Vec2& axis : {bar->e, Vec2(-bar->e.y(), bar->e.x())}) {
-      const Interval p = a.along(axis), q = b.along(axis);
+      const Spread p = a.along(axis), q = b.along(axis);
       if (std::min(p.second, q.second) - std::max(p.first, q.first) <= least) return false;
     }
   return true;
@@ -104,8 +109,8 @@ std::optional<SheetsMeet> sheets_meet(const PlacedPlate& a, const PlacedPlate& b
   if (low >= high) return std::nullopt;
   const std::array<Vec2, 2> e{Vec2(1.0, 0.0), Vec2(std::cos(beta), std::sin(beta))};
   const auto shared = [&](double x) -> std::optional<double> {
-    for (const Interval& p : section(plates[0], x))
-      for (const Interval& q : section(plates[1], x)) {
+    for (const Spread& p : section(plates[0], x))
+      for (const Spread& q : section(plates[1], x)) {
         const Bar first{e[0], p.first * e[0], p.second * e[0], 0.5 * thickness};
         const Bar second{e[1], q.first * e[1], q.second * e[1], 0.5 * thickness};
         if (overlap(first, second, kSharedShare * thickness)) return p.first;

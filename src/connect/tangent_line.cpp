@@ -1,14 +1,20 @@
 #include "tangent_line.hpp"
 
+#include "refusals.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
+
+// The tangent line on which a bend is built (math.md#least-extension), with all that a request may
+// give of it: slope, apex, radius at an end or in the middle, aperture. An inside radius above zero
+// is a least height, and the program is solved for corners moved down by that height. Where nothing
+// fits, the range that would is found by the same programs, for the message.
 
 namespace planish::connect_detail {
 namespace {
@@ -75,29 +81,21 @@ bool touch(const Corners& corners, double extent) {
   });
 }
 
-Error too_sharp(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+tl::unexpected<Error> too_sharp(const FitTask& task, const PairChoice& choice,
+                                const Corners& corners) {
   if (touch(corners, extent_of(task)))
-    return {
-        code::plates_touch,
-        fmt::format(
-            "the plates touch where the bend would be; a bend needs a gap: move the plates so that "
-            "their edges stay {:.4g} mm or more away from the line where their planes meet; plates "
-            "that share an edge can be folded sharply (inside_radius 0)",
-            least_height(task, choice.frame)),
-        {}};
+    return fail(refuse::touch_at_bend,
+                about(task, {{"least", least_height(task, choice.frame), unit::mm}}));
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& side : corners)
     for (const Vec2& p : side)
       nearest = std::min(nearest, p.y());
-  return {code::radius_too_small,
-          fmt::format(
-              "the largest radius that fits between the edges is {:.4g} mm on the mid-surface, the "
-              "thickness of {:.4g} mm needs more than {:.4g} mm: move the edges {:.4g} mm away "
-              "from the "
-              "line where the plates' planes meet",
-              nearest * std::tan(0.5 * choice.frame.beta.radians()), task.thickness,
-              0.5 * task.thickness, least_height(task, choice.frame)),
-          {}};
+  const double radius = nearest * std::tan(0.5 * choice.frame.beta.radians());
+  return fail(refuse::edges_too_near,
+              about(task, {{"radius", radius, unit::mm},
+                           {"thickness", task.thickness, unit::mm},
+                           {"least", 0.5 * task.thickness, unit::mm},
+                           {"distance", least_height(task, choice.frame), unit::mm}}));
 }
 
 double low_x(const Corners& c) { return std::min(c[0].front().x(), c[1].front().x()); }
@@ -115,8 +113,11 @@ bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line
   return true;
 }
 
-Error does_not_fit(std::string what, const std::string& key) {
-  return {code::no_bend_fits, std::move(what), key};
+/// The refusal of what stands at a key of the request.
+tl::unexpected<Error> does_not_fit(const FitTask& task, const Refusal& refusal, const char* key,
+                                   Facts facts) {
+  facts.emplace_back("field", place::pointer(key));
+  return fail(refusal, about(task, std::move(facts)));
 }
 
 // A cone by its inside radii at the ends of the edges: the radius is linear in x.
@@ -132,15 +133,17 @@ Result<TangentLine> by_radii(const FitTask& task, const PairChoice& choice,
   const double scale = std::tan(0.5 * choice.frame.beta.radians());
   const auto radius = [&](double y) { return y * scale - 0.5 * task.thickness; };
   const auto slopes = feasible_slopes(corners, choice.search.best.kind);
-  return tl::unexpected(does_not_fit(
-      fmt::format(
-          "a cone with inside radii of {:.4g} and {:.4g} mm cuts a plate: at the ends of the edges "
-          "the "
-          "plates leave room for {:.4g} and {:.4g} mm{}",
-          radii[0], radii[1], radius(std::min(corners[0].front().y(), corners[1].front().y())),
-          radius(std::min(corners[0].back().y(), corners[1].back().y())),
-          slopes ? fmt::format(" (slopes from {:.4g} to {:.4g})", slopes->low, slopes->high) : ""),
-      "/inside_radii"));
+  const double room_left = radius(std::min(corners[0].front().y(), corners[1].front().y()));
+  const double room_right = radius(std::min(corners[0].back().y(), corners[1].back().y()));
+  Facts facts{{"asked", radii[0], unit::mm},
+              {"asked", radii[1], unit::mm},
+              {"room", room_left, unit::mm},
+              {"room", room_right, unit::mm}};
+  if (slopes && std::isfinite(slopes->low)) {
+    facts.emplace_back("least_slope", slopes->low, unit::none);
+    facts.emplace_back("most_slope", slopes->high, unit::none);
+  }
+  return does_not_fit(task, refuse::radii_cut_plate, "/inside_radii", std::move(facts));
 }
 
 // A cone of given aperture may open to the left or to the right: takes the one with less extension.
@@ -161,11 +164,9 @@ Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice,
   const auto slopes = slopes_with_room(corners, kind, height);
   const double steepest = slopes ? std::max(std::abs(slopes->low), std::abs(slopes->high)) : 0.0;
   const double widest = 2.0 * std::atan(std::sin(std::atan(steepest)) * tangent);
-  return tl::unexpected(
-      does_not_fit(fmt::format("a cone with an aperture of {:.4g}° does not fit between the edges: "
-                               "it can be up to {:.4g}°",
-                               task.request.aperture->degrees(), Angle::radians(widest).degrees()),
-                   "/aperture"));
+  return does_not_fit(task, refuse::aperture_too_wide, "/aperture",
+                      {{"aperture", task.request.aperture->degrees(), unit::degrees},
+                       {"most", Angle::radians(widest).degrees(), unit::degrees}});
 }
 
 // A cone with a given inside radius at mid-length: the height there is given.
@@ -183,12 +184,10 @@ Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice
 std::optional<Error> apex_within(const BendRequest& asked, const Corners& corners) {
   if (!asked.apex || *asked.apex <= low_x(corners) || *asked.apex >= high_x(corners))
     return std::nullopt;
-  return Error{code::apex_in_span,
-               fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} "
-                           "to {:.6g} mm: it must "
-                           "lie beyond one of its ends",
-                           *asked.apex, low_x(corners), high_x(corners)),
-               "/apex"};
+  return error_of(refuse::apex_between, {{"apex", *asked.apex, unit::mm},
+                                         {"low", low_x(corners), unit::mm},
+                                         {"high", high_x(corners), unit::mm},
+                                         {"field", place::pointer("/apex")}});
 }
 
 Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const Corners& corners,
@@ -201,11 +200,10 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
                  ? by_middle_radius(task, choice, corners)
                  : least_extension(corners, kind, given, height);
   if (!fit) {
-    if (!least_extension(corners, kind, {}, height))
-      return tl::unexpected(too_sharp(task, choice, corners));
+    if (!least_extension(corners, kind, {}, height)) return too_sharp(task, choice, corners);
     return pass_on(fit);
   }
-  if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
+  if (given.apex && fit->line.slope == 0.0) return too_sharp(task, choice, corners);
   // Below this slope a cone is a cylinder to the kernel and to the shop, even if requested.
   constexpr double kNoSlope = kNegligible;
   const double slope = std::abs(fit->line.slope);
@@ -215,30 +213,28 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
     if (cylinder) return cylinder->line;
   }
   if (request.surface == SurfaceChoice::cone && fit->line.slope == 0.0)
-    return tl::unexpected(
-        does_not_fit("the edges are parallel, the cone of least plate extension is a cylinder: "
-                     "give a slope, an aperture or "
-                     "two radii, or choose a cylinder",
-                     "/surface"));
+    return does_not_fit(task, refuse::cone_is_cylinder, "/surface", {});
   return fit->line;
 }
 
-Error slope_beyond(double slope, const Range& slopes) {
-  return does_not_fit(
-      fmt::format(
-          "a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}",
-          slope, slopes.low, slopes.high),
-      "/slope");
+tl::unexpected<Error> slope_beyond(const FitTask& task, const Range& slopes) {
+  const double slope = *task.request.slope;
+  if (!std::isfinite(slopes.low))
+    return does_not_fit(task, refuse::slope_of_none, "/slope", {{"slope", slope, unit::none}});
+  return does_not_fit(task, refuse::slope_beyond, "/slope",
+                      {{"slope", slope, unit::none},
+                       {"low", slopes.low, unit::none},
+                       {"high", slopes.high, unit::none}});
 }
 
 // The error for a cone's radius at mid-length that does not fit, with the nearest one that does.
-Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
+tl::unexpected<Error> nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
   const Corners corners = choice.corners(choice.search.best);
   if (const auto slopes = slopes_with_room(corners, choice.search.best.kind,
                                            least_height(task, choice.frame));
       task.request.slope && slopes &&
       (*task.request.slope < slopes->low || *task.request.slope > slopes->high))
-    return slope_beyond(*task.request.slope, *slopes);
+    return slope_beyond(task, *slopes);
   FitTask tried = task;
   const auto fits = [&](double radius) {
     tried.request.inside_radius = radius;
@@ -252,7 +248,6 @@ Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
   const auto free = smallest_extension(corners, choice.search.best.kind,
                                        GivenLine{task.request.slope, {}, {}});
   const double asked = *task.request.inside_radius;
-  std::string remedy = "give another slope, or other edges";
   if (double good = free ? free->line.at(middle) * scale - 0.5 * task.thickness : -1.0;
       free && fits(good)) {
     double bad = asked;
@@ -261,12 +256,11 @@ Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
       const double between = 0.5 * (good + bad);
       (fits(between) ? good : bad) = between;
     }
-    remedy = fmt::format("the nearest that does is {:.6g} mm", good);
+    return does_not_fit(task, refuse::middle_radius, "/inside_radius",
+                        {{"asked", asked, unit::mm}, {"nearest", good, unit::mm}});
   }
-  return does_not_fit(fmt::format("a cone with an inside radius of {:.8g} mm at mid-length does "
-                                  "not fit between the edges: {}",
-                                  asked, remedy),
-                      "/inside_radius");
+  return does_not_fit(task, refuse::middle_radius_of_none, "/inside_radius",
+                      {{"asked", asked, unit::mm}});
 }
 
 // The largest (facing) or smallest (averted) distance at which a cylinder is tangent to both
@@ -313,17 +307,36 @@ Reach reach_of(const FitTask& task, const PairChoice& choice) {
   return both;
 }
 
-std::string radius_range(const FitTask& task, const PairChoice& choice) {
+// The refusal of a cylinder's radius, with those that fit.
+tl::unexpected<Error> radius_beyond(const FitTask& task, const PairChoice& choice) {
   const Reach both = reach_of(task, choice);
   const double scale = std::tan(0.5 * choice.frame.beta.radians());
   const double largest = both.facing * scale - 0.5 * task.thickness;
   const double smallest = both.averted * scale - 0.5 * task.thickness;
-  std::string text;
-  if (largest > 0.0) text = fmt::format("up to {:.4f} mm", largest);
-  if (std::isfinite(smallest))
-    text += fmt::format("{}{:.4f} mm or more, around the back of the plates",
-                        text.empty() ? "" : ", or ", std::max(smallest, 0.0));
-  return text;
+  const bool in_front = largest > 0.0, behind = std::isfinite(smallest);
+  if (!in_front && !behind) return too_sharp(task, choice, choice.corners(choice.search.best));
+  Facts facts{{"asked", *task.request.inside_radius, unit::mm}};
+  if (in_front) facts.emplace_back("largest", largest, unit::mm);
+  if (behind) facts.emplace_back("smallest", std::max(smallest, 0.0), unit::mm);
+  return does_not_fit(task,
+                      !behind    ? refuse::radius_up_to
+                      : in_front ? refuse::radius_up_to_or_from
+                                 : refuse::radius_from,
+                      "/inside_radius", std::move(facts));
+}
+
+// The error with the apex that the edges have by themselves.
+Error with_free_apex(Error error, const TangentLine& line, const char* key) {
+  const bool level = line.slope == 0.0;
+  Facts facts;
+  if (!level) facts.emplace_back("free_apex", line.offset / line.slope, unit::mm);
+  Told told = tell(level ? "With nothing given the bend would be a cylinder."
+                         : "With nothing given the apex would be at {free_apex:6}.",
+                   facts);
+  error.message += " " + told.sentence;
+  std::ranges::move(told.numbers, std::back_inserter(error.numbers));
+  error.where = key;
+  return error;
 }
 
 }  // namespace
@@ -359,37 +372,27 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
   const auto choice = search_pair(free, options);
   if (!choice) return choice.error();
   const Corners corners = choice->corners(choice->search.best);
-  if (asked.inside_radius && is_conical(asked)) return nearest_middle_radius(task, *choice);
-  if (asked.inside_radius) {
-    const std::string range = radius_range(task, *choice);
-    if (range.empty()) return too_sharp(task, *choice, corners);
-    return does_not_fit(
-        fmt::format("an inside radius of {:.8g} mm does not fit between the plates: it can be {}",
-                    *asked.inside_radius, range),
-        "/inside_radius");
-  }
+  if (asked.inside_radius && is_conical(asked)) return nearest_middle_radius(task, *choice).value();
+  if (asked.inside_radius) return radius_beyond(task, *choice).value();
   const EdgeKind kind = choice->search.best.kind;
   if (const auto within = apex_within(asked, corners)) return *within;
   if (asked.slope) {
     const double height = least_height(task, choice->frame);
     const auto slopes = slopes_with_room(corners, kind, height);
     if (slopes && (*asked.slope < slopes->low || *asked.slope > slopes->high || !asked.apex))
-      return slope_beyond(*asked.slope, *slopes);
+      return slope_beyond(task, *slopes).value();
     const auto offsets = offsets_with_room(corners, kind, *asked.slope, height);
     if (offsets && *asked.slope != 0.0) {
       const double a = offsets->low / *asked.slope, b = offsets->high / *asked.slope;
-      return does_not_fit(fmt::format("with a slope of {:.6g} an apex at {:.6g} mm does not fit: "
-                                      "it can be from {:.6g} to {:.6g} mm",
-                                      *asked.slope, *asked.apex, std::min(a, b), std::max(a, b)),
-                          "/apex");
+      return does_not_fit(task, refuse::apex_of_slope, "/apex",
+                          {{"slope", *asked.slope, unit::none},
+                           {"apex", *asked.apex, unit::mm},
+                           {"low", std::min(a, b), unit::mm},
+                           {"high", std::max(a, b), unit::mm}})
+          .value();
     }
   }
-  return does_not_fit(
-      fmt::format("{}; with nothing given the apex would be at {:.6g} mm", error.message,
-                  choice->search.best.line.slope == 0.0
-                      ? std::numeric_limits<double>::infinity()
-                      : choice->search.best.line.offset / choice->search.best.line.slope),
-      asked.apex ? "/apex" : "");
+  return with_free_apex(error, choice->search.best.line, asked.apex ? "/apex" : "");
 }
 
 }  // namespace planish::connect_detail

@@ -8,6 +8,11 @@
 #include <cmath>
 #include <limits>
 
+// The cheapest tangent line of two runs (math.md#tangent-lines). For a slope the best offset is at
+// a bound, given by one corner of each run (run_envelope.cpp); with it the cost is convex and
+// piecewise linear in the slope, and a line search along supporting lines ends at its vertex.
+// Coordinates are taken about the middle of the corners, and noise is measured by their size.
+
 namespace planish::connect_detail {
 namespace {
 

@@ -1,9 +1,11 @@
 #include "chain_pair.hpp"
 
+#include <planish/base/search.hpp>
+#include <planish/geometry/interval.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 // Best-first branch and bound. The span without its shift only grows with the runs, so the edges
 // common to all runs of a node bound it from below; the combined cost of shift and width is least
@@ -51,31 +53,22 @@ struct Narrower {
   bool operator()(const Node& a, const Node& b) const { return a.widest < b.widest; }
 };
 
-struct Range {
-  double low = 0.0, high = 0.0;
-};
-
-Range left_range(const Problem& problem, const RunSets& sides, int side) {
+Interval left_range(const Problem& problem, const RunSets& sides, int side) {
   const RunSet& set = sides[side];
   return {problem.left(side, set.first.low), problem.left(side, set.first.high)};
 }
 
-Range mirrored_right_range(const Problem& problem, const RunSets& sides, int side) {
+Interval mirrored_right_range(const Problem& problem, const RunSets& sides, int side) {
   const RunSet& set = sides[side];
   return {-problem.right(side, set.last.high), -problem.right(side, set.last.low)};
 }
 
-double distance(const Range& a, const Range& b) {
-  return std::max({0.0, a.low - b.high, b.low - a.high});
-}
-
 // The shift of the left ends plus the cost of the width that they give up: the least of
 // |a − b| + w (a + b) over both ranges. Right ends are mirrored.
-double least_shift(const Range& a, const Range& b, double weight) {
+double least_shift(const Interval& a, const Interval& b, double weight) {
   const auto at = [&](double p, double q) { return std::abs(p - q) + weight * (p + q); };
-  const double follow_a = std::clamp(b.low, a.low, a.high),
-               follow_b = std::clamp(a.low, b.low, b.high);
-  return std::min({at(a.low, b.low), at(follow_a, b.low), at(a.low, follow_b)});
+  const double follow_a = std::clamp(b.lo, a.lo, a.hi), follow_b = std::clamp(a.lo, b.lo, b.hi);
+  return std::min({at(a.lo, b.lo), at(follow_a, b.lo), at(a.lo, follow_b)});
 }
 
 // A side whose runs share no edge costs at least what its lowest corner does: ½Ψ̃ h + |y − h|.
@@ -217,14 +210,13 @@ std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& r
                         reference.span - trade_off * reference.width + noise};
   std::optional<EdgeChoice> known = best;
   bool found = false;
-  std::priority_queue<Node, std::vector<Node>, Narrower> open;
+  Frontier<Node, Narrower> open;
   const auto add = [&](const RunSets& sides, const Node* parent) {
-    if (const auto node = opened(problem, sides, parent, known)) open.push(*node);
+    if (const auto node = opened(problem, sides, parent, known)) open.add(*node);
   };
   add(all_runs(pair), nullptr);
   while (!open.empty()) {
-    const Node node = open.top();
-    open.pop();
+    const Node node = open.take();
     if (known && node.widest < known->width - noise) break;
     if (hopeless(problem, node, known)) continue;
     if (node.sides[0].one() && node.sides[1].one()) {

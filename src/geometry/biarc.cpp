@@ -5,6 +5,12 @@
 
 #include <optional>
 
+// A spline as arcs and lines. Between corners the longest part that one biarc follows within the
+// tolerance is taken, again and again: two arcs with the spline's tangents at both ends that touch
+// where they meet, at equal distances along those tangents. The length of the last step is the
+// first guess of the next, doubled or halved. Both curves are measured from the other, so neither
+// has a bulge that the other lacks; a part too short for an arc becomes its chord.
+
 namespace planish {
 namespace {
 

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
+// Points, derivatives, parts, chords and crossings of segments, arcs and cubic splines. What can be
+// exact is: ends of parts are copied, arcs are sampled by the sagitta, spans by the bound h²/8
+// max|B''|, whose B'' is largest at an end. Crossings with a line are roots of the heights of the
+// poles above it, in Bernstein form, where an end that lies on the line is found from either side.
+
 namespace planish {
 namespace {
 

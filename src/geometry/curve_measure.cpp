@@ -2,6 +2,12 @@
 
 #include <numbers>
 
+// Lengths, areas, boxes and nearest points. Areas are exact: Green's integral of products of poles,
+// about a point nearby, since far from the origin rounding would swamp them. Lengths of spans are
+// Gauss–Legendre integrals, halved until they agree. The nearest point of a span is found by branch
+// and bound: |B|² in Bernstein form is at least its smallest coefficient, so halves that cannot
+// beat the best are left out, and where one minimum remains Newton finishes in a bracket.
+
 namespace planish {
 namespace {
 
@@ -116,9 +122,7 @@ Box2 arc_bounds(const Arc& arc) {
 }
 
 Nearest nearest_on_segment(const Segment& s, const Vec2& p) {
-  const Vec2 d = s.b - s.a;
-  const double square = d.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - s.a).dot(d) / square, 0.0, 1.0) : 0.0;
+  const double t = nearest_share(s, p);
   return {(point_at(s, t) - p).norm(), t};
 }
 

@@ -10,6 +10,12 @@
 #include <cmath>
 #include <numbers>
 
+// Cylinder, cone and ruled surface: points, normals, parameters, and the isometry to the plane
+// (math.md#development). A cylinder unrolls to (ρu, v), a cone to polar coordinates in which the
+// azimuth shrinks by the sine of the half-angle; ruled surfaces integrate theirs (ruled.cpp).
+// Images of straight (u, v) curves are kept exact where the isometry is linear or makes an arc;
+// everything else is fitted span by span, because the speed along a spline jumps between spans.
+
 namespace planish {
 namespace {
 

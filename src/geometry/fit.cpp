@@ -4,6 +4,12 @@
 
 #include <algorithm>
 
+// A parametric curve as cubics. A Hermite span is compared with the curve where the error of one,
+// t²(1−t)²(a + bt), is largest, and halved until all are near enough; all spans of a level are
+// halved before the next, so that a hard place does not use up the limit on spans. The distance at
+// equal parameters bounds the true one from above, and the nearest point is asked for only where
+// that bound does not do. Ends are met exactly.
+
 namespace planish {
 namespace {
 

@@ -1,10 +1,16 @@
 #include "geos.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <Eigen/Geometry>
 
 #include <cmath>
+
+// Triangles of a polygon shrunk by an inset, for blocks of collision tests. GEOS does the Boolean
+// work and the triangulation; it fails now and then where many corners are in line, so what is
+// found must have the area of what was asked for, and otherwise the polygon is turned and tried
+// again.
 
 namespace planish {
 
@@ -32,7 +38,7 @@ double area_of(const Triangles& triangles) {
   double sum = 0.0;
   for (const auto& [a, b, c] : triangles) {
     const Vec2 u = b - a, v = c - a;
-    sum += 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
+    sum += 0.5 * std::abs(cross(u, v));
   }
   return sum;
 }
@@ -42,9 +48,7 @@ double area_of(const Triangles& triangles) {
 Triangles inset_triangles(const Polygon& polygon, double inset, const std::vector<Polygon>& without,
                           const std::optional<Box2>& within) {
   const Geos geos;
-  Box2 box;
-  for (const Vec2& p : polygon.outer)
-    box.add(p);
+  const Box2 box = box_of(polygon.outer);
   const double extent = polygon.outer.empty() ? 0.0 : (box.hi - box.lo).maxCoeff();
   Triangles found;
   // GEOS now and then fails where many corners of openings are in line, which they are in one turn

@@ -7,6 +7,12 @@
 #include <numbers>
 #include <optional>
 
+// Joins what was split: neighbours that are one line or one circle, and curves too short to keep.
+// The longest group that one curve replaces is found by doubling and halving, so each curve is
+// looked at a logarithmic number of times. Grouping and absorbing alternate until nothing changes,
+// each within the tolerance of what it was given, and a loop that would lose its area stays as it
+// is. At the end joints are made one point: arcs determine it, the others follow.
+
 namespace planish {
 namespace {
 

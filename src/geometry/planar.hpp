@@ -4,7 +4,7 @@
 
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
-#include <planish/geometry/curve.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,6 @@ namespace planish::geometry_detail {
 
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 /// v turned by +90°.
 inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
 inline Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }

@@ -4,6 +4,12 @@
 
 #include <numbers>
 
+// The line or the circle that a path is, if it is one. Circles are least squares through both ends
+// (or through the one end of a closed path), and their sweep follows from half chord and height,
+// which is exact however flat the arc. The test is no sample: a spline is compared at its extremes
+// along and across the chord, and stays in a ring if the Bernstein coefficients of |B|² do, halved
+// where they do not tell; and it may not run back.
+
 namespace planish {
 namespace geometry_detail {
 namespace {

@@ -4,6 +4,10 @@
 
 #include <numbers>
 
+// Rings of points: area about a corner (far from the origin the products would swamp it), inside by
+// the parity of crossings, so that overlapping rings need no order, and the smallest rectangle, one
+// of whose sides lies along an edge of the convex hull (Andrew's chains).
+
 namespace planish {
 namespace {
 using namespace geometry_detail;

@@ -13,6 +13,12 @@
 #include <numbers>
 #include <numeric>
 
+// Ruled surfaces and their isometry to the plane (math.md#general-developable). A tangent plane
+// turns about its ruling only, so plane and surface have the same rates: angle, then directrix are
+// integrated as Chebyshev series on spans, halved until the last terms vanish. Both inverses look
+// for the ruling through a point: it is a rising root of a function of u; it falls beyond the edge
+// of regression, which tells apart two roots of one interval. Newton is kept in a bracket.
+
 namespace planish::geometry_detail {
 namespace {
 

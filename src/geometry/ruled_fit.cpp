@@ -9,6 +9,11 @@
 #include <limits>
 #include <numeric>
 
+// Knots of a ruled surface through given rulings (math.md#general-developable). An interval is
+// halved until a Hermite span through its ends is near enough: points at the directrix and at the
+// end of the reach, and normals, compared where the error of a span and that of its slope are
+// largest. Breaks, where rulings are less smooth, are knots.
+
 namespace planish {
 namespace {
 

@@ -4,6 +4,11 @@
 
 #include <optional>
 
+// Where a ring of edges crosses itself. A binary tree of boxes over runs of neighbouring edges is
+// walked against itself: neighbours along the ring lie together, so most far runs are parted at
+// once. An edge crosses another if each has its ends on both sides of the other; what rounding
+// decides is no crossing.
+
 namespace planish {
 namespace {
 

@@ -1,5 +1,11 @@
 #include "rule_checks.hpp"
 
+// Openings by bends, by edges and by each other. Distances are measured through material only,
+// since what lies beyond a gap is no web; candidates come from trees of boxes. Of an opening the
+// nearest neighbour counts, as a perforation would have too many pairs, and of each bend the
+// nearest tangent line. A cut from flange to flange through a bend is deliberate; an edge within
+// its zone is not.
+
 namespace planish::inspect_detail {
 namespace {
 

@@ -2,6 +2,11 @@
 
 #include <planish/base/tolerance.hpp>
 
+// The largest circle within an opening. It touches the opening, so places of contact are tried
+// along its curves: a circle that touches there is shrunk until it touches the point nearest to its
+// centre too, and the best place is refined by halving steps. Search stops at what the rule asks
+// for, since more is not a finding.
+
 namespace planish::inspect_detail {
 namespace {
 

@@ -13,6 +13,12 @@
 #include <numbers>
 #include <optional>
 
+// Where a pattern covers itself (math.md#overlap). Regions of different parts are shrunk by the
+// clearance and intersected, and what a sharp bend lets its faces share is taken off. A contour
+// that crosses itself is an overlap only if a place between the edges that cross is enclosed twice
+// or from the wrong side; at a small angle that place is far away, so circles grow until one is
+// clear.
+
 namespace planish {
 
 using namespace inspect_detail;

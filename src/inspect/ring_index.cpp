@@ -1,12 +1,12 @@
 #include "ring_index.hpp"
 
+#include <planish/geometry/plane.hpp>
+
+// Points and rays against many rings by a tree of their edges. The winding number counts edges that
+// a ray to one side crosses, up or down, half-open in y, so that a corner counts once; a ray's
+// first hit is sought only as far as it reaches.
+
 namespace planish::inspect_detail {
-namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-}  // namespace
-
 RingIndex::RingIndex(const std::vector<std::vector<Vec2>>& rings)
     : edges_(edges_of(rings)), index_(boxes_of(edges_)) {}
 

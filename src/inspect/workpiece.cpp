@@ -13,6 +13,11 @@
 #include <numbers>
 #include <tuple>
 
+// A pattern prepared for the rules: contours and openings with boxes, bend zones with their tangent
+// lines, indexed by place. A pattern without tangent lines gets them half the allowance beside its
+// bend lines. Whether two points are joined by material is asked of polygons fine enough for
+// flanges and bends; other openings only block rays, and may be coarse.
+
 namespace planish::inspect_detail {
 namespace {
 

@@ -1,10 +1,10 @@
 #include "cairo_library.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/io/codes.hpp>
 
 #include <dlfcn.h>
-#include <fmt/format.h>
-
 namespace planish::io_detail {
 namespace {
 
@@ -29,19 +29,14 @@ class Symbols {
 
 Result<Cairo> load() {
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr)
-    return fail(code::cannot_draw,
-                fmt::format("a PDF needs {}, which this machine does not have: install libcairo2",
-                            kLibrary));
+  if (library == nullptr) return fail(refuse::no_cairo, {{"library", kLibrary}});
   Cairo cairo;
   Symbols symbols(library);
 #define PLANISH_CAIRO_FIND(name) symbols.find(cairo.name, "cairo_" #name);
   PLANISH_CAIRO_FUNCTIONS(PLANISH_CAIRO_FIND)
 #undef PLANISH_CAIRO_FIND
   if (symbols.missing() != nullptr)
-    return fail(code::cannot_draw,
-                fmt::format("{} of this machine has no {}: install a newer libcairo2", kLibrary,
-                            symbols.missing()));
+    return fail(refuse::old_cairo, {{"library", kLibrary}, {"function", symbols.missing()}});
   return cairo;
 }
 

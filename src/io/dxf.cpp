@@ -1,11 +1,10 @@
 #include "dxf_drawing.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/moved_pattern.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,28 +34,21 @@ void write(DxfWriter& writer, const DxfEntity& entity, double unit) {
 }
 
 Result<void> checked(const DxfOptions& options) {
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
-  if (!positive(options.arc_tolerance)) {
-    return fail(code::bad_option, fmt::format("the arc tolerance is {} mm; it must be above 0",
-                                              options.arc_tolerance));
-  }
-  if (!positive(options.tick_length)) {
-    return fail(code::bad_option,
-                fmt::format("the tick length is {} mm; it must be above 0", options.tick_length));
-  }
+  for (const auto& [option, value] : {std::pair{"arc_tolerance", options.arc_tolerance},
+                                      std::pair{"tick_length", options.tick_length}})
+    if (!std::isfinite(value) || !(value > 0.0))
+      return fail(refuse::bad_dxf_option, {{"option", option}, {"value", value, unit::mm}});
   return {};
 }
 
 Result<void> checked(const FlatPattern& pattern) {
   if (auto sound = check(pattern); !sound) return sound;
-  if (pattern.outer.loop.empty())
-    return fail(code::invalid_sheet, "The pattern has no outer contour.");
+  if (pattern.outer.loop.empty()) return fail(refuse::no_outer_contour);
   return {};
 }
 
 Result<std::string> written(const Drawing& drawing, const DxfOptions& options) {
-  if (drawing.has_empty_outline())
-    return fail(code::internal, "the pattern has a contour without extent");
+  if (drawing.has_empty_outline()) return fail(refuse::contour_without_extent);
   DL_Dxf dxf;
   // dxflib learns the version only on opening a file; an empty name opens none.
   const std::unique_ptr<DL_WriterA> unused(dxf.out("", dxflib_version(options.version)));
@@ -81,8 +73,8 @@ Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& optio
 Result<std::string> sheet_dxf_text(const SheetDrawing& sheet, const DxfOptions& options) {
   if (auto good = checked(options); !good) return pass_on(good);
   if (!(std::min(sheet.length, sheet.width) > 0.0 && std::isfinite(sheet.length + sheet.width)))
-    return fail(code::bad_option, fmt::format("the sheet is {} × {} mm; both must be above 0",
-                                              sheet.length, sheet.width));
+    return fail(refuse::bad_sheet_size,
+                {{"length", sheet.length, unit::mm}, {"width", sheet.width, unit::mm}});
   Drawing drawing(options);
   drawing.add_sheet(sheet.length, sheet.width);
   std::vector<FlatPattern> patterns;

@@ -8,6 +8,11 @@
 #include <numbers>
 #include <string_view>
 
+// DXF entities, of which dxflib writes only some as readers want them. A Bézier chain becomes one
+// B-spline: at a joint whose spans can run at one speed a knot and the joint's pole are taken out,
+// so that the curve is C1 even for readers that cut it at triple knots; elsewhere all three knots
+// stay. Arcs run counter-clockwise, and letters beyond ASCII are written as \U+XXXX.
+
 namespace planish::io_detail {
 namespace {
 

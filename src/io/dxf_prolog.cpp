@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 
+// What stands around the entities. dxflib's own prolog shows an A4 sheet whatever the part,
+// miscounts line types in R12, and lacks tables without which AutoCAD does not open an R2000 file;
+// so tables are written here, with the handles that dxflib's objects section refers to.
+
 namespace planish::io_detail {
 namespace {
 

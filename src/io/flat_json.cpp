@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/io/flat_json.hpp>
 
 #include <fmt/format.h>
@@ -5,6 +7,10 @@
 
 #include <cstdint>
 #include <exception>
+
+// A flat pattern as text that reads back to the same doubles, so that files written from it are the
+// same to the byte. A curve is a row of numbers whose count tells its kind. A checksum shows
+// damage: what parses but was not written by this version is refused and never guessed.
 
 namespace planish {
 namespace {
@@ -199,8 +205,17 @@ FlatPattern pattern_in(const FlatJson& json) {
   return pattern;
 }
 
-tl::unexpected<Error> unreadable(const std::string& why) {
-  return fail(code::invalid_input, fmt::format("the stored flat pattern cannot be read: {}", why));
+tl::unexpected<Error> unreadable(const char* why) {
+  return fail(refuse::unreadable_pattern, {{"why", why}});
+}
+
+/// A pattern that breaks a rule of `check`.
+tl::unexpected<Error> against_rules(Error broken) {
+  Error error = error_of(refuse::unreadable_pattern, {{"why", "it breaks a rule of patterns"}});
+  error.message += " " + broken.message;
+  error.places = std::move(broken.places);
+  error.numbers = std::move(broken.numbers);
+  return fail(std::move(error));
 }
 
 }  // namespace
@@ -221,7 +236,7 @@ Result<FlatPattern> read_flat_json(std::string_view text) {
       return unreadable("another version of the program has written it");
     require(json.at("checksum") == checksum(stored(json.at("pattern"))));
     FlatPattern pattern = pattern_in(json.at("pattern"));
-    if (const auto sound = check(pattern); !sound) return unreadable(sound.error().message);
+    if (const auto sound = check(pattern); !sound) return against_rules(sound.error());
     return pattern;
   } catch (const std::exception&) {
     return unreadable("it is damaged");

@@ -7,6 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+// A contour in the forms that DXF holds: a circle, a polyline with bulges, or a chain where there
+// are splines. Cutting programs do not tolerate doubled vertices, so curves without length are left
+// out, and a joint takes the end that is a stored point, since one computed from an arc's angle is
+// off by rounding. Arcs of more than half a turn are halved, as some readers go the shorter way,
+// and very large ones become cubics.
+
 namespace planish::io_detail {
 namespace {
 

@@ -1,9 +1,8 @@
 #include "cairo_library.hpp"
+#include "refusals.hpp"
 
 #include <planish/io/codes.hpp>
 #include <planish/io/pages.hpp>
-
-#include <fmt/format.h>
 
 #include <memory>
 #include <type_traits>
@@ -113,7 +112,7 @@ void Page::rectangle(const Vec2& corner, const Vec2& size, const Ink& ink) {
 }
 
 Result<std::string> pages_pdf(const std::vector<Page>& pages, const std::string& title) {
-  if (pages.empty()) return fail(code::cannot_draw, "there is nothing to draw");
+  if (pages.empty()) return fail(refuse::nothing_to_draw);
   const auto loaded = io_detail::cairo();
   if (!loaded) return pass_on(loaded);
   const Cairo& cairo = **loaded;
@@ -131,17 +130,14 @@ Result<std::string> pages_pdf(const std::vector<Page>& pages, const std::string&
     const Vec2 size = points(page.size());
     cairo.pdf_surface_set_size(surface.get(), size.x(), size.y());
     Pen pen(cairo, surface.get());
-    if (!pen.has_letters())
-      return fail(code::cannot_draw,
-                  "a PDF needs a font, and this machine has none: install fonts-dejavu-core");
+    if (!pen.has_letters()) return fail(refuse::no_font);
     pen.draw(page);
     if (status == CAIRO_STATUS_SUCCESS) status = pen.status();
   }
   cairo.surface_finish(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo.surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS)
-    return fail(code::cannot_draw,
-                fmt::format("Cairo could not draw the pages: {}", cairo.status_to_string(status)));
+    return fail(refuse::cairo_failed, {{"reason", cairo.status_to_string(status)}});
   return text;
 }
 

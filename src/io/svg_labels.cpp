@@ -10,6 +10,11 @@
 #include <numbers>
 #include <ranges>
 
+// Where texts go. Each has a list of places, the best first, and takes the one that meets the
+// fewest labels and lines; its rank decides between equals, and the letters become smaller only
+// where every place meets something. Labels of points share one size: the largest at which all find
+// room, or with which most do. Boxes are clipped in their own axes, and found by a tree of boxes.
+
 namespace planish::io_detail {
 namespace {
 

@@ -7,6 +7,11 @@
 #include <iterator>
 #include <numbers>
 
+// Curves as SVG paths, y pointing down, so that a positive sweep still looks counter-clockwise and
+// gets flag 0. SVG draws no arc whose ends coincide, so circles are two. Bend zones are
+// quadrilaterals between the tangent lines on both sides: where one side is interrupted more often
+// than the other, only parts that face each other belong together.
+
 namespace planish::io_detail {
 namespace {
 

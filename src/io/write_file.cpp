@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 
 #include <fmt/format.h>
@@ -13,6 +15,12 @@
 #include <utility>
 #include <vector>
 
+// Files whole or not at all. Bytes go to a file beside the target, in the same folder, since
+// renaming is atomic only within one file system; it takes the target's place once every byte is
+// written and the file closed, where a full disk may first show. Of several files none takes its
+// place before all are written. A write-protected target is found by opening it, as renaming would
+// replace it.
+
 namespace planish {
 namespace {
 
@@ -27,8 +35,7 @@ File opened(const fs::path& path, const char* mode) {
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 tl::unexpected<Error> cannot_write(const fs::path& target, const std::error_code& reason) {
-  return fail(code::cannot_write,
-              fmt::format("cannot write {}: {}", target.string(), reason.message()),
+  return fail(refuse::cannot_write, {{"file", target.string()}, {"reason", reason.message()}},
               target.string());
 }
 
@@ -152,8 +159,7 @@ Result<void> make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (!failed) return {};
-  return fail(code::cannot_write,
-              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+  return fail(refuse::cannot_make_folder, {{"file", folder.string()}, {"reason", failed.message()}},
               folder.string());
 }
 

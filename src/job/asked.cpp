@@ -1,11 +1,11 @@
 #include "asked.hpp"
 
-#include "json_reading.hpp"
 #include "request_schema.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/bend.hpp>
-#include <planish/job/json_depth.hpp>
+#include <planish/schema/json_depth.hpp>
+#include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +13,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 using Task = Asked::Task;

@@ -1,15 +1,16 @@
 #include "bend_order_json.hpp"
 #include "bending.hpp"
 #include "bending_options.hpp"
-#include "json_reading.hpp"
 #include "plan_report.hpp"
 
 #include <planish/job/bend_order.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr int kMostStrokes = 10'000;  // of an order that is read

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 const Units& millimetres() {

@@ -2,11 +2,11 @@
 
 #include "bend_reasons.hpp"
 #include "report_text.hpp"
-#include "units.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/drawing/page_parts.hpp>
 #include <planish/geometry/curve.hpp>
-#include <planish/job/page_parts.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
@@ -15,6 +15,8 @@
 #include <span>
 
 namespace planish::job {
+using namespace drawing;
+using namespace schema;
 namespace {
 
 constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0;

@@ -2,9 +2,10 @@
 
 #include "proposal_report.hpp"
 
-#include <planish/job/page_parts.hpp>
+#include <planish/drawing/page_parts.hpp>
 
 namespace planish::job {
+using namespace drawing;
 namespace {
 
 constexpr std::size_t kReasonLetters = 100;  // about as many as a page is wide

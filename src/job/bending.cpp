@@ -2,10 +2,11 @@
 
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
+#include "sentences.hpp"
 
 #include <planish/brake/codes.hpp>
 #include <planish/brake/proposals.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +15,7 @@
 #include <set>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 constexpr int kCannotStatus = 4;  // formats.md#exit-status
@@ -60,12 +62,11 @@ void find_ungauged(Report& report, const Plan& plan) {
     if (!stroke.gauge && !stroke.flattening)
       bends.insert(bends.end(), stroke.bends.begin(), stroke.bends.end());
   if (bends.empty()) return;
-  report.findings.push_back({"no_gauge_edge",
-                             Severity::info,
-                             fmt::format("no straight edge lies parallel to the bend line for the "
-                                         "fingers of the back gauge: {}",
-                                         names_of(report, bends)),
-                             {}});
+  Facts facts;
+  for (const BendId bend : bends)
+    facts.emplace_back("bend", part_place(report.flat, bend));
+  report.findings.push_back(
+      finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {}));
 }
 
 std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
@@ -74,11 +75,16 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
   name_once(plan.blocked);
   if (plan.status == PlanStatus::infeasible) {
     const std::string sentence = cannot_sentence(report, plan, bending);
+    Finding finding{"cannot_bend", Severity::error, sentence, places_of(report, plan)};
+    for (const BlockedBend& blocked : plan.blocked)
+      finding.about.push_back(part_place(report.flat, blocked.bend));
+    if (plan.blocked.empty())
+      for (const BendId bend : plan.unformed)
+        finding.about.push_back(part_place(report.flat, bend));
     if (only_finding)
-      report.findings.push_back(
-          {"cannot_bend", Severity::error, sentence, places_of(report, plan)});
+      report.findings.push_back(std::move(finding));
     else
-      refusal = Error{code::cannot_bend, sentence, {}};
+      refusal = Error{code::cannot_bend, sentence, {}, std::move(finding.about)};
   }
   if (plan.status == PlanStatus::gave_up)
     report.findings.push_back({"no_plan", Severity::warning, gave_up_sentence(plan), {}});

@@ -1,6 +1,6 @@
 #include "bending_options.hpp"
 
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,9 +8,12 @@
 #include <array>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
-constexpr Range kSpringback{"an angle of at least 0 and below 45 degrees", 0.0, 45.0, true, false};
+constexpr schema::Range kSpringback{"an angle of at least 0 and below 45 degrees", 0.0, 45.0, true,
+                                    false};
 
 struct Weight {
   std::string_view name;

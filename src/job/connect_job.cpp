@@ -2,11 +2,13 @@
 #include "folded.hpp"
 #include "from_file.hpp"
 #include "made_report.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/job/connect.hpp>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 // A straight lateral boundary is straight on the neutral surface. A rule with a different K for

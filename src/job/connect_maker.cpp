@@ -10,6 +10,7 @@
 #include <planish/job/plates_json.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:

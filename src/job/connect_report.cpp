@@ -1,11 +1,12 @@
 #include "facts.hpp"
-#include "json_parts.hpp"
+#include "report_json.hpp"
 #include "report_schema.hpp"
 #include "report_text.hpp"
-#include "table.hpp"
-#include "units.hpp"
 
 #include <planish/job/connect.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 std::string_view facing_name(EdgeKind kind) {

@@ -4,6 +4,8 @@
 #include "folded.hpp"
 
 namespace planish::job {
+
+using namespace shop;
 std::optional<Error> finish(ConnectReport& report, Connection connection,
                             const AllowanceRule& allowance, const PatternChecks& checks,
                             const Progress& progress) {

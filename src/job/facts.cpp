@@ -1,34 +1,8 @@
 #include "facts.hpp"
 
-#include <planish/geometry/region.hpp>
-
-#include <algorithm>
+#include <cmath>
 
 namespace planish::job {
-namespace {
-
-double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
-
-}  // namespace
-
-std::string_view kind_name(BendKind kind) {
-  switch (kind) {
-    case BendKind::cylinder:
-      return "cylinder";
-    case BendKind::cone:
-      return "cone";
-    case BendKind::general:
-      return "general";
-    case BendKind::sharp:
-      break;
-  }
-  return "sharp";
-}
-
-std::string_view direction_name(BendDirection direction) {
-  return direction == BendDirection::up ? "up" : "down";
-}
-
 std::string_view severity_name(Severity severity) {
   switch (severity) {
     case Severity::info:
@@ -51,23 +25,6 @@ std::string_view status_name(Status status) {
       break;
   }
   return "refused";
-}
-
-double outer_cutting_length(const FlatPattern& flat) { return length(flat.outer.loop); }
-
-double inner_cutting_length(const FlatPattern& flat) {
-  double sum = 0.0;
-  for (const Contour& opening : flat.openings)
-    sum += length(opening.loop);
-  return sum + length(flat.slits);
-}
-
-std::optional<Segment> longest_line(const FlatBend& bend) {
-  const auto longest = std::max_element(
-      bend.lines.begin(), bend.lines.end(),
-      [](const Segment& a, const Segment& b) { return length_of(a) < length_of(b); });
-  if (longest == bend.lines.end()) return std::nullopt;
-  return *longest;
 }
 
 bool sheet_known(const Report& report) { return report.summary.thickness > 0.0; }

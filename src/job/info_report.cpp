@@ -1,14 +1,16 @@
 #include "facts.hpp"
-#include "json_parts.hpp"
-#include "table.hpp"
-#include "units.hpp"
+#include "places_json.hpp"
 
 #include <planish/job/info.hpp>
-#include <planish/job/printable.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/printable.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json size_json(const Vec3& size, const Units& units) {

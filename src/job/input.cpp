@@ -1,9 +1,8 @@
 #include "input.hpp"
 
-#include "units.hpp"
-
 #include <planish/job/codes.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include <vector>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr int kListedBodies = 12;  // in a message

@@ -1,16 +1,12 @@
 #pragma once
 
-#include "schema.hpp"
+#include <planish/schema/schema.hpp>
 
 namespace planish::job {
 
 /// Schemas of the makers' input files; the parsers accept nothing else.
-const Schema& plates_schema();
-const Schema& transition_schema();
-const Schema& slits_schema();
-const Schema& rules_schema();
-const Schema& material_schema();
-const Schema& tools_schema();
-const Schema& shop_schema();
+const schema::Schema& plates_schema();
+const schema::Schema& transition_schema();
+const schema::Schema& slits_schema();
 
 }  // namespace planish::job

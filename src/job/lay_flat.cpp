@@ -3,7 +3,7 @@
 #include "bending.hpp"
 #include "reliefs.hpp"
 #include "self_intersections.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 #include "verdict.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -16,6 +16,7 @@
 #include <cmath>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 constexpr double kCubicDecimetre = 1e6;  // mm³
@@ -154,7 +155,9 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   const std::optional<ShopChoice>& shop = given.checks.shop;
   if (given.checks.rules.enabled)
     append(report.findings, check_rules(given.sheet, report.flat, rules_of(given)));
-  if (shop) append(report.findings, shop_findings(report, *shop));
+  if (shop)
+    append(report.findings,
+           shop_findings({report.summary.thickness, report.size, report.flat}, *shop));
   return std::nullopt;
 }
 

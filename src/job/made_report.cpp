@@ -4,6 +4,8 @@
 
 namespace planish::job {
 
+using namespace schema;
+
 Json page_point(const Vec3& p) {
   return Json::array({std::isfinite(p.x()) ? Json(p.x()) : Json(nullptr),
                       std::isfinite(p.y()) ? Json(p.y()) : Json(nullptr),

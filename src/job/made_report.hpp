@@ -1,8 +1,7 @@
 #pragma once
 
-#include "json_parts.hpp"
-
 #include <planish/job/maker.hpp>
+#include <planish/schema/json_parts.hpp>
 
 #include <memory>
 #include <string>
@@ -81,9 +80,9 @@ class SpecWork : public Work {
 };
 
 /// Points for the page, in mm.
-Json page_point(const Vec3& p);
-Json page_points(const std::vector<Vec3>& points);
+schema::Json page_point(const Vec3& p);
+schema::Json page_points(const std::vector<Vec3>& points);
 /// JSON on one line; bytes that are not UTF-8 become U+FFFD.
-std::string page_text(const Json& json);
+std::string page_text(const schema::Json& json);
 
 }  // namespace planish::job

@@ -1,17 +1,18 @@
 #include "folded.hpp"
-#include "json_parts.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/artifact.hpp>
-#include <planish/job/json_depth.hpp>
 #include <planish/job/maker.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/json_depth.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 tl::unexpected<Error> not_made(const char* what) {

@@ -1,7 +1,8 @@
-#include "shop_checks.hpp"
+
+#include "taken_shop.hpp"
 
 #include <planish/job/options.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +13,8 @@
 #include <filesystem>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using ByBend = std::vector<std::pair<std::string, double>>;

@@ -1,10 +1,10 @@
 #include "bending_options.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/job/material_json.hpp>
 #include <planish/job/options.hpp>
-#include <planish/job/rules_json.hpp>
+#include <planish/shop/material_json.hpp>
+#include <planish/shop/rules_json.hpp>
 
 #include <fmt/format.h>
 
@@ -13,6 +13,8 @@
 #include <filesystem>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using Done = Result<void>;

@@ -1,8 +1,8 @@
-#include "json_parts.hpp"
-
 #include <planish/job/run.hpp>
+#include <planish/schema/json_parts.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json json_of(bool value) { return value; }

@@ -1,9 +1,8 @@
-#include "units.hpp"
-#include "utf8.hpp"
-
 #include <planish/base/assert.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/job/outputs.hpp>
+#include <planish/schema/units.hpp>
+#include <planish/schema/utf8.hpp>
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include <set>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr std::size_t kLongestName = 100;  // bytes; with thickness and suffix far below any limit

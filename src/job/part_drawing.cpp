@@ -1,15 +1,17 @@
 #include "part_drawing.hpp"
 
 #include "facts.hpp"
-#include "units.hpp"
 
-#include <planish/job/part_pages.hpp>
+#include <planish/drawing/part_pages.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace planish::job {
+using namespace drawing;
+using namespace schema;
 namespace {
 
 std::string plan_words(const Report& report) {

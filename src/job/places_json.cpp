@@ -9,6 +9,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json coordinates_json(const std::vector<double>& at, const Units& units) {
@@ -65,6 +66,7 @@ Json place_json(const Place& place, const Units& units) {
   json["kind"] = kind_name(place.kind);
   if (const int* number = std::get_if<int>(&place.id)) json["id"] = *number;
   if (const std::string* name = std::get_if<std::string>(&place.id)) json["id"] = *name;
+  if (!place.faces.empty()) json["faces"] = place.faces;
   if (!place.at.empty()) json["at"] = coordinates_json(place.at, units);
   return json;
 }
@@ -116,7 +118,9 @@ Json reason_json(const std::optional<Error>& error, const Units& units) {
   reason["code"] = code_name(error->code);
   reason["message"] = error->message;
   reason["where"] = error->where;
-  reason["places"] = places_json(error->places, units);
+  std::vector<Place> places = error->places;
+  if (places.empty() && error->where.starts_with('/')) places = {place::pointer(error->where)};
+  reason["places"] = places_json(places, units);
   reason["numbers"] = numbers_json(error->numbers);
   add_remedies(reason, error->remedies);
   return reason;
@@ -136,6 +140,7 @@ std::vector<Field> place_fields() {
   coordinates.most = 3;
   return {required("kind", values(std::move(kinds), "a kind of place")),
           optional("id", any_of({whole(), any_text()}, "a number or a name")),
+          optional("faces", list(whole(1)).said("that meet at an edge")),
           optional("at", std::move(coordinates))};
 }
 

@@ -1,13 +1,19 @@
 #pragma once
 
-#include "json_parts.hpp"
-#include "schema.hpp"
-
 #include <planish/inspect/findings.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/schema.hpp>
+#include <planish/schema/units.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace planish::job {
+
+using schema::Field;
+using schema::Json;
+using schema::Schema;
+using schema::Units;
 
 /// formats.md#places: `{ "kind", "id", "at" }`, without `id` for a point, without `at` where it is
 /// not known.
@@ -19,6 +25,9 @@ Json numbers_json(const std::vector<NamedQuantity>& numbers);
 
 /// Adds `remedy`, the first, and `remedies` if there are several.
 void add_remedies(Json& json, const std::vector<Remedy>& remedies);
+
+/// formats.md#reason, its places in `units`; null without an error.
+Json reason_json(const std::optional<Error>& error, const Units& units);
 
 /// One of `checks`.
 Json check_json(const Finding& finding, const Units& units);

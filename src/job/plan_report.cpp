@@ -1,9 +1,10 @@
 #include "plan_report.hpp"
 
-#include "json_parts.hpp"
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
-#include "table.hpp"
+
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/table.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json id_json(const std::optional<FlangeId>& flange) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "schema.hpp"
-#include "units.hpp"
-
 #include <planish/job/report.hpp>
+#include <planish/schema/schema.hpp>
+#include <planish/schema/units.hpp>
 
 #include <string>
 #include <vector>
@@ -17,12 +16,12 @@ std::string bend_id(const Report& report, BendId bend);
 std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId>& bends);
 
 /// The plan of a report with the keys of formats.md#plan.
-Json plan_json(const Plan& plan, const Report& report);
-Schema plan_schema();
+schema::Json plan_json(const Plan& plan, const Report& report);
+schema::Schema plan_schema();
 
 /// What it has for one stroke, and for what is in the way of one; the word for its status.
-Json stroke_json(const Stroke& stroke, const Report& report);
-Json blocked_json(const BlockedBend& blocked, const Report& report);
+schema::Json stroke_json(const Stroke& stroke, const Report& report);
+schema::Json blocked_json(const BlockedBend& blocked, const Report& report);
 std::string_view status_word(PlanStatus status);
 
 /// The same for a terminal.

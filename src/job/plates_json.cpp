@@ -1,7 +1,7 @@
 #include "input_schemas.hpp"
-#include "json_reading.hpp"
 
 #include <planish/job/plates_json.hpp>
+#include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,12 +10,14 @@
 #include <limits>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kFormat = "planish/plates";
 constexpr int kVersion = 1;
-constexpr Range kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false, false};
-constexpr Range kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
+constexpr schema::Range kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false,
+                                  false};
+constexpr schema::Range kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
 
 const Words<SurfaceChoice> kSurfaces{{"auto", SurfaceChoice::automatic},
                                      {"cylinder", SurfaceChoice::cylinder},

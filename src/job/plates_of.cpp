@@ -1,14 +1,15 @@
 #include "drawn_folds.hpp"
-#include "json_parts.hpp"
 
 #include <planish/geometry/curve.hpp>
 #include <planish/job/plates_of.hpp>
+#include <planish/schema/json_parts.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 /// Corners of a loop, none of them nearer to the next than the chord: real parts have borders, and

@@ -1,13 +1,15 @@
 #include "proposal_report.hpp"
 
-#include "json_parts.hpp"
 #include "plan_report.hpp"
 #include "report_schema.hpp"
+
+#include <planish/schema/json_parts.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 using Kind = Proposal::Kind;

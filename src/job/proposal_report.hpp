@@ -1,8 +1,7 @@
 #pragma once
 
-#include "schema.hpp"
-
 #include <planish/job/report.hpp>
+#include <planish/schema/schema.hpp>
 
 #include <string>
 
@@ -15,8 +14,8 @@ std::string blocked_sentence(const BlockedBend& blocked, const Report& report);
 std::string proposal_sentence(const Proposal& proposal, const Report& report);
 
 /// The proposals of a plan with the keys of formats.md#plan.
-Json proposals_json(const Plan& plan, const Report& report);
-Schema proposal_schema();
+schema::Json proposals_json(const Plan& plan, const Report& report);
+schema::Schema proposal_schema();
 
 /// The same for a terminal; empty without any.
 std::string proposals_text(const Plan& plan, const Report& report);

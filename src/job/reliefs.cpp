@@ -1,8 +1,10 @@
 #include "reliefs.hpp"
 
-#include "units.hpp"
+#include "refusals.hpp"
+#include "sentences.hpp"
 
 #include <planish/inspect/missing_relief.hpp>
+#include <planish/schema/units.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/cutout.hpp>
 #include <planish/sheet/one_piece.hpp>
@@ -25,6 +27,14 @@ double largest_radius(const FlatPattern& pattern) {
   return radius;
 }
 
+/// The parts that cover each other, each where they do.
+Facts parts_of(const DoubleCover& cover) {
+  Facts facts;
+  for (const Place& part : cover.parts)
+    facts.emplace_back("part", place::at(part, cover.middle));
+  return facts;
+}
+
 /// Whether a place is small enough that a shop would mend it without asking: a corner, and not a
 /// flange that lies on another.
 Result<void> check_size(const DoubleCover& cover, const FlatPattern& pattern) {
@@ -33,10 +43,12 @@ Result<void> check_size(const DoubleCover& cover, const FlatPattern& pattern) {
   const double area = kLargest * t * t;
   const double depth = t + largest_radius(pattern);
   if (cover.area <= area && cover.size.y() <= depth) return {};
-  return fail(code::overlap,
-              fmt::format("{} overlap by {:.4g} mm², {:.4g} mm deep; corners are mended up to "
-                          "{:.4g} mm² and {:.4g} mm",
-                          cover.who, cover.area, cover.size.y(), area, depth));
+  Facts facts = parts_of(cover);
+  facts.insert(facts.end(), {{"area", cover.area, unit::mm2},
+                             {"depth", cover.size.y(), unit::mm},
+                             {"most_area", area, unit::mm2},
+                             {"most_depth", depth, unit::mm}});
+  return fail(refuse::overlap_too_large, facts);
 }
 
 /// Half of the shorter side: the gap, or a relief as wide as the sheet is thick.
@@ -96,7 +108,7 @@ Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout
         code::pattern_wrong,
         fmt::format("a relief took {:.4g} mm² where the sheet has {:.4g} mm²", removed, within));
   if (parts(relieved.pattern, *left, cutout))
-    return fail(code::unsupported_shape, "a relief parts the sheet");
+    return fail(refuse::relief_parts_sheet, {{"at", place::point(cutout.middle)}});
   relieved.pattern = std::move(*left);
   relieved.removed += removed;
   relieved.cutouts.push_back(outline);
@@ -110,14 +122,20 @@ const char* name_of(Relief shape) {
 Finding mended(const DoubleCover& cover, const Cutout& cutout, const FlatPattern& pattern,
                Relief shape) {
   const double t = pattern.thickness;
-  return {
-      "mended_corner",
-      Severity::warning,
-      fmt::format("{} overlap by {:.4g} mm² in the flat pattern; a {} of {:.3g} mm by {:.3g} mm "
-                  "is cut there: draw a relief at least {:.3g} mm wide and {:.3g} mm deep",
-                  cover.who, cover.area, name_of(shape), 2 * cutout.half.x(), 2 * cutout.half.y(),
-                  t, t + largest_radius(pattern)),
-      {cover.middle}};
+  Facts facts = parts_of(cover);
+  facts.insert(facts.end(), {{"area", cover.area, unit::mm2},
+                             {"shape", name_of(shape)},
+                             {"length", 2 * cutout.half.x(), unit::mm},
+                             {"width", 2 * cutout.half.y(), unit::mm},
+                             {"least_width", t, unit::mm},
+                             {"least_depth", t + largest_radius(pattern), unit::mm}});
+  Finding finding = finding_of("mended_corner", Severity::warning, say::mended_corner, facts,
+                               {cover.middle});
+  finding.remedies = {{"relief", "rip", "Cut a rip"},
+                      {"relief", "square", "Cut a square relief"},
+                      {"relief", "round", "Cut a round relief"},
+                      {"relief", "none", "Leave it as drawn"}};
+  return finding;
 }
 
 std::vector<Segment> straight_slits(FlatPattern& pattern) {
@@ -209,14 +227,19 @@ Finding cut_beside(const std::vector<PlacedRelief>& reliefs, Relief shape) {
   for (const PlacedRelief& relief : reliefs)
     at.push_back(relief.place.corner);
   const Vec2 size = 2 * reliefs.front().cutout.half;
-  const std::string first = fmt::format("beside bend {}", reliefs.front().place.bend);
-  const std::string measures = fmt::format("{:.3g} mm by {:.3g} mm", size.x(), size.y());
   const int count = static_cast<int>(reliefs.size());
-  return {"bend_relief_cut", Severity::info,
-          count == 1 ? fmt::format("a {} of {} is cut {}", name_of(shape), measures, first)
-                     : fmt::format("{} are cut beside bends; the first, {}, is {}",
-                                   counted(count, name_of(shape)), first, measures),
-          at};
+  Facts facts{{"shape", name_of(shape)},
+              {"count", counted(count, name_of(shape))},
+              {"length", size.x(), unit::mm},
+              {"width", size.y(), unit::mm},
+              {"bend", place::at(place::bend(reliefs.front().place.bend), at.front())}};
+  for (std::size_t i = 1; i < reliefs.size(); ++i)
+    facts.emplace_back("other", place::at(place::bend(reliefs[i].place.bend), at[i]));
+  Finding finding = finding_of("bend_relief_cut", Severity::info,
+                               count == 1 ? say::relief_cut_beside : say::reliefs_cut_beside, facts,
+                               std::move(at));
+  finding.remedies = {{"bend_relief", "none", "Leave it as drawn"}};
+  return finding;
 }
 
 /// A place at which none can be cut, or where it would be of no use, keeps its finding.

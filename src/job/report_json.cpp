@@ -1,13 +1,16 @@
+#include "report_json.hpp"
+
 #include "facts.hpp"
-#include "json_parts.hpp"
 #include "places_json.hpp"
 #include "plan_report.hpp"
 #include "report_schema.hpp"
-#include "units.hpp"
 
 #include <planish/job/unfold.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/units.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Json line_json(const Segment& line, const Units& units) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 Schema status_schema() { return words({"ok", "warning", "refused"}); }

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "schema.hpp"
-
 #include <planish/job/artifact.hpp>
+#include <planish/schema/schema.hpp>
 
 #include <vector>
 
@@ -10,7 +9,7 @@ namespace planish::job {
 
 /// Keys that a maker adds to the common ones: of the report, and of each bend.
 struct ReportDetails {
-  std::vector<Field> report, bend;
+  std::vector<schema::Field> report, bend;
 };
 ReportDetails unfold_report_details();
 ReportDetails connect_report_details();
@@ -18,21 +17,21 @@ ReportDetails transition_report_details();
 ReportDetails slit_report_details();
 
 /// Schemas of outputs: reports of all makers, the summary of several bodies, `planish info`.
-Schema report_schema(const Catalogue& catalogue);
-Schema summary_schema(const Catalogue& catalogue);
-Schema info_schema();
+schema::Schema report_schema(const Catalogue& catalogue);
+schema::Schema summary_schema(const Catalogue& catalogue);
+schema::Schema info_schema();
 
 /// The common keys of reports, from "units" on.
-std::vector<Field> common_report_fields();
+std::vector<schema::Field> common_report_fields();
 
 /// A number, or null if it could not be measured.
-Schema measured_number();
-Schema measured_length();
-Schema measured_area();
+schema::Schema measured_number();
+schema::Schema measured_length();
+schema::Schema measured_area();
 /// Points whose coordinates may be null.
-Schema report_point();
-Schema report_space_point();
-Schema report_line();
-Schema reason_schema();
+schema::Schema report_point();
+schema::Schema report_space_point();
+schema::Schema report_line();
+schema::Schema reason_schema();
 
 }  // namespace planish::job

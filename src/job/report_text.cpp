@@ -2,11 +2,12 @@
 
 #include "facts.hpp"
 #include "plan_report.hpp"
-#include "table.hpp"
-#include "units.hpp"
+#include "report_json.hpp"
 
-#include <planish/job/printable.hpp>
 #include <planish/job/unfold.hpp>
+#include <planish/schema/printable.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@
 #include <filesystem>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 std::string title(const UnfoldReport& report) {

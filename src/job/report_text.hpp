@@ -1,6 +1,6 @@
 #pragma once
 
-#include "json_parts.hpp"
+#include "report_json.hpp"
 
 #include <planish/base/angle.hpp>
 #include <planish/job/report.hpp>
@@ -8,6 +8,8 @@
 #include <string>
 
 namespace planish::job {
+
+using schema::text_of;
 
 /// A report as text for a terminal, after `title` and a colon; `tables` follow the table of bends.
 std::string text_of(const Report& report, const std::string& title, const std::string& tables,

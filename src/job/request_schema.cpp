@@ -4,6 +4,7 @@
 #include "input_schemas.hpp"
 
 #include <planish/job/bend.hpp>
+#include <planish/shop/schemas.hpp>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@
 #include <functional>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 Schema file_schema(const Option& option, OptionFiles files) {

@@ -1,22 +1,21 @@
 #pragma once
 
-#include "schema.hpp"
-
 #include <planish/job/artifact.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/schema.hpp>
 
 #include <vector>
 
 namespace planish::job {
 
 /// An object with options of any maker; null is the same as leaving an option out.
-Schema options_schema(OptionFiles files);
+schema::Schema options_schema(OptionFiles files);
 /// A request to `run`.
-Schema request_schema(const Catalogue& catalogue);
+schema::Schema request_schema(const Catalogue& catalogue);
 /// The same without "maker", of one maker ("bend", "info"): with its own options and artifacts.
-Schema request_schema(const std::string& maker, const Catalogue& catalogue);
+schema::Schema request_schema(const std::string& maker, const Catalogue& catalogue);
 
 /// The values in a checked "options" object.
-OptionValues values_of(const Json& options);
+OptionValues values_of(const schema::Json& options);
 
 }  // namespace planish::job

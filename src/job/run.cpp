@@ -8,6 +8,7 @@
 #include <shared_mutex>
 
 namespace planish::job {
+using namespace process;
 namespace {
 
 /// Held by those who work in this process; by who copies it, alone: the copy would find every lock

@@ -7,13 +7,13 @@
 namespace planish::job {
 namespace {
 
-constexpr double kRead = 0.7;  // share of the time
+constexpr double kInfoRead = 0.7;  // share of the time
 
 Result<InfoReport> info_of_content(const InputFile& file, const InfoRequest& request,
                                    const Progress& progress) {
-  const auto read = read_step_text(file.content, file.name, part_of(progress, 0.0, kRead));
+  const auto read = read_step_text(file.content, file.name, part_of(progress, 0.0, kInfoRead));
   if (!read) return pass_on(read);
-  return info_of(*read, request, part_of(progress, kRead, 1.0));
+  return info_of(*read, request, part_of(progress, kInfoRead, 1.0));
 }
 
 }  // namespace

@@ -4,11 +4,14 @@
 #include "request_schema.hpp"
 
 #include <planish/job/schemas.hpp>
+#include <planish/shop/schemas.hpp>
 
 #include <algorithm>
 #include <optional>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 std::optional<Schema> schema_named(const std::string& name, const Catalogue& catalogue) {

@@ -1,5 +1,7 @@
 #include "self_intersections.hpp"
 
+#include "sentences.hpp"
+
 #include <planish/brep/step.hpp>
 #include <planish/collision/meeting_faces.hpp>
 #include <planish/collision/self_intersections.hpp>
@@ -14,6 +16,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 /// Of the triangles from the solid, mm.
@@ -57,16 +60,14 @@ struct SharedSpace {
   std::vector<Vec2> at;
 };
 
-std::string who(const FlatPattern& flat, const std::pair<PartId, PartId>& parts) {
-  const std::string first = part_name(flat, parts.first);
-  if (parts.first == parts.second) return first + " runs through itself";
-  return fmt::format("{} and {} run through each other", first, part_name(flat, parts.second));
-}
-
-Finding finding_of(const FlatPattern& flat, const std::pair<PartId, PartId>& parts,
+Finding meeting_of(const FlatPattern& flat, const std::pair<PartId, PartId>& parts,
                    const SharedSpace& shared) {
-  return {"self_intersection", Severity::error,
-          fmt::format("{} when folded, {:.3g} mm deep", who(flat, parts), shared.depth), shared.at};
+  const bool itself = parts.first == parts.second;
+  Facts facts{{"part", part_place(flat, parts.first)}, {"depth", shared.depth, unit::mm}};
+  if (!itself) facts.emplace_back("part", part_place(flat, parts.second));
+  return finding_of("self_intersection", Severity::error,
+                    itself ? say::runs_through_itself : say::run_through_each_other, facts,
+                    shared.at);
 }
 
 Finding untested(const Error& error) {
@@ -78,12 +79,13 @@ Finding untested(const Error& error) {
 }
 
 Finding unnamed(const SelfIntersection& found) {
-  return {"self_intersection",
-          Severity::error,
-          fmt::format("the folded solid runs through itself, {:.3g} mm deep, between its faces {} "
-                      "and {}",
-                      found.depth, found.faces[0] + 1, found.faces[1] + 1),
-          {}};
+  // The faces are those of the solid that was made, which no file has.
+  return finding_of("self_intersection", Severity::error, say::solid_through_itself,
+                    {{"depth", found.depth, unit::mm},
+                     {"at", place::point(found.centre)},
+                     {"first", found.faces[0] + 1},
+                     {"second", found.faces[1] + 1}},
+                    {});
 }
 
 /// Whether edges that meet along a seam overlap there: square edges of a sheet that meet in a fold
@@ -99,11 +101,8 @@ bool lies_along(const std::vector<std::array<Vec3, 2>>& seams, const SelfInterse
 }
 
 Finding seam_edges(const SharedSpace& shared) {
-  return {"seam_edges", Severity::info,
-          fmt::format("the seam lies in a fold, where square edges meet inside first, {:.3g} mm "
-                      "deep: bevel them, or put the seam elsewhere",
-                      shared.depth),
-          shared.at};
+  return finding_of("seam_edges", Severity::info, say::seam_edges,
+                    {{"depth", shared.depth, unit::mm}}, shared.at);
 }
 
 /// Where to look: about the places where faces meet, by as much as mitres and features reach.
@@ -148,7 +147,7 @@ std::vector<Finding> self_intersections(const Report& report, const FoldedBody& 
   std::ranges::stable_sort(order, std::greater(), [](const auto& one) { return one.second.depth; });
   std::vector<Finding> findings;
   for (const auto& [parts, shared] : order)
-    findings.push_back(finding_of(report.flat, parts, shared));
+    findings.push_back(meeting_of(report.flat, parts, shared));
   findings.insert(findings.end(), elsewhere.begin(), elsewhere.end());
   if (along_seams.depth > 0.0) findings.push_back(seam_edges(along_seams));
   return findings;

@@ -1,7 +1,6 @@
 #include "sides.hpp"
 
-#include "schema.hpp"
-
+#include <planish/schema/schema.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace planish::job {
+using namespace shop;
+using namespace schema;
 namespace {
 
 using FaceTest = std::function<bool(const Face&)>;

@@ -3,9 +3,9 @@
 #include "lay_flat.hpp"
 #include "made_report.hpp"
 #include "strip_meetings.hpp"
-#include "units.hpp"
 
 #include <planish/job/slit.hpp>
+#include <planish/schema/units.hpp>
 #include <planish/sheet/slots.hpp>
 #include <planish/slit/codes.hpp>
 

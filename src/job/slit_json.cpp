@@ -1,8 +1,8 @@
 #include "input_schemas.hpp"
-#include "json_reading.hpp"
 
 #include <planish/job/slit_json.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/json_reading.hpp>
+#include <planish/schema/text_file.hpp>
 #include <planish/slit/session.hpp>
 
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <set>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kFormat = "planish/slits";
@@ -19,12 +20,12 @@ constexpr int kVersion = 1;
 constexpr int kMostStrips = 10000, kFewestRidges = 3, kMostRidges = 1000;
 constexpr std::size_t kMostPoles = 64;
 constexpr double kLargest = 1e7;  // mm
-constexpr Range kLength{"a length above 0 and at most 1e7 mm", 0.0, kLargest, false};
-constexpr Range kGap{"a length from 0 to 1e7 mm", 0.0, kLargest};
-constexpr Range kCoordinate{"a length from -1e7 to 1e7 mm", -kLargest, kLargest};
-constexpr Range kWeight{"a number from 0 to 10000", 0.0, 1e4};
-constexpr Range kLean{"an angle from -90 to 90", -90.0, 90.0};
-constexpr Range kDraft{"an angle above 0 and at most 85", 0.0, 85.0, false};
+constexpr schema::Range kLength{"a length above 0 and at most 1e7 mm", 0.0, kLargest, false};
+constexpr schema::Range kGap{"a length from 0 to 1e7 mm", 0.0, kLargest};
+constexpr schema::Range kCoordinate{"a length from -1e7 to 1e7 mm", -kLargest, kLargest};
+constexpr schema::Range kWeight{"a number from 0 to 10000", 0.0, 1e4};
+constexpr schema::Range kLean{"an angle from -90 to 90", -90.0, 90.0};
+constexpr schema::Range kDraft{"an angle above 0 and at most 85", 0.0, 85.0, false};
 
 const Words<StripEdge> kSides{{"left", StripEdge::left}, {"right", StripEdge::right}};
 const Words<EndAngle> kEndAngles{

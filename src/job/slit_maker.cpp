@@ -12,6 +12,7 @@
 #include <planish/slit/mould.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:

@@ -1,17 +1,19 @@
 #include "facts.hpp"
-#include "json_parts.hpp"
+#include "report_json.hpp"
 #include "report_schema.hpp"
 #include "report_text.hpp"
-#include "table.hpp"
-#include "units.hpp"
 
 #include <planish/job/slit.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 std::string_view status_word(StripStatus status) {

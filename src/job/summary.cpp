@@ -1,10 +1,11 @@
 #include "facts.hpp"
-#include "json_parts.hpp"
-#include "table.hpp"
-#include "units.hpp"
+#include "report_json.hpp"
 
-#include <planish/job/printable.hpp>
 #include <planish/job/unfold.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/printable.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 int unfolded(const std::vector<UnfoldReport>& reports) {

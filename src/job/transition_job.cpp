@@ -2,7 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
-#include "shop_checks.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition.hpp>
@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 /// Outlines are this accurate because nets are compared with closed forms and with each other (mm).

@@ -1,19 +1,20 @@
 #include "input_schemas.hpp"
-#include "json_reading.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition_json.hpp>
+#include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kFormat = "planish/transition";
 constexpr int kVersion = 1;
-constexpr Range kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
+constexpr schema::Range kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
 constexpr double kDefaultK = 0.5;
 constexpr int kMostPressLines = 2000;
 

@@ -9,6 +9,7 @@
 #include <planish/job/transition_json.hpp>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:

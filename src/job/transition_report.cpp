@@ -1,15 +1,17 @@
 #include "facts.hpp"
-#include "json_parts.hpp"
+#include "report_json.hpp"
 #include "report_schema.hpp"
 #include "report_text.hpp"
-#include "table.hpp"
-#include "units.hpp"
 
 #include <planish/job/transition.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/table.hpp>
+#include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 std::string_view kind_word(PatchKind kind) {

@@ -12,7 +12,7 @@
 namespace planish::job {
 namespace {
 
-constexpr double kRead = 0.2;  // share of the progress taken by reading
+constexpr double kUnfoldRead = 0.2;  // share of the progress taken by reading
 
 struct TimedFile {
   StepFile file;
@@ -22,7 +22,7 @@ struct TimedFile {
 Result<TimedFile> timed_read(const Request& request, const Progress& progress) {
   progress.at("reading", 0.0);
   const auto start = std::chrono::steady_clock::now();
-  auto file = read_input(request.input, part_of(progress, 0.0, kRead));
+  auto file = read_input(request.input, part_of(progress, 0.0, kUnfoldRead));
   if (!file) return pass_on(file);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return TimedFile{std::move(*file), taken.count()};
@@ -92,7 +92,7 @@ Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progr
   if (!read) return pass_on(read);
   std::vector<UnfoldReport> reports;
   const int count = static_cast<int>(read->file.bodies.size());
-  const Progress unfolding = part_of(progress, kRead, 1.0);
+  const Progress unfolding = part_of(progress, kUnfoldRead, 1.0);
   for (int i = 0; i < count; ++i) {
     const Body& body = read->file.bodies[i];
     if (progress.should_stop()) return fail(code::cancelled, "cancelled");

@@ -1,7 +1,7 @@
 #include "found_sheet.hpp"
 #include "lay_flat.hpp"
-#include "shop_checks.hpp"
 #include "sides.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
@@ -35,6 +35,10 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   if (!found) {
     Error why = found.error();
     if (why.code == code::bad_option) why.where = "rip_edges";
+    // Another rip comes after those asked for.
+    for (Remedy& remedy : why.remedies)
+      if (remedy.option == "rip_edges" && !request.rip_edges.empty())
+        remedy.value = fmt::format("{},{}", fmt::join(request.rip_edges, ","), remedy.value);
     return why;
   }
   report.summary = summary_of(found->sheet);

@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace planish::job {
+using namespace schema;
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -43,7 +44,9 @@ class MadeUnfolded : public MadeReport<UnfoldReport> {
 
   Result<Mesh> folded_mesh() const override {
     if (!body_) return Made::folded_mesh();
-    return body_mesh(*body_).map([](MeshOfFaces&& surface) { return std::move(surface.mesh); });
+    auto surface = body_mesh(*body_);
+    if (!surface) return pass_on(surface);
+    return std::move(surface->mesh);
   }
   // Shows what was refused, but for faces that the kernel cannot mesh.
   std::optional<MeshOfFaces> refused_solid() const override {

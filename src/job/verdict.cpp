@@ -1,8 +1,10 @@
 #include "verdict.hpp"
 
 #include "facts.hpp"
-#include "units.hpp"
+#include "refusals.hpp"
+#include "sentences.hpp"
 
+#include <planish/schema/units.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
@@ -34,9 +36,9 @@ constexpr auto kSlantedCut = "slanted cut";
 bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
 Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
+  const double ratio = or_nan(certificate.volume_ratio);
   std::string message = fmt::format(
-      "flat area at K = ½ times thickness is {:.6f} of the solid's volume",
-      or_nan(certificate.volume_ratio));
+      "flat area at K = ½ times thickness is {:.6f} of the solid's volume", ratio);
   const std::string features = forms_text(flat);
   const double explained = or_nan(certificate.explained_ratio);
   if (!features.empty()) {
@@ -48,39 +50,33 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
   if (features.empty() || off(explained, bound)) {
     message += "; cut edges that are not normal to the sheet, or a missed feature, cause this";
   }
-  return {"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
+  Finding finding{"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
+  finding.numbers = {{"ratio", {ratio}}, {"allowed", {bound}}};
+  return finding;
 }
 
-Finding residual_doubt(const std::string& code, const std::string& what, double value, double bound,
-                       const Vec2& at) {
-  return {code,
-          Severity::warning,
-          fmt::format("{} {:.4f} mm, more than {} mm", what, value, trimmed_number(bound, 6)),
-          {at}};
+Finding residual_doubt(const std::string& code, std::string_view sentence, double value,
+                       double bound, const Vec2& at) {
+  return finding_of(
+      code, Severity::warning, sentence,
+      {{"off", value, unit::mm}, {"allowed", bound, unit::mm}, {"at", place::point(at)}}, {at});
 }
 
-constexpr auto
-    kLengthText = "an edge of the solid and its image in the pattern differ in length by";
-constexpr auto kRefoldText = "the refolded contour leaves the solid's edge by";
-
-Error wrong(const std::string& what, const Vec2& at) {
-  return {code::pattern_wrong, what + "; the pattern cannot be trusted and is not written",
-          place_text(at)};
+Error wrong(const Refusal& refusal, double off, const Vec2& at) {
+  return error_of(refusal, {{"off", off, unit::mm}, {"at", place::point(at)}}, place_text(at));
 }
 
 std::optional<Finding> opening_doubt(const OpeningCount& openings) {
   const int lost = openings.lost().value_or(0);
   if (lost == 0) return std::nullopt;
-  const std::string counts = fmt::format("the solid has {}, the pattern {}",
-                                         counted(*openings.solid, "opening"),
-                                         *openings.solid - lost);
+  const Facts counts{{"solid", *openings.solid},
+                     {"pattern", *openings.solid - lost},
+                     {lost < 0 ? "extra" : "lost", std::abs(lost)}};
   if (lost < 0)
-    return Finding{
-        "extra_opening", Severity::error, fmt::format("{}: {} too many", counts, -lost), {}};
-  return Finding{
-      "lost_opening", Severity::error,
-      fmt::format("{}: {} lost", counts, lost == 1 ? "one is" : fmt::format("{} are", lost)),
-      openings.missing};
+    return finding_of("extra_opening", Severity::error, say::extra_openings, counts, {});
+  return finding_of("lost_opening", Severity::error,
+                    lost == 1 ? say::one_opening_lost : say::openings_lost, counts,
+                    openings.missing);
 }
 
 void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat) {
@@ -127,19 +123,6 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
 
 }  // namespace
 
-std::string forms_text(const FlatPattern& flat) {
-  std::map<std::pair<std::string, FormSide>, int> count;
-  for (const FlatFeature& feature : flat.features)
-    if (feature.kind != "contact") ++count[{feature.kind, feature.side}];
-  std::vector<std::string> words;
-  for (const auto& [form, n] : count) {
-    const auto& [kind, side] = form;
-    words.push_back(counted(n, kind == "formed" ? "formed feature" : kind));
-    if (side != FormSide::both) words.back() += fmt::format(" {}", side_name(side));
-  }
-  return fmt::format("{}", fmt::join(words, ", "));
-}
-
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
@@ -156,11 +139,11 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
     found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
   }
   if (certificate.length_error > bounds.length_warning) {
-    found.push_back(residual_doubt("edge_length", kLengthText, certificate.length_error,
+    found.push_back(residual_doubt("edge_length", say::length_off, certificate.length_error,
                                    bounds.length_warning, certificate.length_error_at));
   }
   if (or_nan(certificate.refold_deviation) > bounds.refold_warning) {
-    found.push_back(residual_doubt("refold", kRefoldText, or_nan(certificate.refold_deviation),
+    found.push_back(residual_doubt("refold", say::refold_off, or_nan(certificate.refold_deviation),
                                    bounds.refold_warning, certificate.refold_at));
   }
   add_slanted_cuts(found, flat);
@@ -176,20 +159,14 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
   const double bound = measured ? bounds.volume_refusal : bounds.unmeasured_refusal;
   // The negated comparison also catches a ratio that is not a number.
   if (solid_volume > 0.0 && !(std::abs(ratio - 1.0) <= bound)) {
-    return Error{code::pattern_wrong,
-                 fmt::format("flat area at K = ½ times thickness is {:.4f} of the solid's volume "
-                             "(1 is right, {} is the most it may be off); the pattern cannot be "
-                             "trusted and is not written",
-                             ratio, bound),
-                 {}};
+    return error_of(refuse::volume_wrong,
+                    {{"ratio", ratio, unit::none}, {"allowed", bound, unit::none}});
   }
   if (certificate.length_error > bounds.length_refusal) {
-    return wrong(fmt::format("{} {:.3f} mm", kLengthText, certificate.length_error),
-                 certificate.length_error_at);
+    return wrong(refuse::length_wrong, certificate.length_error, certificate.length_error_at);
   }
   if (or_nan(certificate.refold_deviation) > bounds.refold_refusal) {
-    return wrong(fmt::format("{} {:.3f} mm", kRefoldText, or_nan(certificate.refold_deviation)),
-                 certificate.refold_at);
+    return wrong(refuse::refold_wrong, or_nan(certificate.refold_deviation), certificate.refold_at);
   }
   return std::nullopt;
 }
@@ -203,8 +180,12 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
                            counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
   message += "; with `write_overlapping` the pattern is written anyway";
-  return Error{code::overlap, std::move(message),
-               first.at.empty() ? std::string() : place_text(first.at.front())};
+  Error error{code::overlap, std::move(message),
+              first.at.empty() ? std::string() : place_text(first.at.front())};
+  error.places = first.about;
+  error.numbers = first.numbers;
+  error.remedies = first.remedies;
+  return error;
 }
 
 }  // namespace planish::job

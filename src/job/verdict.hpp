@@ -1,15 +1,12 @@
 #pragma once
 
 #include <planish/job/report.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace planish::job {
-
-/// "2 countersinks up, 1 pocket down": the usual reason why flat area times thickness differs from
-/// the volume. Empty without forms.
-std::string forms_text(const FlatPattern& flat);
 
 /// Warnings about residuals above their bounds, each with its place in the pattern.
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,

@@ -5,12 +5,14 @@
 #include <numeric>
 #include <optional>
 
+// Many copies as blocks of few, since the cost of nesting grows with the square of what is nested.
+// Up to eight copies are laid in narrow rooms, and the way that fills its rectangle best (of equals
+// the squarer) becomes a rectangle of its own; blocks are grouped again until they are large
+// enough. What does not divide evenly stays single. Moving a block moves its members by the same
+// motion.
+
 namespace planish::nest_detail {
 namespace {
-
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
 
 struct Extent {
   IntPoint low, high;

@@ -7,9 +7,6 @@
 namespace planish::nest_detail {
 namespace {
 
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
-
 bool turns_left(const IntPoint& a, const IntPoint& b, const IntPoint& c) {
   return (b.X - a.X) * (c.Y - a.Y) > (b.Y - a.Y) * (c.X - a.X);
 }

@@ -5,7 +5,7 @@
 namespace planish::nest_detail {
 
 /// The smallest convex polygon around an outline, counter-clockwise.
-ClipperLib::Path convex_hull(const ClipperLib::Path& outline);
+Path convex_hull(const Path& outline);
 
 /// The shapes with their hulls in place of those outlines whose hollows gain little. A hollow
 /// costs: the no-fit polygon of two outlines that are not convex takes about a millisecond, of

@@ -1,6 +1,7 @@
 #include "blocks.hpp"
 #include "hulls.hpp"
 #include "outline.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
@@ -8,13 +9,18 @@
 #include <planish/nest/nest.hpp>
 #include <planish/sheet/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
+#include <utility>
+
+// Parts on sheets: outlines, blocks, the nester, and back (docs/decisions/0014). Parts lie along
+// their smallest rectangle, their outlines grown by half the gap, in integers that Clipper computes
+// with; the room is larger by half a micrometre, so that what fills the sheet exactly fits. The
+// nester is not trusted: afterwards each copy must be there, and no outline may cover another.
 
 namespace planish {
 
@@ -42,16 +48,18 @@ SheetSize size_of(const NestOptions& options) {
 }
 
 Result<void> checked(const NestOptions& options) {
-  const auto wrong = [](const char* name, double value, const std::string& range) {
-    return fail(code::bad_option, fmt::format("the {} is {} mm; it must be {}", name, value, range),
-                name);
+  const auto wrong = [](const char* key, double value, const std::string& range) {
+    return fail(refuse::bad_nest_option,
+                {{"name", std::string("The ") + key}, {"value", value, unit::mm}, {"range", range}},
+                key);
   };
-  const std::string size = fmt::format("above 0 and at most {} mm", kLargest);
+  const std::string size = "a value above 0 and up to " + number_text(kLargest) + " mm";
   const auto is_size = [](double value) { return value > 0.0 && value <= kLargest; };
   if (!is_size(options.length)) return wrong("length", options.length, size);
   if (!is_size(options.width)) return wrong("width", options.width, size);
   const double smaller = std::min(options.length, options.width);
-  const std::string distance = fmt::format("from 0 to {} mm, half the sheet", 0.5 * smaller);
+  const std::string distance = "a value from 0 to " + number_text(0.5 * smaller) +
+                               " mm, half the sheet";
   const auto is_distance = [&](double value) { return value >= 0.0 && value <= 0.5 * smaller; };
   if (!is_distance(options.gap)) return wrong("gap", options.gap, distance);
   const double margin = options.margin.value_or(options.gap);
@@ -62,15 +70,17 @@ Result<void> checked(const NestOptions& options) {
 Result<void> checked(const std::vector<NestPart>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     PLANISH_ASSERT(parts[i].flat);
-    const std::string where = fmt::format("part {}", i + 1);
+    const std::string where = "part " + std::to_string(i + 1);
     if (parts[i].quantity < 1)
-      return fail(code::bad_option,
-                  fmt::format("{} is wanted {} times; 1 is the least", where, parts[i].quantity),
-                  where);
-    if (auto sound = check(*parts[i].flat); !sound)
-      return fail(code::invalid_sheet, sound.error().message, where);
+      return fail(refuse::bad_quantity, {{"part", i + 1}, {"quantity", parts[i].quantity}}, where);
+    if (auto sound = check(*parts[i].flat); !sound) {
+      Error error = std::move(sound.error());
+      error.code = code::invalid_sheet;
+      error.where = where;
+      return fail(std::move(error));
+    }
     if (parts[i].flat->outer.loop.empty())
-      return fail(code::invalid_sheet, fmt::format("{} has no outer contour", where), where);
+      return fail(refuse::no_outer_contour, {{"part", i + 1}}, where);
   }
   return {};
 }
@@ -208,11 +218,10 @@ Result<void> verified(const Sheets& sheets, const Job& job) {
                                 (Vec2(static_cast<double>(p.X), static_cast<double>(p.Y)) * kUnit));
       outlines.push_back(std::move(outline));
     }
-    if (!overlaps(outlines, kMicrometre, 0.0).empty())
-      return fail(code::internal, "two parts of the nesting overlap");
+    if (!overlaps(outlines, kMicrometre, 0.0).empty()) return fail(refuse::parts_overlap);
   }
   if (std::ranges::any_of(missing, [](int count) { return count != 0; }))
-    return fail(code::internal, "the nesting has not every part in its quantity");
+    return fail(refuse::wrong_quantity);
   return {};
 }
 
@@ -231,7 +240,7 @@ Result<Nesting> nest(const std::vector<NestPart>& parts, const NestOptions& opti
   for (const Block& block : blocks)
     shapes.push_back(block.shape);
   const Sheets sheets = members(lay_out(shapes, room, progress), blocks);
-  if (progress.should_stop()) return fail(code::cancelled, "Nesting was cancelled.");
+  if (progress.should_stop()) return fail(refuse::cancelled);
   if (auto good = verified(sheets, job); !good) return pass_on(good);
 
   Nesting nesting;

@@ -8,6 +8,12 @@
 #include <numbers>
 #include <utility>
 
+// The one source that sees libnest2d (docs/decisions/0014). Shapes go, largest first, each to the
+// place farthest to the left in the first room that has one; walls around the room make places
+// along its edge corners of no-fit polygons, so only corners need be tried. No-fit polygons of
+// shapes that are not convex are Clipper's Minkowski sums, made once for each two outlines. A place
+// that lies on another shape after all is barred and the next one tried.
+
 // One after another: its std::async would start a thread for each item and corner. OpenMP, not
 // switched on, is a plain loop.
 #define LIBNEST2D_THREADING_omp
@@ -63,10 +69,6 @@ struct OptimizerSubclass<Method::L_SUBPLEX> {
 namespace planish::nest_detail {
 namespace {
 
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
-using ClipperLib::Paths;
 using libnest2d::Item;
 using libnest2d::PolygonImpl;
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <planish/base/progress.hpp>
+#include "clipper_names.hpp"
 
-#include <polyclipping/clipper.hpp>
+#include <planish/base/progress.hpp>
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace planish::nest_detail {
 
 /// What is laid on sheets: an outline, counter-clockwise, in units of `kUnit`, as often as `count`.
 struct Shape {
-  ClipperLib::Path outline;
+  Path outline;
   int count = 1;
 };
 
@@ -18,12 +18,12 @@ struct Shape {
 struct Position {
   int shape = 0;
   int quarter_turns = 0;
-  ClipperLib::IntPoint shift;
+  IntPoint shift;
 };
 
 /// The rectangle from the origin to be filled.
 struct Room {
-  ClipperLib::cInt length = 0, width = 0;
+  cInt length = 0, width = 0;
   bool half_turns_only = false;
 };
 

@@ -8,13 +8,15 @@
 #include <cmath>
 #include <ranges>
 
+// A contour as a polygon of few corners that contains all within `reach` of it. It is simplified
+// (Douglas and Peucker), then grown by the reach and by what simplifying may have cut off, with
+// sharp corners, and cut at the contour's own box grown by the reach: so a part as long as the
+// sheet still fits. The tolerance grows until the corners are few enough, as what nesting costs
+// grows with their square.
+
 namespace planish::nest_detail {
 namespace {
 
-using ClipperLib::cInt;
-using ClipperLib::IntPoint;
-using ClipperLib::Path;
-using ClipperLib::Paths;
 using Ring = std::vector<Vec2>;
 
 double distance_to(const Segment& line, const Vec2& p) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <planish/geometry/curve.hpp>
+#include "clipper_names.hpp"
 
-#include <polyclipping/clipper.hpp>
+#include <planish/geometry/curve.hpp>
 
 namespace planish::nest_detail {
 
@@ -13,13 +13,13 @@ constexpr double kUnit = 1e-4;
 /// The largest sheet or part, mm.
 constexpr double kLargest = 50000.0;
 
-ClipperLib::cInt in_units(double mm);
+cInt in_units(double mm);
 
 /// A polygon, counter-clockwise, that contains everything within `reach` mm of the contour, to
 /// within a micrometre, and exceeds the contour's own box by no more than `reach`: so what is long
 /// or wide by just the sheet fits. It has few corners, at most `kMostCorners`; the simpler the
 /// contour, the closer it lies. A polygon with as few corners is only offset.
-ClipperLib::Path outline_around(const Loop& contour, double reach);
+Path outline_around(const Loop& contour, double reach);
 
 /// What nesting costs grows with the square of the corners.
 constexpr std::size_t kMostCorners = 16;

@@ -2,8 +2,8 @@
 
 #include "parts_csv.hpp"
 
-#include <planish/job/page_parts.hpp>
-#include <planish/job/part_pages.hpp>
+#include <planish/drawing/page_parts.hpp>
+#include <planish/drawing/part_pages.hpp>
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ class Cover {
     add_refused();
     for (std::size_t p = 0; p < pages_.size(); ++p)
       pages_[p].text({kRight, kBorder + 5.0}, fmt::format("{} / {}", p + 1, pages_.size()),
-                     {.size = 3.5, .anchor = TextAnchor::end, .colour = job::kPageGrey});
+                     {.size = 3.5, .anchor = TextAnchor::end, .colour = drawing::kPageGrey});
     return std::move(pages_);
   }
 
@@ -101,7 +101,7 @@ class Cover {
     Page& page = pages_.emplace_back(kPageWidth, kPageHeight);
     constexpr double kRoom = 165.0, kLargest = 6.5;
     page.text({kBorder, kBorder + 5.0}, title_,
-              {.size = job::fitting_size(title_, kRoom, kLargest), .bold = true});
+              {.size = drawing::fitting_size(title_, kRoom, kLargest), .bold = true});
     page.line({kBorder, kBorder + 8.0}, {kRight, kBorder + 8.0}, {.width = 0.4});
     top_ = kBorder + 12.0;
   }
@@ -129,29 +129,29 @@ class Cover {
     constexpr double kPicture = 26.0, kHigh = kRow - 3.0;
     const Vec2 corner(kBorder, top_ + 0.5);
     if (part.view && !part.view->edges.empty())
-      job::draw_view(page(), *part.view, corner, {kPicture, kHigh});
-    job::draw_flat(page(), part.flat, corner + Vec2(kPicture + 2.0, 0.0), {kPicture, kHigh});
+      drawing::draw_view(page(), *part.view, corner, {kPicture, kHigh});
+    drawing::draw_flat(page(), part.flat, corner + Vec2(kPicture + 2.0, 0.0), {kPicture, kHigh});
     const double x = kBorder + 2.0 * kPicture + 7.0;
     const double room = kRight - x - 26.0;
     page().text({kRight, top_ + 6.0}, fmt::format("{}×", part.quantity),
                 {.size = 5.0, .bold = true, .anchor = TextAnchor::end});
     page().text({x, top_ + 4.5}, part.stem,
-                {.size = job::fitting_size(part.stem, room, 3.6), .bold = true});
+                {.size = drawing::fitting_size(part.stem, room, 3.6), .bold = true});
     std::string work = fmt::format("blank {}, {}", blank_of(part),
                                    counted(part.flat.bends.size(), "bend", "bends"));
     if (part.mass) work += fmt::format(", {:.3g} kg", *part.mass);
     if (part.cost) work += fmt::format(", {:.2f} {}", *part.cost, currency_);
-    page().text({x, top_ + 9.5}, work, {.size = job::fitting_size(work, kRight - x, kLetter)});
+    page().text({x, top_ + 9.5}, work, {.size = drawing::fitting_size(work, kRight - x, kLetter)});
     const bool alert = !part.warnings.empty();
     const std::string state = alert ? fmt::format(
                                           "{}; {}", part.plan,
                                           counted(part.warnings.size(), "warning", "warnings"))
                                     : part.plan;
     page().text({x, top_ + 14.0}, state,
-                {.size = kSmallLetter, .colour = alert ? job::kPageAlert : job::kPageGrey});
+                {.size = kSmallLetter, .colour = alert ? drawing::kPageAlert : drawing::kPageGrey});
     top_ += kRow;
     page().line({kBorder, top_ - 1.0}, {kRight, top_ - 1.0},
-                {.stroke = job::kPageGrey, .width = 0.1});
+                {.stroke = drawing::kPageGrey, .width = 0.1});
   }
 
   void add_sums(const std::string& what, const Totals& totals) {
@@ -165,7 +165,7 @@ class Cover {
     if (totals.mass && *totals.mass > 0.0) text += fmt::format(", {:.4g} kg", *totals.mass);
     if (totals.cost) text += fmt::format(", {:.2f} {}", *totals.cost, currency_);
     page().text({kBorder, top_ + 3.5}, text,
-                {.size = job::fitting_size(text, kRight - kBorder, kLetter), .bold = true});
+                {.size = drawing::fitting_size(text, kRight - kBorder, kLetter), .bold = true});
     top_ += 6.0;
   }
 
@@ -178,7 +178,7 @@ class Cover {
 
   void add_lines(const std::string& text, const Colour& colour) {
     constexpr std::size_t kLetters = 115;
-    for (const std::string& line : job::wrapped(text, kLetters)) {
+    for (const std::string& line : drawing::wrapped(text, kLetters)) {
       need(kStep);
       page().text({kBorder, top_ + 3.0}, line, {.size = kSmallLetter + 0.3, .colour = colour});
       top_ += kStep;
@@ -194,12 +194,12 @@ class Cover {
                             100.0 * sheet.nested.use),
                 kBlack);
     for (const std::string& note : stock_.notes)
-      add_lines(note, job::kPageAlert);
+      add_lines(note, drawing::kPageAlert);
   }
 
   void add_refused() {
     if (list_.refused.empty()) return;
-    add_title("Refused: not in this pack", job::kPageAlert);
+    add_title("Refused: not in this pack", drawing::kPageAlert);
     for (const RefusedPart& refused : list_.refused) {
       std::string text = refused.source.input;
       if (!refused.source.body.empty()) text += ": " + refused.source.body;
@@ -221,7 +221,7 @@ class Cover {
 }  // namespace
 
 std::vector<Page> drawing_of(const PackPart& part) {
-  job::PartDrawing drawing;
+  drawing::PartDrawing drawing;
   drawing.title = part.name;
   drawing.subtitle = fmt::format("{}, {}, {}", part.material, with_unit(part, part.flat.thickness),
                                  pieces_of(part.quantity));
@@ -232,7 +232,7 @@ std::vector<Page> drawing_of(const PackPart& part) {
   drawing.notes = part.notes;
   drawing.notes.push_back(origin_of(part));
   drawing.units = part.units;
-  return job::part_pages(drawing);
+  return drawing::part_pages(drawing);
 }
 
 std::vector<Page> cover_of(const PartList& list, const StockSheets& stock, const std::string& title,

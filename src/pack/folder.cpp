@@ -1,7 +1,7 @@
 #include "folder.hpp"
 
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ fs::path Folder::record_file() const { return out_ / ".planish-pack" / "files"; 
 
 Result<void> Folder::begin() {
   if (auto made = make_folder(record_file().parent_path()); !made) return made;
-  if (const auto text = job::read_text(record_file(), "record of a pack")) {
+  if (const auto text = schema::read_text(record_file(), "record of a pack")) {
     std::istringstream lines(*text);
     for (std::string line; std::getline(lines, line);)
       known_.insert(line);

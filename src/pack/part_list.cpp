@@ -3,7 +3,7 @@
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/outputs.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 #include <planish/sheet/same_part.hpp>
 
 #include <fmt/format.h>
@@ -200,8 +200,8 @@ class Collecting {
       if (note.is_string()) part.notes.push_back(note.get<std::string>());
     part.mass = mass_of(report, part.flat, row, materials_.density_of_all, from.shapes.size() == 1);
     measure(part);
-    if (const auto text = job::read_text(from.files / batch::view_name(piece), "view"))
-      if (auto view = job::read_view_json(*text)) part.view = std::move(*view);
+    if (const auto text = schema::read_text(from.files / batch::view_name(piece), "view"))
+      if (auto view = drawing::read_view_json(*text)) part.view = std::move(*view);
   }
 
   OfMaterial& of(const std::string& material) {

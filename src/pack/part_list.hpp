@@ -3,8 +3,8 @@
 #include "materials.hpp"
 
 #include <planish/batch/parts.hpp>
+#include <planish/drawing/part_view.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/part_view.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <optional>
@@ -38,7 +38,7 @@ struct PackPart {
   std::string plan;                 ///< whether it can be bent, in a few words
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
-  std::optional<job::PartView> view = {};
+  std::optional<drawing::PartView> view = {};
   std::optional<double> cost = {};  ///< of all, in the currency of the rates
 };
 

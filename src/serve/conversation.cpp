@@ -1,7 +1,7 @@
 #include "conversation.hpp"
 
 #include <planish/base/text.hpp>
-#include <planish/job/json_depth.hpp>
+#include <planish/schema/json_depth.hpp>
 
 #include <fmt/format.h>
 
@@ -92,14 +92,14 @@ void Conversation::refuse(const std::string& sentence) {
 }
 
 void Conversation::take(const std::string& message) {
-  if (const auto byte = job::too_deep_at(message))
-    return refuse("the message " + job::too_deep_sentence(message, *byte));
+  if (const auto byte = schema::too_deep_at(message))
+    return refuse("the message " + schema::too_deep_sentence(message, *byte));
   Json json;
   try {
     json = Json::parse(message);
   } catch (const Json::parse_error& error) {
     return refuse(fmt::format("the message is not JSON: it goes wrong at line:column {}",
-                              job::line_and_column(message, error.byte)));
+                              schema::line_and_column(message, error.byte)));
   }
   if (!json.is_array()) return take_one(json, single_sink(writer_));
   if (json.empty())

@@ -9,17 +9,17 @@
 namespace planish::serve {
 namespace {
 
-using job::ChildEnd;
+using process::ChildEnd;
 
 /// A process, and how much it has done.
 class ServeWorker {
  public:
-  explicit ServeWorker(const job::Limits& limits) : limits_(limits) {}
+  explicit ServeWorker(const process::Limits& limits) : limits_(limits) {}
 
   Result<void> begin() {
     if (child_ && child_->is_alive()) return {};
-    auto child = job::ChildProcess::program({"serve-worker", std::to_string(limits_.memory)},
-                                            std::filesystem::current_path());
+    auto child = process::ChildProcess::program({"serve-worker", std::to_string(limits_.memory)},
+                                                std::filesystem::current_path());
     if (!child) return pass_on(child);
     child_ = std::move(*child);
     done_ = 0;
@@ -29,13 +29,13 @@ class ServeWorker {
   Result<WorkDone> work_on(const Ticket& ticket, const std::atomic<bool>& ends) {
     for (;;) {
       if (const auto begun = begin(); !begun) return pass_on(begun);
-      job::Limits limits = limits_;
+      process::Limits limits = limits_;
       limits.time = ticket.time;
       std::string input = "the input";
-      const job::Parent parent{
+      const process::Parent parent{
           .progress = {.report = ticket.progress,
                        .cancelled = [&] { return ticket.cancelled.load() || ends.load(); }},
-          .note = [&](const job::Texts& note) { input = note.empty() ? input : note.front(); }};
+          .note = [&](const process::Texts& note) { input = note.empty() ? input : note.front(); }};
       const auto answer = child_->ask(texts_of(ticket.task), limits.time, parent);
       if (!answer) {
         child_.reset();
@@ -50,13 +50,13 @@ class ServeWorker {
       if (auto done = done_in(*answer)) return std::move(*done);
       child_.reset();
       return tl::unexpected(
-          error_of({ChildEnd::Cause::crashed, job::kDamagedAnswer}, input, limits));
+          error_of({ChildEnd::Cause::crashed, process::kDamagedAnswer}, input, limits));
     }
   }
 
  private:
-  job::Limits limits_;
-  std::unique_ptr<job::ChildProcess> child_;
+  process::Limits limits_;
+  std::unique_ptr<process::ChildProcess> child_;
   int done_ = 0;
 };
 
@@ -71,7 +71,7 @@ Result<WorkDone> tried(ServeWorker& worker, const Ticket& ticket, const std::ato
 
 }  // namespace
 
-Crew::Crew(int jobs, const job::Limits& limits) : limits_(limits) {
+Crew::Crew(int jobs, const process::Limits& limits) : limits_(limits) {
   for (int i = 0; i < jobs; ++i)
     threads_.emplace_back([this, i] { work(i == 0); });
 }

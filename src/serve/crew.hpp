@@ -27,7 +27,7 @@ struct Ticket {
 /// process lasts from request to request, and is replaced when it is lost.
 class Crew {
  public:
-  Crew(int jobs, const job::Limits& limits);
+  Crew(int jobs, const process::Limits& limits);
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
   /// Cancels everything.
@@ -42,7 +42,7 @@ class Crew {
   /// The next ticket; null at the end.
   std::shared_ptr<Ticket> next();
 
-  const job::Limits limits_;
+  const process::Limits limits_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::shared_ptr<Ticket>> waiting_;

@@ -64,9 +64,9 @@ int serve(int input, int output, const ServeOptions& options, const job::Catalog
 
 int run_serve_worker(const std::string& parent, std::uint64_t memory,
                      const job::Catalogue& catalogue) {
-  const auto answering = [&](const job::Texts& question, const job::Parent& asking) {
+  const auto answering = [&](const process::Texts& question, const process::Parent& asking) {
     const auto task = task_in(question);
-    if (!task) return job::Texts{};
+    if (!task) return process::Texts{};
     const auto done = work_on(*task, catalogue, asking);
     return done ? texts_of(*done) : packed(done.error());
   };
@@ -75,7 +75,7 @@ int run_serve_worker(const std::string& parent, std::uint64_t memory,
     malloc_trim(0);
 #endif
   };
-  return job::answer_parent(parent, answering, give_back, memory);
+  return process::answer_parent(parent, answering, give_back, memory);
 }
 
 }  // namespace planish::serve

@@ -168,7 +168,7 @@ WorkDone done_of(job::RunResult made, std::map<std::string, Wanted> wanted) {
 }  // namespace
 
 Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
-                         const job::Parent& parent) {
+                         const process::Parent& parent) {
   Json request = Json::parse(task.request, nullptr, false);
   const auto input = path_in(request.value("input", Json()));
   if (input) parent.note({*input});
@@ -184,14 +184,14 @@ Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
   return done_of(std::move(*made), std::move(wanted));
 }
 
-job::Texts texts_of(const WorkTask& task) {
-  job::Texts texts{task.request};
+process::Texts texts_of(const WorkTask& task) {
+  process::Texts texts{task.request};
   for (const auto& [artifact, path] : task.writes)
     texts.insert(texts.end(), {artifact, path});
   return texts;
 }
 
-std::optional<WorkTask> task_in(const job::Texts& texts) {
+std::optional<WorkTask> task_in(const process::Texts& texts) {
   if (texts.size() % 2 != 1) return std::nullopt;
   WorkTask task{.request = texts[0], .writes = {}};
   for (std::size_t i = 1; i < texts.size(); i += 2)
@@ -199,14 +199,14 @@ std::optional<WorkTask> task_in(const job::Texts& texts) {
   return task;
 }
 
-job::Texts texts_of(const WorkDone& done) {
-  job::Texts texts{"done", done.result, done.summary, done.refused ? "refused" : ""};
+process::Texts texts_of(const WorkDone& done) {
+  process::Texts texts{"done", done.result, done.summary, done.refused ? "refused" : ""};
   for (const OutputFile& file : done.files)
     texts.insert(texts.end(), {file.path.string(), file.content});
   return texts;
 }
 
-std::optional<WorkDone> done_in(const job::Texts& texts) {
+std::optional<WorkDone> done_in(const process::Texts& texts) {
   constexpr std::size_t kOwn = 4;
   if (texts.size() < kOwn || texts.size() % 2 != 0 || texts[0] != "done") return std::nullopt;
   WorkDone done{.result = texts[1], .summary = texts[2], .refused = !texts[3].empty(), .files = {}};

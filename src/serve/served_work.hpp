@@ -2,7 +2,7 @@
 
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/artifact.hpp>
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <string>
 #include <utility>
@@ -27,12 +27,12 @@ struct WorkDone {
 
 /// In the worker. Errors: those of `job::run`; `bad_option` or `cannot_write` at "/write/dxf".
 Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
-                         const job::Parent& parent);
+                         const process::Parent& parent);
 
 // What is sent. Reading gives nothing for other texts.
-job::Texts texts_of(const WorkTask& task);
-std::optional<WorkTask> task_in(const job::Texts& texts);
-job::Texts texts_of(const WorkDone& done);
-std::optional<WorkDone> done_in(const job::Texts& texts);
+process::Texts texts_of(const WorkTask& task);
+std::optional<WorkTask> task_in(const process::Texts& texts);
+process::Texts texts_of(const WorkDone& done);
+std::optional<WorkDone> done_in(const process::Texts& texts);
 
 }  // namespace planish::serve

@@ -12,6 +12,12 @@
 #include <set>
 #include <tuple>
 
+// K, allowance and deduction of a bend (math.md#bend-allowance). Every rule is brought to K, also
+// rows of BA and BD, each with its own radius, thickness and angle, so that they can be
+// interpolated at all. A table is read dimension by dimension: thickness, angle, then radius, the
+// nearest rows below and above blended and constant beyond; the rows that took part are named as
+// the source.
+
 namespace planish {
 namespace {
 

@@ -7,6 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+// A bend cut along rulings into facets of equal turn. Rulings are placed by the turn of the normal,
+// sampled along u, and not by u, which is no measure on a general surface. A border is sampled so
+// that chords keep to their tolerance, and with a corner on each ruling that it crosses; a facet is
+// what lies between neighbouring corners of two sides, trapezoid by trapezoid, so notches and
+// openings need no Boolean operation.
+
 namespace planish::sheet_detail {
 namespace {
 

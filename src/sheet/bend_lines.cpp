@@ -1,21 +1,24 @@
 #include "bend_lines.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/interval.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+// Bend lines clipped to the material. A line is the ruling in the middle of a bend, or those of its
+// presses; material along it is found by the even-odd crossings of the faces' loops, slightly
+// aside, as seams run exactly along rulings, and measured on the ruling itself where the answer is
+// the same. Intervals that touch are one, as faces of one bend share seams.
+
 namespace planish::sheet_detail {
 namespace {
 
-struct Range {
-  double lo = std::numeric_limits<double>::infinity();
-  double hi = -std::numeric_limits<double>::infinity();
-};
+using Intervals = std::vector<Interval>;
 
-Range u_range(const Sheet& sheet, const Bend& bend) {
-  Range range;
+Interval u_range(const Sheet& sheet, const Bend& bend) {
+  Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const FaceId id : bend.faces)
     for (const Border& border : sheet[id].loops.front()) {
       const Box2 box = bounds(border.curve);
@@ -26,7 +29,7 @@ Range u_range(const Sheet& sheet, const Bend& bend) {
 }
 
 /// v-intervals of material along the ruling u of a face, by even-odd crossing of its loops.
-void add_material(const Face& face, double u, std::vector<std::pair<double, double>>& intervals) {
+void add_material(const Face& face, double u, Intervals& intervals) {
   std::vector<double> heights;
   for (const BorderLoop& loop : face.loops)
     for (const Border& border : loop)
@@ -34,36 +37,26 @@ void add_material(const Face& face, double u, std::vector<std::pair<double, doub
         heights.push_back(point_at(border.curve, t).y());
   std::sort(heights.begin(), heights.end());
   for (size_t i = 0; i + 1 < heights.size(); i += 2)
-    intervals.emplace_back(heights[i], heights[i + 1]);
+    intervals.push_back({heights[i], heights[i + 1]});
 }
 
 /// Neighbouring faces of one bend share seams: intervals that touch become one.
-std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, double>> intervals) {
-  std::sort(intervals.begin(), intervals.end());
-  std::vector<std::pair<double, double>> result;
-  if (intervals.empty()) return result;
-  const double extent = intervals.back().second - intervals.front().first;
-  const double touching = tolerance::kAside * std::abs(extent);  // far below any cut
-  for (const auto& interval : intervals) {
-    if (!result.empty() && interval.first - result.back().second <= touching)
-      result.back().second = std::max(result.back().second, interval.second);
-    else
-      result.push_back(interval);
-  }
-  return result;
+Intervals joined_seams(Intervals intervals) {
+  if (intervals.empty()) return intervals;
+  Interval whole = intervals.front();
+  for (const Interval& one : intervals)
+    whole = {std::min(whole.lo, one.lo), std::max(whole.hi, one.hi)};
+  return joined(std::move(intervals), tolerance::kAside * whole.size());  // far below any cut
 }
-
-using Intervals = std::vector<std::pair<double, double>>;
 
 /// Whether both are the same, except for the ends of the material moving from one ruling to the
 /// next.
 bool alike(const Intervals& a, const Intervals& b) {
   constexpr double kMoved = 1e-3;  // share of the length
   if (a.empty() || a.size() != b.size()) return false;
-  const double near = kMoved * (a.back().second - a.front().first);
+  const double near = kMoved * (a.back().hi - a.front().lo);
   for (size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i].first - b[i].first) > near || std::abs(a[i].second - b[i].second) > near)
-      return false;
+    if (std::abs(a[i].lo - b[i].lo) > near || std::abs(a[i].hi - b[i].hi) > near) return false;
   return true;
 }
 
@@ -71,14 +64,14 @@ Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
   Intervals intervals;
   for (const FaceId id : bend.faces)
     add_material(sheet[id], u, intervals);
-  return joined(std::move(intervals));
+  return joined_seams(std::move(intervals));
 }
 
 /// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked
 /// up slightly aside, because seams and tangent lines run exactly along rulings; it is measured on
 /// the ruling itself if the result is the same.
 std::vector<Segment> ruling_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
-                                  const Range& range, double at) {
+                                  const Interval& range, double at) {
   constexpr double kAside = tolerance::kAside;  // share of the range
   const double u = range.lo + at * (range.hi - range.lo);
   const double looked_at = range.lo +
@@ -119,8 +112,8 @@ void add_sharp_lines(const Sheet& sheet, const Layout& layout, const std::vector
   }
 }
 
-void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend, const Range& range,
-                     FlatBend& flat) {
+void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
+                     const Interval& range, FlatBend& flat) {
   const auto add = [&](double at, Angle angle) {
     for (const Segment& line : ruling_lines(sheet, layout, bend, range, at)) {
       flat.lines.push_back(line);
@@ -158,7 +151,7 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout) {
     if (bend.faces.empty()) {
       add_sharp_lines(sheet, layout, sharp[id], flat);
     } else {
-      const Range range = u_range(sheet, bend);
+      const Interval range = u_range(sheet, bend);
       add_press_lines(sheet, layout, bend, range, flat);
       flat.tangent_lines = ruling_lines(sheet, layout, bend, range, 0.0);
       for (const Segment& line : ruling_lines(sheet, layout, bend, range, 1.0))

@@ -11,6 +11,11 @@
 #include <cmath>
 #include <optional>
 
+// A bend table from CSV. Rows become numbers with the units and shifts of their columns
+// (bend_table_columns.cpp), and whatever cannot be is refused with its line: an impossible value,
+// more fields than headings, which tells unquoted decimal commas, and two rows for one bend, which
+// tell two materials in one file.
+
 namespace planish {
 namespace {
 

@@ -7,6 +7,10 @@
 #include <utility>
 #include <vector>
 
+// How far a point is from a border's edge in space, as the certificate asks of a made sheet, whose
+// borders are its own edges. On flanges the plane curve answers exactly; on bends a coarse search
+// picks the sample about which golden section refines.
+
 namespace planish {
 namespace {
 

@@ -4,6 +4,7 @@
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
 
@@ -249,7 +250,7 @@ std::vector<Curve2> left_of_slits(const std::vector<Curve2>& slits, const Cutout
 
 double Cutout::distance(const Vec2& p) const {
   const Vec2 d = p - middle;
-  const Vec2 local(d.dot(along), along.x() * d.y() - along.y() * d.x());
+  const Vec2 local(d.dot(along), cross(along, d));
   const int corner = local.y() >= 0.0 ? (local.x() >= 0.0 ? 0 : 1) : (local.x() < 0.0 ? 2 : 3);
   const double radius = corner == sharp_corner ? 0.0 : corner_radius;
   const Vec2 q = local.cwiseAbs() - half + Vec2::Constant(radius);

@@ -2,14 +2,16 @@
 #include "feature_borders.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/search.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/facets.hpp>
 #include <planish/sheet/topology.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
-#include <queue>
 
 namespace planish {
 namespace {
@@ -243,7 +245,7 @@ std::optional<Band> FacetTree::band_at(const Joint& joint) const {
   const Segment across{other.b, other.a};
   const Vec2 along = (line.b - line.a).normalized(), step = across.a - line.a;
   constexpr double kNoGap = tolerance::kComputed;  // mm
-  if (std::abs(along.x() * step.y() - along.y() * step.x()) <= kNoGap) return std::nullopt;
+  if (std::abs(cross(along, step)) <= kNoGap) return std::nullopt;
   return Band{line, across};
 }
 
@@ -324,16 +326,15 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
       joints_of[topology.node_of(ref.face)].push_back(number);
   std::vector<int> kept = layout.tree;
   std::sort(kept.begin(), kept.end());
-  std::priority_queue<std::pair<double, int>> front;
+  Frontier<std::pair<double, int>, std::less<>> front;  // the longest first
   const auto enter = [&](int node) {
     hung[node] = true;
     for (const int number : joints_of[node])
-      front.emplace(length_of(ends_of(layout.image(sheet.joints[number].a))), number);
+      front.add({length_of(ends_of(layout.image(sheet.joints[number].a))), number});
   };
   enter(hang_root(sheet, layout, tree));
   while (!front.empty()) {
-    Joint joint = sheet.joints[front.top().second];
-    front.pop();
+    Joint joint = sheet.joints[front.take().second];
     if (!hung[topology.node_of(joint.a.face)]) std::swap(joint.a, joint.b);
     if (hung[topology.node_of(joint.b.face)]) continue;
     tree.hang(joint);

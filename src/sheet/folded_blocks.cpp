@@ -6,6 +6,11 @@
 #include <cmath>
 #include <optional>
 
+// A face's material as convex blocks, for tests of collision (math.md#self-intersection). Flanges
+// are inset and triangulated; bends are halved until nearly flat and each block spans the outermost
+// points between two rulings, so openings count as material and nothing that matters is missed.
+// Beyond a mitre both flanges fill the same room, which is left out.
+
 namespace planish {
 namespace {
 

@@ -11,6 +11,11 @@
 #include <algorithm>
 #include <cmath>
 
+// A sheet laid flat, once (docs/decisions/0004): bends developed at their neutral surfaces, faces
+// placed over a tree of the longest joints (placement.cpp), borders imaged. Every joint is measured
+// afterwards, those that the tree did not use too: a cycle that does not close is refused
+// (math.md#cycles). A border that shrinks to a point, as at a cone's apex, becomes exactly one.
+
 namespace planish {
 namespace {
 

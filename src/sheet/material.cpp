@@ -7,6 +7,11 @@
 #include <cmath>
 #include <limits>
 
+// K by pure bending (math.md#plastic-bending): where the forces of the stretched and of the
+// compressed side balance [thesis 1–5]. The force of a side is the integral of stress over strain,
+// exact for both kinds of curve; the surplus of tension falls all the way from k = 0 to 1, so
+// bisection finds its zero, to the last bit.
+
 namespace planish {
 namespace {
 

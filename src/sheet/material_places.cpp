@@ -1,3 +1,4 @@
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/material_places.hpp>
 
 #include <algorithm>
@@ -5,17 +6,15 @@
 #include <numbers>
 #include <variant>
 
+// Which material of the sheet lies near a point when folded: on each face the point's foot along
+// the normal, one for every turn of a bend, and if that is outside the face the nearest point
+// within its contours. A place counts by its distance in space, so a point between two skins finds
+// both.
+
 namespace planish {
 namespace {
 
 constexpr double kChord = 0.01;  // mm, of outlines: places are shown, not cut
-
-Vec2 nearest_on(const Segment& segment, const Vec2& p) {
-  const Vec2 along = segment.b - segment.a;
-  const double square = along.squaredNorm();
-  if (!(square > 0.0)) return segment.a;
-  return segment.a + std::clamp(along.dot(p - segment.a) / square, 0.0, 1.0) * along;
-}
 
 std::vector<std::vector<Vec2>> rings_of(const Region& region) {
   std::vector<std::vector<Vec2>> rings{sampled(region.outer, kChord)};

@@ -7,6 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+// Openings as they should be, by Euler's formula, and as written (math.md#openings-and-genus). A
+// sheet that lies flat without covering itself has no handles, so its contours less one for each
+// piece are openings. Slits whose ends touch part something off as a closed cut does. Part of the
+// certificate: counts come from the sheet's topology, never from the layout.
+
 namespace planish::sheet_detail {
 namespace {
 

@@ -2,11 +2,19 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/search.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/places.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <functional>
+
+// Places faces by border trihedrons (math.md#border-trihedron) over a tree of joints, highest rank
+// first: T = TC · R · TR with the child's border laid onto the parent's, reversed, as both keep
+// their face on the left. A border's direction comes from the surfaces, not from its end points,
+// whose rounding a short border would magnify. A sharp bend lies between its two borders with its
+// allowance.
 
 namespace planish::sheet_detail {
 namespace {
@@ -95,7 +103,7 @@ Isometry2 child_placement(const Sheet& sheet, const Layout& layout, const Joint&
   const Vec2 target = -x;
   Isometry2 placement = Isometry2::Identity();
   const double c = child.direction.dot(target);
-  const double s = child.direction.x() * target.y() - child.direction.y() * target.x();
+  const double s = cross(child.direction, target);
   placement.linear() << c, -s, s, c;
   const double gap = joint.sharp ? layout.allowance[*joint.sharp].allowance : 0.0;
   const Vec2 outwards(x.y(), -x.x());
@@ -139,16 +147,15 @@ Result<Placed> placed_over(const std::vector<JointRank>& ranks, const Sheet& she
                            const Topology& topology, const Layout& layout) {
   Placed placed;
   std::vector<std::optional<Isometry2>> nodes(topology.node_count());
-  std::priority_queue<std::pair<JointRank, int>> front;  // Prim's algorithm
+  Frontier<std::pair<JointRank, int>, std::less<>> front;  // Prim's algorithm
   const auto enter = [&](int node, const Isometry2& placement) {
     nodes[node] = placement;
     for (const int joint : topology.joints_of(node))
-      if (ranks[joint]) front.emplace(ranks[joint], joint);
+      if (ranks[joint]) front.add({ranks[joint], joint});
   };
   enter(topology.node_of(layout.root), Isometry2::Identity());
   while (!front.empty()) {
-    const int number = front.top().second;
-    front.pop();
+    const int number = front.take().second;
     Joint joint = sheet.joints[number];
     if (!nodes[topology.node_of(joint.a.face)]) std::swap(joint.a, joint.b);
     const int parent = topology.node_of(joint.a.face), child = topology.node_of(joint.b.face);

@@ -46,7 +46,13 @@ Place place_of(const Sheet& sheet, BendId bend) {
 }
 
 Place edge_at(const Sheet& sheet, const Joint& joint, int edge) {
-  return place::at(place::edge(edge), border_middle(sheet, joint.a));
+  const auto face_of = [&](const BorderRef& border) {
+    const std::optional<int> own = sheet[border].source_face;
+    return own ? own : sheet[border.face].source_face;
+  };
+  const auto a = face_of(joint.a), b = face_of(joint.b);
+  const Place place = a && b ? place::edge(edge, {*a, *b}) : place::edge(edge);
+  return place::at(place, border_middle(sheet, joint.a));
 }
 
 }  // namespace planish

@@ -53,17 +53,12 @@ constexpr Refusal rip_parts{
 constexpr Refusal no_rips{code::closed_loop, "No rips along its edges open it."};
 constexpr Refusal rips_overlap{code::closed_loop,
                                "Rips along its edges leave a pattern that covers itself."};
-constexpr Refusal one_rip{code::closed_loop,
-                          "A rip along {@edge}, between {@face}, would open it.",
-                          {},
-                          "rip_edges",
-                          "{edges}"};
-constexpr Refusal many_rips{
-    code::closed_loop,
-    "Rips along {count:edge} would open it, the first along {@edge}, between {@face}.",
-    {},
-    "rip_edges",
-    "{edges}"};
+constexpr Refusal one_rip{code::closed_loop, {}, "Rip {@edge} to open it.", "rip_edges", "{edges}"};
+constexpr Refusal many_rips{code::closed_loop,
+                            {},
+                            "Rip {count:edge} to open it, the first of them {@edge}.",
+                            "rip_edges",
+                            "{edges}"};
 
 // ---- certificate
 

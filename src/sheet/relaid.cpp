@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
+// The sheet laid out anew for its certificate (math.md#certificate-independence): a tree by Kruskal
+// instead of a search, allowances as the pattern states them, sharp bends not set back. It uses
+// nothing of the layout, so a mistake in one shows against the other (docs/decisions/0004).
+
 namespace planish::sheet_detail {
 namespace {
 

@@ -13,6 +13,11 @@
 #include <utility>
 #include <vector>
 
+// Cuts a sheet open along edges (math.md#rips). Faces stay where they are; what the sheet loses is
+// what lies beyond the walls' inside edges: a wedge along each edge, and at a corner of three walls
+// a block of T³ / |det of the normals|. Openings are counted anew by Euler's formula, as a rip
+// makes two edges of one and parts corners.
+
 namespace planish {
 namespace {
 

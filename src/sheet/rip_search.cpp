@@ -5,6 +5,7 @@
 #include "unplaced.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/places.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
@@ -14,6 +15,11 @@
 #include <queue>
 #include <string>
 #include <utility>
+
+// Where to rip a sheet that does not lie flat (math.md#rips). A layout keeps joints by rank: those
+// that cannot be ripped, then smooth or long ones, or what surrounds the root; joints that do not
+// fit then are the rips, corners first, then the worst, one round after another. Three ways to rank
+// are tried, and what they open must pass the same checks as any sheet.
 
 namespace planish {
 namespace {
@@ -162,16 +168,13 @@ const Joint& joint_at(const Sheet& sheet, int edge) {
 /// The places are those of the rips; of the loop nothing is shown any more.
 Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& closed) {
   const Joint& first = joint_at(sheet, rips.front());
-  Facts facts{{"edge", edge_at(sheet, first, rips.front())},
-              {"face", face_at(sheet, first.a)},
-              {"face", face_at(sheet, first.b)},
-              {"edges", edges_text(rips)}};
+  Facts facts{{"edge", edge_at(sheet, first, rips.front())}, {"edges", edges_text(rips)}};
   if (rips.size() > 1) facts.emplace_back("count", rips.size());
   for (std::size_t i = 1; i < rips.size(); ++i)
     facts.emplace_back("next", edge_at(sheet, joint_at(sheet, rips[i]), rips[i]));
   Error refusal = error_of(rips.size() == 1 ? refuse::one_rip : refuse::many_rips, facts,
-                           text_of(place::edge(rips.front())) + " " + between_faces(sheet, first));
-  refusal.message = closed.message + " " + refusal.message;
+                           text_of(edge_at(sheet, first, rips.front())));
+  refusal.message = closed.message + refusal.message;
   refusal.numbers.insert(refusal.numbers.begin(), closed.numbers.begin(), closed.numbers.end());
   return refusal;
 }

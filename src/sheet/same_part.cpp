@@ -1,9 +1,15 @@
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/same_part.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+// Whether two patterns are the same part, perhaps turned or turned over. Marks at contours, bends
+// and features give the motions that could take one to the other; each is tried, and the whole must
+// agree under it, curve by curve, whichever curve a loop begins with. Groups compare first by
+// numbers that no motion changes, widened by what the tolerance can move them.
 
 namespace planish {
 namespace {
@@ -54,8 +60,7 @@ Vec2 middle_of(const Loop& loop) {
     const auto along = [&](auto f) {
       return integral(curve, [&](const Vec2& p, const Vec2& d) { return f(Vec2(p - near), d); });
     };
-    area += along(
-        [](const Vec2& p, const Vec2& d) { return 0.5 * (p.x() * d.y() - p.y() * d.x()); });
+    area += along([](const Vec2& p, const Vec2& d) { return 0.5 * cross(p, d); });
     moments.x() += along([](const Vec2& p, const Vec2& d) { return 0.5 * p.x() * p.x() * d.y(); });
     moments.y() -= along([](const Vec2& p, const Vec2& d) { return 0.5 * p.y() * p.y() * d.x(); });
   }
@@ -93,6 +98,21 @@ std::vector<Mark> marks_of(const FlatPattern& pattern) {
     for (const Loop& outline : feature.outlines)
       add_marks(marks, Mark::Kind::feature, outline);
   return marks;
+}
+
+/// Whether each of `a` has one of `b` of its own that is the same.
+template <typename T, typename Same>
+bool one_to_one(const std::vector<T>& a, const std::vector<T>& b, Same same) {
+  std::vector<const T*> others;
+  for (const T& one : b)
+    others.push_back(&one);
+  return a.size() == b.size() && std::ranges::all_of(a, [&](const T& one) {
+           const auto other = std::ranges::find_if(others,
+                                                   [&](const T* row) { return same(one, *row); });
+           if (other == others.end()) return false;
+           others.erase(other);
+           return true;
+         });
 }
 
 /// The other pattern as it lies once it has been moved, compared with one piece by piece.
@@ -235,17 +255,8 @@ class Comparison {
   }
 
   bool same_bends() const {
-    std::vector<const FlatBend*> others;
-    for (const FlatBend& bend : b_.bends)
-      others.push_back(&bend);
-    return a_.bends.size() == others.size() &&
-           std::ranges::all_of(a_.bends, [&](const FlatBend& bend) {
-             const auto other = std::ranges::find_if(
-                 others, [&](const FlatBend* one) { return same_bend(bend, *one); });
-             if (other == others.end()) return false;
-             others.erase(other);
-             return true;
-           });
+    return one_to_one(a_.bends, b_.bends,
+                      [&](const FlatBend& a, const FlatBend& b) { return same_bend(a, b); });
   }
 
   bool same_feature(const FlatFeature& a, const FlatFeature& b) const {
@@ -264,17 +275,9 @@ class Comparison {
   }
 
   bool same_features() const {
-    std::vector<const FlatFeature*> others;
-    for (const FlatFeature& feature : b_.features)
-      others.push_back(&feature);
-    return a_.features.size() == others.size() &&
-           std::ranges::all_of(a_.features, [&](const FlatFeature& feature) {
-             const auto other = std::ranges::find_if(
-                 others, [&](const FlatFeature* one) { return same_feature(feature, *one); });
-             if (other == others.end()) return false;
-             others.erase(other);
-             return true;
-           });
+    return one_to_one(a_.features, b_.features, [&](const FlatFeature& a, const FlatFeature& b) {
+      return same_feature(a, b);
+    });
   }
 
   const FlatPattern& a_;

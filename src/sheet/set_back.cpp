@@ -8,6 +8,11 @@
 #include <cmath>
 #include <numbers>
 
+// Sharp bends whose reference skin is outside: borders are moved to where the bend begins,
+// t·tan(α/2) into their faces (math.md#setback). From a moved border the loop is walked both ways
+// to its first crossing with the new line; borders passed on the way shrink to points and keep
+// their indices, so that all that names a border still does.
+
 namespace planish::sheet_detail {
 namespace {
 

@@ -3,6 +3,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
@@ -10,13 +11,17 @@
 #include <numbers>
 #include <utility>
 
+// The shape of a slit as cut: banks half the kerf beside its axis, round ends or stop holes inside
+// the material. Where it opens into a contour its banks leave the contour's lines; a line that
+// leads away under a flat angle may meet the round end about the mouth first. Lines end where they
+// enter a disc or the band about the axis, both of which are convex, so each leaves one stretch.
+
 namespace planish::sheet_detail {
 namespace {
 
 using std::numbers::pi;
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 double angle_of(const Vec2& direction) { return std::atan2(direction.y(), direction.x()); }
 
 /// Curves that follow one another from a point.
@@ -107,22 +112,6 @@ std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
 }
 
 }  // namespace
-
-double distance(const Vec2& p, const Segment& segment) {
-  const Vec2 d = segment.b - segment.a;
-  const double t = d.squaredNorm() > 0.0
-                       ? std::clamp(d.dot(p - segment.a) / d.squaredNorm(), 0.0, 1.0)
-                       : 0.0;
-  return (segment.a + t * d - p).norm();
-}
-
-double distance(const Segment& a, const Segment& b) {
-  const auto side = [](const Segment& line, const Vec2& p) {
-    return cross(line.b - line.a, p - line.a);
-  };
-  if (side(a, b.a) * side(a, b.b) < 0.0 && side(b, a.a) * side(b, a.b) < 0.0) return 0.0;
-  return std::min({distance(a.a, b), distance(a.b, b), distance(b.a, a), distance(b.b, a)});
-}
 
 std::vector<Vec2> chain_of(const Curve2& curve) {
   if (const auto* line = std::get_if<Segment>(&curve)) return {line->a, line->b};

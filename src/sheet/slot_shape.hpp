@@ -29,9 +29,6 @@ struct Slot {
   }
 };
 
-double distance(const Vec2& p, const Segment& segment);
-double distance(const Segment& a, const Segment& b);
-
 /// The curve as chords that deviate from it by at most a thousandth of its length.
 std::vector<Vec2> chain_of(const Curve2& curve);
 

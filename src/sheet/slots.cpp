@@ -5,11 +5,17 @@
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/slots.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+// Slits cut as lines or slots. Stretches of contours whose two banks coincide are taken out as
+// slits (spurs.cpp) and cut with the kerf; slots are opened from the last corner backwards, so that
+// the remaining corners keep their indices. Before that the room between slots, holes and contours
+// is checked, as a slot that runs into another has no shape.
 
 namespace planish {
 namespace {

@@ -1,10 +1,17 @@
 #include "spurs.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
 #include <utility>
+
+// Stretches that a contour runs there and back. The path is built curve by curve, and where it
+// reverses on its own line the common part is taken off both, starting at the tips: one pass finds
+// spurs on spurs. The last curve and the first follow each other too. Collinear stretches that
+// touch become one.
 
 namespace planish::sheet_detail {
 namespace {
@@ -16,7 +23,7 @@ struct TracedCurve {
 
 double distance_to_line(const Vec2& p, const Segment& line) {
   const Vec2 along = (line.b - line.a).normalized(), d = p - line.a;
-  return std::abs(along.x() * d.y() - along.y() * d.x());
+  return std::abs(cross(along, d));
 }
 
 double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }

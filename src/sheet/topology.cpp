@@ -2,6 +2,11 @@
 #include <planish/base/union_find.hpp>
 #include <planish/sheet/topology.hpp>
 
+// How faces are connected, as rows by border: twin, next, joint, contour. The border that follows
+// along a contour of the whole sheet is found by turning about a corner, from border to twin, until
+// one is free; a corner has at most as many faces as there are borders, which ends the walk in a
+// broken sheet too.
+
 namespace planish {
 
 const std::vector<int>& Topology::joints_of(int node) const {

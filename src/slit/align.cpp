@@ -9,6 +9,11 @@
 #include <memory>
 #include <utility>
 
+// Scanned points onto strips by iterated closest points. Each round finds the feet of all points on
+// their strips and takes the rigid step of least squares; distances across a strip have full weight
+// and those along it little, so that points slide along the surface into place. The turn is scaled
+// by the points' extent, so that both kinds of unknown weigh alike.
+
 namespace planish::slit_detail {
 namespace {
 

@@ -1,18 +1,21 @@
+#include "refusals.hpp"
+
 #include <planish/base/assert.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace planish {
 namespace {
 
-std::optional<Error> folded_fault(const char* rule, std::string where) {
-  return Error{code::invalid_sheet, rule, std::move(where)};
+/// `where`: "strip 2", as files count.
+std::optional<Error> folded_fault(const Refusal& rule, std::string where, const Facts& facts = {}) {
+  return error_of(rule, facts, std::move(where));
 }
 
 bool is_finite(const Frame& frame) {
@@ -29,33 +32,32 @@ std::optional<Error> fault_of(const std::vector<PanelFacet>& panel, const Folded
                               const char* name) {
   for (std::size_t i = 0; i < panel.size(); ++i) {
     const PanelFacet& facet = panel[i];
-    const std::string where = fmt::format("{} facet {}", name, i);
+    const std::string where = name + (" facet " + std::to_string(i));
     if (!is_finite(facet.frame) ||
         !std::ranges::all_of(facet.corners, [](const Vec2& p) { return p.allFinite(); }))
-      return folded_fault("The panel has finite sizes.", where);
+      return folded_fault(refuse::panel_not_finite, where);
     if (facet.strip < -1 || facet.strip >= std::ssize(folded.strips))
-      return folded_fault("A facet of the panel names a strip of its sheet, or −1.", where);
+      return folded_fault(refuse::facet_of_no_strip, where);
   }
   return {};
 }
 
 std::optional<Error> fault_of(const FoldedSlitSheet& folded) {
   if (!(folded.thickness > 0.0 && std::isfinite(folded.thickness) && std::isfinite(folded.reach)))
-    return folded_fault("The thickness of a sheet is a number above 0, its reach a number.",
-                        "sheet");
+    return folded_fault(refuse::sheet_not_finite, "sheet");
   if (auto found = fault_of(folded.panel, folded, "panel")) return found;
   if (auto found = fault_of(folded.second_panel, folded, "second panel")) return found;
   if (folded.symmetric && !folded.second_panel.empty())
-    return folded_fault("A symmetric sheet has no second panel but the mirror image of its panel.",
-                        "second panel");
+    return folded_fault(refuse::symmetric_second_panel, "second panel");
   for (std::size_t i = 0; i < folded.strips.size(); ++i) {
     const FoldedStrip& strip = folded.strips[i];
-    const std::string where = fmt::format("strip {}", i);
+    const std::string where = "strip " + std::to_string(i);
+    const Facts facts{{"strip", place::strip(static_cast<int>(i))}};
     if (strip.quads.empty() || strip.ridges.size() != strip.quads.size() + 1)
-      return folded_fault("A strip has quads, one between any two ridges.", where);
+      return folded_fault(refuse::quads_between_ridges, where, facts);
     if (!std::ranges::all_of(strip.ridges, [](const SlitRidge& r) { return is_finite(r); }) ||
         !std::ranges::all_of(strip.quads, [](const Frame& quad) { return is_finite(quad); }))
-      return folded_fault("A strip has finite sizes.", where);
+      return folded_fault(refuse::strip_not_finite, where, facts);
   }
   return {};
 }

@@ -1,16 +1,22 @@
 #include "checks.hpp"
 
 #include "panel.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/slit/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
+
+// What a slit design must hold before anything is solved: numbers in their range, curves no tighter
+// than the material allows, anchors and ends within reach. Reach is measured from the panel's edge
+// where the strip begins: no strip bridges more than its length. Every refusal names the field as a
+// JSON pointer (formats.md#slits).
 
 namespace planish::slit_detail {
 namespace {
@@ -20,74 +26,92 @@ constexpr std::size_t kMostPoints = 2'000'000, kMostPoles = 64;
 constexpr double kLargest = 1e7;   // mm, of lengths and coordinates: 10 km
 constexpr double kHeaviest = 1e4;  // of weights: a larger one would swamp the others
 
-tl::unexpected<Error> invalid(std::string message, std::string where) {
-  return fail(code::invalid_input, std::move(message), std::move(where));
-}
+/// Where a value stands in the file: "/sheet/strips/2", "/width".
+Place field(const std::string& where, const char* key = "") { return place::pointer(where + key); }
 
-Result<void> check_length(double value, const char* what, std::string where) {
+/// A value that is checked, as its refusal names it: that of a strip, or of the whole.
+struct Named {
+  const char* name;
+  std::optional<int> strip = std::nullopt;
+
+  tl::unexpected<Error> refused(const Quantity& value, const std::string& range,
+                                const std::string& where) const {
+    Facts facts{{"name", name},
+                {"value", value.value, value.unit},
+                {"range", range},
+                {"field", field(where)}};
+    if (strip) facts.emplace_back("strip", place::strip(*strip));
+    return fail(strip ? refuse::bad_strip_value : refuse::bad_value, facts);
+  }
+};
+
+Result<void> check_length(double value, const Named& named, const std::string& where) {
   if (value > 0.0 && value <= kLargest) return {};
-  return invalid(
-      fmt::format("{} is {} mm; it must be above 0 and at most {:g} mm", what, value, kLargest),
-      std::move(where));
+  return named.refused({value, unit::mm},
+                       "a value above 0 and up to " + number_text(kLargest) + " mm", where);
 }
 
-Result<void> check_from_zero(double value, double most, const char* what, std::string where) {
-  if (value >= 0.0 && value <= most) return {};
-  return invalid(fmt::format("{} is {}; it must be between 0 and {:g}", what, value, most),
-                 std::move(where));
+Result<void> check_from_zero(const Quantity& quantity, double most, const Named& named,
+                             const std::string& where) {
+  if (quantity.value >= 0.0 && quantity.value <= most) return {};
+  return named.refused(quantity, "a value from 0 to " + number_text(most), where);
 }
 
 /// Of points and poles.
 bool in_range(const auto& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargest; }
 
-Result<void> check_place(const auto& p, const char* what, std::string where) {
+Result<void> check_place(const auto& p, const std::string& what, const std::string& where) {
   if (in_range(p)) return {};
-  return invalid(
-      fmt::format("a coordinate of {} is not a number, or beyond {:g} mm", what, kLargest),
-      std::move(where));
+  return fail(refuse::bad_coordinate,
+              {{"what", what}, {"most", kLargest, unit::mm}, {"field", field(where)}});
 }
 
 Result<void> check_strip(const SlitSheet& sheet, int index) {
   const SlitStrip& strip = sheet.strips[index];
-  const std::string where = fmt::format("/sheet/strips/{}", index);
-  if (auto sound = check_length(strip.width, "the width of a strip", where + "/width"); !sound)
+  const std::string where = "/sheet/strips/" + std::to_string(index);
+  if (auto sound = check_length(strip.width, {"The width", index}, where + "/width"); !sound)
     return sound;
-  if (auto sound = check_from_zero(strip.gap, kLargest, "the gap beside a strip", where + "/gap");
+  if (auto sound = check_from_zero({strip.gap, unit::mm}, kLargest, {"The gap", index},
+                                   where + "/gap");
       !sound)
     return sound;
   if (sheet.symmetric && strip.end)
-    return invalid("strips of a symmetric sheet end at its symmetry plane; leave out their ends",
-                   where + "/end");
+    return fail(refuse::symmetric_with_end,
+                {{"strip", place::strip(index)}, {"field", field(where, "/end")}});
   const double end = sheet.end_of(index);
-  if (auto sound = check_length(end, "the end of a strip", where + "/end"); !sound) return sound;
+  if (auto sound = check_length(end, {"The end", index}, where + "/end"); !sound) return sound;
   for (const auto& [start, key] :
        {std::pair{strip.left_start, "/left_start"}, std::pair{strip.right_start, "/right_start"}}) {
     if (!start) continue;
-    if (auto sound = check_length(*start, "the start of a slit", where + key); !sound) return sound;
+    if (auto sound = check_length(*start, {"The start of a slit", index}, where + key); !sound)
+      return sound;
   }
   for (const double start : sheet.start_of(index))
     if (!(start < end))
-      return invalid(fmt::format("strip {} ends at {:.6g} mm, before its slit begins at {:.6g} mm",
-                                 index, end, start),
-                     where);
+      return fail(refuse::ends_before_slit, {{"strip", place::strip(index)},
+                                             {"end", end, unit::mm},
+                                             {"start", start, unit::mm},
+                                             {"field", field(where)}});
   return {};
 }
 
-Result<void> check_curve(const BezierCurve& curve, const char* what, const std::string& where) {
-  if (curve.poles.size() < 2)
-    return invalid(fmt::format("{} has {} poles; it needs at least 2", what, curve.poles.size()),
-                   where);
-  if (curve.poles.size() > kMostPoles)
-    return invalid(fmt::format("{} has {} poles; at most {} are allowed", what, curve.poles.size(),
-                               kMostPoles),
-                   where);
+/// A place of the leg curve in space.
+Vec3 on_ground(const Vec2& p) { return {p.x(), 0.0, p.y()}; }
+
+/// `name`: "The leg curve".
+Result<void> check_curve(const BezierCurve& curve, const char* name, const std::string& where) {
+  if (curve.poles.size() < 2 || curve.poles.size() > kMostPoles)
+    return fail(refuse::bad_number_of_poles, {{"curve", name},
+                                              {"poles", curve.poles.size()},
+                                              {"most", kMostPoles},
+                                              {"field", field(where)}});
   for (std::size_t i = 0; i < curve.poles.size(); ++i)
-    if (auto sound = check_place(curve.poles[i], fmt::format("a pole of {}", what).c_str(),
-                                 fmt::format("{}/bezier/{}", where, i));
+    if (auto sound = check_place(curve.poles[i], "pole " + std::to_string(i + 1) + " of the curve",
+                                 where + "/bezier/" + std::to_string(i));
         !sound)
       return sound;
   if (!(length(curve) > 0.0))
-    return invalid(fmt::format("{} has all its poles in one place", what), where);
+    return fail(refuse::poles_in_one_place, {{"curve", name}, {"field", field(where)}});
   return {};
 }
 
@@ -96,39 +120,35 @@ Result<void> check_radius(const SlitDesign& design, const BezierCurve& curve,
   const TightestBend tightest = tightest_bend(curve);
   if (tightest.radius >= design.sheet.min_radius()) return {};
   const Vec2 at = bezier_at(curve, tightest.t).point;
-  return fail(code::radius_too_small,
-              fmt::format("the leg curve bends with a radius of {:.4g} mm at (x, z) = ({:.4g}, "
-                          "{:.4g}) mm; the sheet, {:.4g} mm thick, needs at least "
-                          "{:.4g} mm at its mid-surface",
-                          tightest.radius, at.x(), at.y(), design.sheet.thickness,
-                          design.sheet.min_radius()),
-              where);
+  return fail(refuse::curve_too_tight, {{"radius", tightest.radius, unit::mm},
+                                        {"at", place::point(on_ground(at))},
+                                        {"thickness", design.sheet.thickness, unit::mm},
+                                        {"least", design.sheet.min_radius(), unit::mm},
+                                        {"field", field(where)}});
 }
 
 /// A panel that leans turns about the line through the ends of its leg curve.
 Result<void> check_lean(Angle lean, const BezierCurve& curve, const std::string& where) {
   if (!(std::abs(lean.degrees()) <= 90.0))
-    return invalid(fmt::format("a panel leans by {:.4g}°; it must be from -90° to 90°, where it is "
-                               "level with the ground",
-                               lean.degrees()),
-                   where + "/lean");
+    return Named{"The lean of a panel"}.refused({lean.degrees(), unit::degrees},
+                                                "an angle from -90° to 90°, where it is level "
+                                                "with the ground",
+                                                where + "/lean");
   if (lean == Angle()) return {};
   const double apart = (curve.poles.back() - curve.poles.front()).norm();
   if (apart > tolerance::kWrittenDigits * length(curve)) return {};
-  return invalid(
-      "the leg curve ends where it begins, so there is no line about which its panel could lean",
-      where + "/lean");
+  return fail(refuse::nothing_to_lean_about, {{"field", field(where, "/lean")}});
 }
 
 /// The leg curve of a panel, scaled to the sheet if that is asked for.
 Result<BezierCurve> checked_curve(const SlitDesign& design, const BezierCurve& curve, bool fit,
                                   Angle lean, const std::string& where) {
-  if (auto sound = check_curve(curve, "the leg curve", where); !sound) return pass_on(sound);
+  if (auto sound = check_curve(curve, "The leg curve", where); !sound) return pass_on(sound);
   if (auto sound = check_lean(lean, curve, where); !sound) return pass_on(sound);
   auto scaled = fit ? fitted(design.sheet, curve, where) : curve;
   if (!scaled) return scaled;
   if (fit)
-    if (auto sound = check_curve(*scaled, "the leg curve as scaled", where); !sound)
+    if (auto sound = check_curve(*scaled, "The leg curve as scaled", where); !sound)
       return pass_on(sound);
   if (auto sound = check_radius(design, *scaled, where); !sound) return pass_on(sound);
   return scaled;
@@ -138,12 +158,10 @@ Result<void> check_side_of_plane(const std::vector<PanelFacet>& panel) {
   const double first = panel.front().frame.point(panel.front().corners[0]).x();
   for (const PanelFacet& facet : panel)
     for (const Vec2& corner : facet.corners)
-      if (const double x = facet.frame.point(corner).x(); !(x * first > 0.0))
-        return invalid(fmt::format("the panel on the leg curve meets the symmetry plane (x = "
-                                   "{:.4g} mm after x = {:.4g} mm); it must stay on one side of x "
-                                   "= 0",
-                                   x, first),
-                       "/leg_curve");
+      if (const Vec3 p = facet.frame.point(corner); !(p.x() * first > 0.0))
+        return fail(
+            refuse::crosses_symmetry_plane,
+            {{"at", place::point(p)}, {"first", first, unit::mm}, {"field", field("/leg_curve")}});
   return {};
 }
 
@@ -155,9 +173,10 @@ const PanelFacet& facet_of(const std::vector<PanelFacet>& panel, int strip) {
 Result<void> check_strip_number(const SlitDesign& design, int strip, const std::string& where) {
   const int count = static_cast<int>(design.sheet.strips.size());
   if (strip >= 0 && strip < count) return {};
-  return fail(code::unknown_strip,
-              fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, count - 1),
-              where);
+  return fail(refuse::no_such_strip, {{"strip", place::strip(strip)},
+                                      {"count", count},
+                                      {"last", count - 1},
+                                      {"field", field(where)}});
 }
 
 Result<void> check_weights(const SlitWeights& weights) {
@@ -165,7 +184,8 @@ Result<void> check_weights(const SlitWeights& weights) {
        {std::pair{weights.smooth, "smooth"}, std::pair{weights.spacing, "spacing"},
         std::pair{weights.anchors, "anchors"}, std::pair{weights.seat, "seat"},
         std::pair{weights.spread, "spread"}, std::pair{weights.scan, "scan"}})
-    if (auto sound = check_from_zero(value, kHeaviest, "a weight", fmt::format("/weights/{}", key));
+    if (auto sound = check_from_zero({value}, kHeaviest, {"A weight"},
+                                     std::string("/weights/") + key);
         !sound)
       return sound;
   return {};
@@ -174,34 +194,43 @@ Result<void> check_weights(const SlitWeights& weights) {
 Result<void> check_seat_curve(const SlitDesign& design) {
   if (!design.seat_curve) return {};
   if (!design.sheet.symmetric)
-    return invalid(
-        "a seat curve lies in the symmetry plane, but the sheet is not symmetric; leave it out and "
-        "place the ends of the strips",
-        "/seat_curve");
-  if (auto sound = check_curve(*design.seat_curve, "the seat curve", "/seat_curve"); !sound)
+    return fail(refuse::seat_curve_without_symmetry, {{"field", field("/seat_curve")}});
+  if (auto sound = check_curve(*design.seat_curve, "The seat curve", "/seat_curve"); !sound)
     return sound;
   double width = 0.0;
   for (const SlitStrip& strip : design.sheet.strips)
     width += strip.width;
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
-    return fail(code::curve_too_short,
-                fmt::format("the seat curve is {:.6g} mm long; the ends of the strips are {:.6g} "
-                            "mm wide together and would overlap",
-                            long_is, width),
-                "/seat_curve");
+    return fail(refuse::seat_curve_too_short, {{"length", long_is, unit::mm},
+                                               {"width", width, unit::mm},
+                                               {"field", field("/seat_curve")}});
   return {};
+}
+
+/// How much too far from the panel's edge a place is for the middle of a strip's end, mm.
+struct Way {
+  double needed = 0.0, available = 0.0;
+};
+
+Facts out_of_reach(const Way& way, int strip, const std::string& where) {
+  return {{"strip", place::strip(strip)},
+          {"missing", way.needed - way.available, unit::mm},
+          {"needed", way.needed, unit::mm},
+          {"available", way.available, unit::mm},
+          {"field", field(where)}};
 }
 
 Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet>& panel,
                           int anchor) {
   const SlitAnchor& wish = design.anchors[anchor];
-  const std::string where = fmt::format("/anchors/{}", anchor);
+  const std::string where = "/anchors/" + std::to_string(anchor);
   if (auto sound = check_strip_number(design, wish.strip, where + "/strip"); !sound) return sound;
   if (wish.ridge < 0 || wish.ridge > design.ridges)
-    return fail(code::unknown_ridge,
-                fmt::format("strip {} has no ridge {}; it has ridges 0 to {}", wish.strip,
-                            wish.ridge, design.ridges),
-                where + "/ridge");
+    return fail(refuse::no_such_ridge, {{"strip", place::strip(wish.strip)},
+                                        {"ridge", place::ridge(wish.ridge)},
+                                        {"count", design.ridges + 1},
+                                        {"last", design.ridges},
+                                        {"field", field(where, "/ridge")}});
   if (auto sound = check_place(wish.at, "an anchor", where + "/at"); !sound) return sound;
   const PanelFacet& facet = facet_of(panel, wish.strip);
   const std::size_t side = wish.side == StripEdge::left ? 0 : 1;
@@ -211,20 +240,12 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
   const double needed = (wish.at - from).norm() +
                         (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
   if (needed <= available + tolerance::kComputed * design.sheet.reach()) return {};
-  return fail(code::out_of_reach,
-              fmt::format("the anchor at ({:.4g}, {:.4g}, {:.4g}) mm is {:.4g} mm out of reach: "
-                          "the way there from the panel{} is {:.4g} mm, but strip {} is only "
-                          "{:.4g} mm long",
-                          wish.at.x(), wish.at.y(), wish.at.z(), needed - available,
-                          design.sheet.symmetric ? " and on to the symmetry plane" : "", needed,
-                          wish.strip, available),
-              where + "/at");
+  Facts facts = out_of_reach({needed, available}, wish.strip, where + "/at");
+  facts.emplace_back("at", place::point(wish.at));
+  facts.emplace_back("ridge", place::ridge(wish.ridge));
+  return fail(design.sheet.symmetric ? refuse::anchor_beyond_symmetry : refuse::anchor_out_of_reach,
+              facts);
 }
-
-/// How much too far from the panel's edge a place is for the middle of a strip's end, mm.
-struct Way {
-  double needed = 0.0, available = 0.0;
-};
 
 Way way_to(const SlitDesign& design, const PanelFacet& facet, int strip, const Vec3& end) {
   const auto start = design.sheet.start_of(strip);
@@ -238,77 +259,69 @@ Result<void> check_second_panel(const SlitDesign& design, const Panels& panels) 
   for (const PanelFacet& facet : panels.second) {
     if (facet.strip < 0) continue;
     const Vec3 end = facet.frame.point(0.5 * (facet.corners[1] + facet.corners[2]));
-    const auto [needed, available] = way_to(design, facet_of(panels.first, facet.strip),
-                                            facet.strip, end);
-    if (needed <= available) continue;
-    return fail(code::out_of_reach,
-                fmt::format("the second panel is {:.4g} mm out of reach of strip {}: its edge is "
-                            "{:.4g} mm from that of the first panel, but the strip is only {:.4g} "
-                            "mm long",
-                            needed - available, facet.strip, needed, available),
-                "/second_panel");
+    const Way way = way_to(design, facet_of(panels.first, facet.strip), facet.strip, end);
+    if (way.needed <= way.available) continue;
+    Facts facts = out_of_reach(way, facet.strip, "/second_panel");
+    facts.emplace_back("at", place::point(end));
+    return fail(refuse::panel_out_of_reach, facts);
   }
   return {};
 }
 
 Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& panel, int strip) {
-  const std::string where = fmt::format("/ends/{}", strip);
+  const std::string where = "/ends/" + std::to_string(strip);
   const StripEnd& end = design.ends[strip];
   if (!end.position && !end.direction && !end.across) return {};
   if (auto sound = check_strip_number(design, strip, where); !sound) return sound;
-  if (design.sheet.symmetric)
-    return fail(
-        code::bad_option,
-        "strips of a symmetric sheet end in its symmetry plane; their ends cannot be placed",
-        where);
-  if (design.second_panel)
-    return fail(code::bad_option, "the strips end at the second panel; their ends cannot be placed",
-                where);
+  const auto refused = [&](const Refusal& refusal, const char* key) {
+    return fail(refusal, {{"strip", place::strip(strip)}, {"field", field(where, key)}});
+  };
+  if (design.sheet.symmetric) return refused(refuse::end_in_symmetry_plane, "");
+  if (design.second_panel) return refused(refuse::end_at_second_panel, "");
   for (const auto& [direction, key] :
        {std::pair{end.direction, "/direction"}, std::pair{end.across, "/across"}})
     if (direction && !(direction->allFinite() && direction->norm() > 0.0))
-      return invalid("a direction is zero or not finite", where + key);
+      return refused(refuse::no_direction, key);
   if (end.direction && end.across) {
     constexpr double kPerpendicular = tolerance::kWrittenDigits;  // cosine
     const double cosine = end.direction->normalized().dot(end.across->normalized());
+    const Angle apart = Angle::radians(std::acos(std::clamp(cosine, -1.0, 1.0)));
     if (std::abs(cosine) > kPerpendicular)
-      return invalid(
-          fmt::format("the end's direction and its last ridge are {:.4g}° apart; they must be at "
-                      "right angles",
-                      Angle::radians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees()),
-          where + "/across");
+      return fail(refuse::not_at_right_angles, {{"strip", place::strip(strip)},
+                                                {"angle", apart.degrees(), unit::degrees},
+                                                {"field", field(where, "/across")}});
   }
   if (!end.position) return {};
   if (auto sound = check_place(*end.position, "an end", where + "/position"); !sound) return sound;
-  const auto [needed, available] = way_to(design, facet_of(panel, strip), strip, *end.position);
-  if (needed <= available) return {};
-  return fail(code::out_of_reach,
-              fmt::format("the end of strip {} is {:.4g} mm out of reach: it is {:.4g} mm from the "
-                          "panel's edge, but the strip is only {:.4g} mm long",
-                          strip, needed - available, needed, available),
-              where + "/position");
+  const Way way = way_to(design, facet_of(panel, strip), strip, *end.position);
+  if (way.needed <= way.available) return {};
+  Facts facts = out_of_reach(way, strip, where + "/position");
+  facts.emplace_back("at", place::point(*end.position));
+  return fail(refuse::end_out_of_reach, facts);
 }
 
 /// One scan of a design.
 Result<void> check_scan(const SlitDesign& design, int index) {
   const auto& [strip, points] = design.scans[index];
-  const std::string where = fmt::format("/scan/{}", index);
+  const std::string where = "/scan/" + std::to_string(index);
   if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
   if (points.size() > kMostPoints)
-    return fail(code::scan_too_large,
-                fmt::format("the scan of strip {} has {} points; thin it out to at most {}", strip,
-                            points.size(), kMostPoints),
-                where + "/points");
+    return fail(refuse::scan_too_large, {{"strip", place::strip(strip)},
+                                         {"points", points.size()},
+                                         {"most", kMostPoints},
+                                         {"field", field(where, "/points")}});
   if (points.empty())
-    return fail(code::empty_scan, fmt::format("the scan of strip {} has no points", strip),
-                where + "/points");
+    return fail(refuse::empty_scan,
+                {{"strip", place::strip(strip)}, {"field", field(where, "/points")}});
   const auto bad = std::find_if(points.begin(), points.end(),
                                 [](const Vec3& p) { return !in_range(p); });
   if (bad != points.end())
-    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate that is not a "
-                               "number, or beyond {:g} mm",
-                               bad - points.begin() + 1, strip, kLargest),
-                   where + "/points");
+    return fail(refuse::bad_scan_point,
+                {{"strip", place::strip(strip)},
+                 {"point", bad - points.begin() + 1},
+                 {"most", kLargest, unit::mm},
+                 {"field", field(where + "/points/" + std::to_string(bad - points.begin()))}},
+                where + "/points");
   return {};
 }
 
@@ -317,21 +330,19 @@ Result<void> check_far_side(const SlitDesign& design) {
   if (!design.second_panel) return {};
   const SlitSheet& sheet = design.sheet;
   if (sheet.symmetric)
-    return invalid(
-        "the other half of a symmetric sheet is its mirror image; leave out the second panel, or "
-        "set symmetric to false",
-        "/second_panel");
+    return fail(refuse::symmetric_with_second_panel, {{"field", field("/second_panel")}});
   const double height = design.second_panel->height;
-  if (auto sound = check_length(height, "the height of the second panel", "/second_panel/height");
+  if (auto sound = check_length(height, {"The height of the second panel"}, "/second_panel/height");
       !sound)
     return sound;
   const double free_edge = sheet.panel_height + sheet.half_length + height;
   for (int i = 0; i < static_cast<int>(sheet.strips.size()); ++i)
     if (!(sheet.end_of(i) < free_edge))
-      return invalid(fmt::format("strip {} ends at {:.6g} mm, beyond the second panel, whose free "
-                                 "edge is at {:.6g} mm",
-                                 i, sheet.end_of(i), free_edge),
-                     fmt::format("/sheet/strips/{}/end", i));
+      return fail(refuse::ends_beyond_panel,
+                  {{"strip", place::strip(i)},
+                   {"end", sheet.end_of(i), unit::mm},
+                   {"edge", free_edge, unit::mm},
+                   {"field", field("/sheet/strips/" + std::to_string(i) + "/end")}});
   return {};
 }
 
@@ -339,31 +350,35 @@ Result<void> check_far_side(const SlitDesign& design) {
 
 Result<void> check_sheet(const SlitDesign& design) {
   const SlitSheet& sheet = design.sheet;
-  if (auto sound = check_length(sheet.thickness, "the thickness", "/thickness"); !sound)
+  if (auto sound = check_length(sheet.thickness, {"The thickness"}, "/thickness"); !sound)
     return sound;
-  if (auto sound = check_length(sheet.panel_height, "the height of the panel",
+  if (auto sound = check_length(sheet.panel_height, {"The height of the panel"},
                                 "/sheet/panel_height");
       !sound)
     return sound;
-  if (auto sound = check_length(sheet.half_length, "the half-length", "/sheet/half_length"); !sound)
+  if (auto sound = check_length(sheet.half_length, {"The half-length"}, "/sheet/half_length");
+      !sound)
     return sound;
-  if (auto sound = check_from_zero(sheet.margin, kLargest, "the margin", "/sheet/margin"); !sound)
+  if (auto sound = check_from_zero({sheet.margin, unit::mm}, kLargest, {"The margin"},
+                                   "/sheet/margin");
+      !sound)
     return sound;
-  if (auto sound = check_from_zero(sheet.min_inside_radius, kLargest, "the smallest inside radius",
-                                   "/min_inside_radius");
+  if (auto sound = check_from_zero({sheet.min_inside_radius, unit::mm}, kLargest,
+                                   {"The smallest inside radius"}, "/min_inside_radius");
       !sound)
     return sound;
   const int count = static_cast<int>(sheet.strips.size());
   if (count < 1 || count > kMostStrips)
-    return invalid(fmt::format("the sheet has {} strips; it must have 1 to {}", count, kMostStrips),
-                   "/sheet/strips");
+    return fail(refuse::bad_number_of_strips,
+                {{"count", count}, {"most", kMostStrips}, {"field", field("/sheet/strips")}});
   for (int i = 0; i < count; ++i)
     if (auto sound = check_strip(sheet, i); !sound) return sound;
   if (auto sound = check_far_side(design); !sound) return sound;
   if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
-    return invalid(fmt::format("each strip has {} ridges; it must have {} to {}", design.ridges,
-                               kFewestRidges, kMostRidges),
-                   "/ridges");
+    return fail(refuse::bad_number_of_ridges, {{"count", design.ridges},
+                                               {"least", kFewestRidges},
+                                               {"most", kMostRidges},
+                                               {"field", field("/ridges")}});
   return {};
 }
 

@@ -1,12 +1,19 @@
 #include "crossing.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+
+// Whether strips go through each other, and planes that lead them apart (math.md#strip-conditions).
+// Two strips cross if an edge of one pierces the inside of a quad of the other, by more than a
+// margin, so that touching does not count. A plane stands at the neighbour's near border,
+// perpendicular to the neighbour, beside each near ridge end of the strip; ends farther away than
+// the strip is wide are free.
 
 namespace planish::slit_detail {
 namespace {
@@ -47,7 +54,7 @@ std::vector<Quad> quads_of(const FoldedStrip& strip) {
 bool holds(const Quad& quad, const Vec2& p, double margin) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 side = quad.flat[(i + 1) % 4] - quad.flat[i], to = p - quad.flat[i];
-    if (side.x() * to.y() - side.y() * to.x() <= margin * side.norm()) return false;
+    if (planish::cross(side, to) <= margin * side.norm()) return false;
   }
   return true;
 }

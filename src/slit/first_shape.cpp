@@ -9,6 +9,12 @@
 #include <optional>
 #include <vector>
 
+// Shapes from which a strip's descent begins. Curves in one plane whose angle runs from start to
+// end with one bulge are tried on a grid, the best refined in each number in turn, by what they
+// cost the objective: smoothness and how far the end misses. Of equally smooth ones the one that
+// bends least is better, as curls of evenly growing angles are smooth too. More than one is
+// returned, since a first shape may lead into folds that no step undoes.
+
 namespace planish::slit_detail {
 namespace {
 

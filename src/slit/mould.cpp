@@ -1,17 +1,24 @@
 #include "mould_body.hpp"
 #include "mould_clear.hpp"
+#include "refusals.hpp"
+#include "rib_solid.hpp"
 
 #include <planish/geometry/mesh_volume.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/slit/mould.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
+
+// A rib under each strip (math.md#mould, docs/decisions/0003). A facet is parallel to its quad,
+// half the thickness away, and neighbouring facets meet in a line below their ridge, so the sheet
+// lies on all of them. Quads too steep for the direction in which the sheet is lifted off stay
+// bare, and ribs are interrupted there. Insets, then directions that lean, are tried until ribs
+// stand apart; options that are given are kept.
 
 namespace planish {
 
@@ -83,7 +90,9 @@ struct Setting {
   MouldForm form = MouldForm::ribs;
 };
 
-std::string place(int strip, int quad) { return fmt::format("strip {}, quad {}", strip, quad); }
+std::string quad_of(int strip, int quad) {
+  return "strip " + std::to_string(strip) + ", quad " + std::to_string(quad);
+}
 
 MouldSide ground_side(const FoldedSlitSheet& folded) {
   double up = 0.0;  // the front's area as the ground sees it
@@ -95,6 +104,14 @@ MouldSide ground_side(const FoldedSlitSheet& folded) {
   return up < 0.0 ? MouldSide::front : MouldSide::back;
 }
 
+tl::unexpected<Error> bad_mould(const char* name, const Quantity& value, const char* range,
+                                const char* key) {
+  return fail(refuse::bad_slit_option, {{"name", name},
+                                        {"value", value.value, value.unit},
+                                        {"range", range},
+                                        {"field", place::pointer(key)}});
+}
+
 Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   Setting setting;
   const MouldSide ground = ground_side(folded);
@@ -102,29 +119,21 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
                      ? -1.0
                      : 1.0;
   if (options.up && !(options.up->allFinite() && options.up->norm() > 0.0))
-    return fail(code::bad_option, "the direction in which the sheet is lifted off has no length",
-                "/mould/up");
+    return fail(refuse::no_way_up, {{"field", place::pointer("/mould/up")}});
   setting.up = options.up ? Vec3(options.up->normalized())
                : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY())
                                                                              : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
   if (!options.inset) setting.most_share = kNarrowest;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
-    return fail(code::bad_option,
-                fmt::format("the mould's inset is {} mm; it must be at least 0", setting.inset),
-                "/mould/inset");
+    return bad_mould("The mould's inset", {setting.inset, unit::mm}, "0 or more", "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
-    return fail(
-        code::bad_option,
-        fmt::format("the mould's base is {} mm below its lowest point; it must be more than 0",
-                    options.base),
-        "/mould/base");
+    return bad_mould("The depth of the mould's base", {options.base, unit::mm}, "a value above 0",
+                     "/mould/base");
   const double draft = options.draft.radians();
   if (!(draft > 0.0) || !(draft < 1.5))
-    return fail(code::bad_option,
-                fmt::format("the mould's draft is {}°; it must be above 0 and below 86",
-                            options.draft.degrees()),
-                "/mould/draft");
+    return bad_mould("The mould's draft", {options.draft.degrees(), unit::degrees},
+                     "an angle above 0° and below 86°", "/mould/draft");
   setting.offset = 0.5 * folded.thickness;
   setting.least_lean = std::sin(draft);
   setting.form = options.form;
@@ -146,11 +155,11 @@ Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, in
   const double share = std::min(
       std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
-    return fail(code::bad_option,
-                fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose "
-                            "ridge is {:.6g} mm long",
-                            setting.inset, number, (right - left).norm()),
-                "/mould/inset");
+    return fail(refuse::inset_takes_all,
+                {{"inset", setting.inset, unit::mm},
+                 {"strip", place::at(place::strip(number), Vec3(0.5 * (left + right)))},
+                 {"length", (right - left).norm(), unit::mm},
+                 {"field", place::pointer("/mould/inset")}});
   return std::array<Vec3, 2>{left + share * (right - left) + setting.offset * step,
                              right + share * (left - right) + setting.offset * step};
 }
@@ -168,11 +177,11 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
       const auto& to = strip.ridges[at];
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
-          return fail(code::radius_too_small,
-                      fmt::format("{} is folded so tightly that its side towards the mould has no "
-                                  "length between the ridges",
-                                  place(number, strip.first + at - 1)),
-                      place(number, strip.first + at - 1));
+          return fail(refuse::folded_too_tightly,
+                      {{"strip", place::at(place::strip(number), to[side])},
+                       {"ridge", place::ridge(strip.first + at - 1)},
+                       {"ridge", place::ridge(strip.first + at)}},
+                      quad_of(number, strip.first + at - 1));
       rib.facets.push_back({near[0], (*far)[0], (*far)[1], near[1]});
     }
     near = *far;
@@ -203,49 +212,6 @@ Result<void> add_ribs(const WholeStrip& strip, int number, const Setting& settin
     quad = last + 1;
   }
   return {};
-}
-
-/// Closed below the facets: top, base, sides and ends. Points: left and right of every ridge, then
-/// those below them.
-Mesh closed_mesh(const MouldRib& rib, const Frame& base) {
-  Mesh mesh;
-  const int count = static_cast<int>(rib.facets.size());
-  mesh.points = {rib.facets.front()[0], rib.facets.front()[3]};
-  for (const auto& facet : rib.facets)
-    mesh.points.insert(mesh.points.end(), {facet[1], facet[2]});
-  const int below = static_cast<int>(mesh.points.size());
-  for (int i = 0; i < below; ++i)
-    mesh.points.push_back(base.point(base.local2(mesh.points[i])));
-
-  const Vec3 top = (rib.facets.front()[1] - rib.facets.front()[0])
-                       .cross(rib.facets.front()[3] - rib.facets.front()[0]);
-  const bool as_listed = top.dot(base.z) > 0.0;
-  const auto add = [&](int a, int b, int c, int d) {
-    if (!as_listed) std::swap(b, d);
-    mesh.triangles.push_back({a, b, c});
-    mesh.triangles.push_back({a, c, d});
-  };
-  for (int i = 0; i < count; ++i) {
-    const int left = 2 * i, right = left + 1;
-    add(left, left + 2, right + 2, right);
-    add(below + left, below + right, below + right + 2, below + left + 2);
-    add(left, below + left, below + left + 2, left + 2);
-    add(right, right + 2, below + right + 2, below + right);
-  }
-  add(0, 1, below + 1, below);
-  add(2 * count, below + 2 * count, below + 2 * count + 1, 2 * count + 1);
-  return mesh;
-}
-
-std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
-  std::vector<Vec2> ring{base.local2(rib.facets.front()[0])};
-  for (const auto& facet : rib.facets)
-    ring.push_back(base.local2(facet[1]));
-  for (auto facet = rib.facets.rbegin(); facet != rib.facets.rend(); ++facet)
-    ring.push_back(base.local2((*facet)[2]));
-  ring.push_back(base.local2(rib.facets.front()[3]));
-  if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
-  return ring;
 }
 
 /// z along `up`, at a height; x along the strips of the chair, if possible.
@@ -298,9 +264,7 @@ Result<void> add_all_ribs(Mould& mould, const FoldedSlitSheet& folded, const Set
       if (auto added = add_ribs(strip, number, setting, walls, mould); !added) return added;
   }
   if (!mould.ribs.empty()) return {};
-  return fail(code::unsupported_shape,
-              "no part of the strips faces the direction in which the sheet is lifted off; choose "
-              "another direction (mould.up) or the other side (mould.side)");
+  return fail(refuse::nothing_faces_up);
 }
 
 /// Where the base lies: one body reaches down to the panels' free edges.

@@ -1,9 +1,10 @@
 #include "mould_body.hpp"
 
-#include <planish/base/tolerance.hpp>
-#include <planish/geometry/region.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
+#include <planish/geometry/region.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,12 @@
 #include <optional>
 #include <set>
 #include <utility>
+
+// The mould as one body (math.md#mould): ribs, walls behind upright panels, a plate. Walls are
+// bands behind the panel as seen from above, as high as the panel or as strips over them allow. The
+// plate's top is the triangulation of what stands on it, and as a triangulation leaves out corners
+// between others on a line, those are divided in again: the body is closed because every part
+// shares its corners, and that is checked.
 
 namespace planish::slit_detail {
 namespace {
@@ -81,11 +88,7 @@ Result<MouldWall> wall_behind(const Standing& panel, const WallSetting& setting)
   wall.bottom = panel.bottom;
   wall.top = panel.top;
   if (self_crossings(wall.footprint).empty() && self_crossings(wall.room).empty()) return wall;
-  return fail(code::unsupported_shape,
-              fmt::format("the mould's wall behind a panel, {:.4g} mm deep, would run through "
-                          "itself where the leg curve is bent most; choose a smaller mould.base, "
-                          "whose depth it has, or mould.form \"ribs\"",
-                          setting.depth));
+  return fail(refuse::wall_through_itself, {{"depth", setting.depth, unit::mm}});
 }
 
 std::vector<Vec2> seen(const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far,
@@ -124,13 +127,6 @@ std::optional<double> lowest_over(const std::vector<Vec2>& footprint, const Whol
         lowest = std::min(lowest.value_or(height), height);
       }
   return lowest;
-}
-
-Box2 box_around(const std::vector<Vec2>& ring) {
-  Box2 box;
-  for (const Vec2& p : ring)
-    box.add(p);
-  return box;
 }
 
 /// Points of the plate by their place, as a triangulation gives them back.
@@ -238,7 +234,7 @@ std::optional<Triangles> triangles_around(const std::vector<Vec2>& rim,
       t[i] = *found;
     }
     const Vec2 u = triangle[1] - triangle[0], v = triangle[2] - triangle[0];
-    if (u.x() * v.y() - u.y() * v.x() < 0.0) std::swap(t[1], t[2]);
+    if (planish::cross(u, v) < 0.0) std::swap(t[1], t[2]);
     triangles.push_back(t);
   }
   for (const auto& footprint : standing) {
@@ -253,11 +249,7 @@ std::optional<Triangles> triangles_around(const std::vector<Vec2>& rim,
   return triangles;
 }
 
-tl::unexpected<Error> touching() {
-  return fail(code::unsupported_shape,
-              "ribs or walls of the mould touch each other, so it would not be one body; choose a "
-              "larger inset (mould.inset) or mould.form \"ribs\"");
-}
+tl::unexpected<Error> touching() { return fail(refuse::not_one_body); }
 
 }  // namespace
 
@@ -280,9 +272,9 @@ bool is_over(const std::vector<MouldWall>& walls, const WholeStrip& strip, int q
              const WallSetting& setting) {
   const Polygon own{seen(strip.ridges[quad], strip.ridges[quad + 1], setting.plan), {}};
   const double smallest = kTouching * std::abs(ring_area(own.outer));
-  const Box2 box = box_around(own.outer);
+  const Box2 box = box_of(own.outer);
   return std::ranges::any_of(walls, [&](const MouldWall& wall) {
-    return box.overlaps(box_around(wall.room)) &&
+    return box.overlaps(box_of(wall.room)) &&
            !overlaps({{wall.room, {}}, own}, 0.0, smallest).empty();
   });
 }
@@ -298,11 +290,8 @@ Result<void> raise(std::vector<MouldWall>& walls,
           if (const auto lowest = lowest_over(wall.footprint, strip, quad, setting))
             wall.top = std::min(wall.top, *lowest);
     if (wall.top - wall.bottom < kLeast * height)
-      return fail(code::unsupported_shape,
-                  fmt::format("strips come down to {:.4g} mm above the free edge of a panel {:.4g} "
-                              "mm high, so the mould's wall has no room behind it; choose "
-                              "mould.form \"ribs\"",
-                              wall.top - wall.bottom, height));
+      return fail(refuse::no_room_for_wall,
+                  {{"left", wall.top - wall.bottom, unit::mm}, {"height", height, unit::mm}});
   }
   return {};
 }

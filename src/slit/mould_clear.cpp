@@ -1,60 +1,68 @@
 #include "mould_clear.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <set>
+#include <string>
 #include <utility>
+
+// Whether ribs stand apart and none comes up through the sheet (math.md#mould). Walls are upright,
+// so footprints that are apart suffice for the first; for the second, facets and the skins of quads
+// are laid over each other as seen from above, and where both are the facet must be lower. The
+// height between two planes is linear, so the corners of what they share decide.
 
 namespace planish::slit_detail {
 namespace {
 
 constexpr double kTouching = tolerance::kComputed;  // of the smallest area
 
-constexpr auto kChoose =
-    "choose a larger inset (mould.inset), another direction (mould.up) or the other side "
-    "(mould.side)";
+/// A strip as files name it.
+std::string where_of(int strip) { return "strip " + std::to_string(strip); }
+
+/// Footprints of ribs, then of walls, that overlap.
+tl::unexpected<Error> overlapping(const Overlap& overlap, const std::vector<MouldRib>& ribs,
+                                  const Frame& base) {
+  Facts facts{{"area", overlap.area, unit::mm2}};
+  const auto add = [&](int footprint) {
+    if (footprint >= std::ssize(ribs)) return false;
+    const Place strip = place::strip(ribs[footprint].strip);
+    if (facts.size() < 2 || *facts.back().place() != strip) facts.emplace_back("strip", strip);
+    return true;
+  };
+  const bool first = add(overlap.first), second = add(overlap.second);
+  const bool twice = second && facts.size() == 2;
+  if (!overlap.outline.empty() && !overlap.outline.front().empty())
+    facts.emplace_back("at", place::point(base.point(overlap.outline.front().front())));
+  return fail(!first    ? refuse::walls_overlap
+              : !second ? refuse::rib_overlaps_wall
+              : twice   ? refuse::rib_overlaps_image
+                        : refuse::ribs_overlap,
+              facts, first ? where_of(ribs[overlap.first].strip) : "");
+}
 
 /// Upright walls do not meet where the footprints are apart.
-Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<MouldWall>& walls) {
+Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<MouldWall>& walls,
+                         const Frame& base) {
   std::vector<Polygon> footprints;
   double smallest = std::numeric_limits<double>::infinity();
   for (const MouldRib& rib : ribs) {
     if (!self_crossings(rib.footprint).empty())
-      return fail(code::unsupported_shape,
-                  fmt::format("strip {} overhangs itself, so its rib would pass through itself; "
-                              "choose another direction for the mould (mould.up)",
-                              rib.strip),
-                  fmt::format("strip {}", rib.strip));
+      return fail(refuse::overhangs_itself, {{"strip", place::strip(rib.strip)}},
+                  where_of(rib.strip));
     footprints.push_back({rib.footprint, {}});
     smallest = std::min(smallest, ring_area(rib.footprint));
   }
   for (const MouldWall& wall : walls)
     footprints.push_back({wall.footprint, {}});
-  const auto name_of = [&](int footprint) {
-    if (footprint >= std::ssize(ribs)) return std::string("wall behind a panel");
-    const int strip = ribs[footprint].strip;
-    const bool has_image = std::ranges::count(ribs, strip, &MouldRib::strip) > 1;
-    const bool is_image = std::ranges::any_of(
-        ribs.begin(), ribs.begin() + footprint,
-        [&](const MouldRib& rib) { return rib.strip == strip; });
-    return fmt::format("rib under strip {}{}", strip,
-                       !has_image ? ""
-                       : is_image ? " on the other side of the symmetry plane"
-                                  : " on this side of the symmetry plane");
-  };
   for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest))
-    return fail(
-        code::unsupported_shape,
-        fmt::format("the mould's {} and its {} would overlap by {:.4g} mm²; {}",
-                    name_of(overlap.first), name_of(overlap.second), overlap.area, kChoose),
-        overlap.first < std::ssize(ribs) ? fmt::format("strip {}", ribs[overlap.first].strip) : "");
+    return overlapping(overlap, ribs, base);
   return {};
 }
 
@@ -120,18 +128,23 @@ class View {
       for (const auto& ring : overlap.outline)
         for (const Vec2& p : ring)
           if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
-            return fail(
-                code::unsupported_shape,
-                fmt::format("the mould's rib under strip {} would pass through {}; {}", rib->strip,
-                            rib->strip == strip->strip ? "another part of that strip"
-                                                       : fmt::format("strip {}", strip->strip),
-                            kChoose),
-                fmt::format("strip {}", rib->strip));
+            return pass_through(*rib, *strip, p);
     }
     return {};
   }
 
  private:
+  /// The refusal of a rib that comes up through a strip at p, as seen from above.
+  tl::unexpected<Error> pass_through(const Seen& rib, const Seen& strip, const Vec2& p) const {
+    const Vec3 at = base_.point(p) + height_at(strip, p) * base_.z;
+    return fail(
+        rib.strip == strip.strip ? refuse::rib_through_own_strip : refuse::rib_through_strip,
+        {{"strip", place::strip(rib.strip)},
+         {"other", place::strip(strip.strip)},
+         {"at", place::point(at)}},
+        where_of(rib.strip));
+  }
+
   /// The quad that a facet carries and the carried ones beside it are mitred to it. A bare quad
   /// beside it begins at its ridge, and may lead back below it.
   bool matters(const Seen& rib, const Seen& strip) const {
@@ -166,7 +179,7 @@ class View {
 
 Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
                          double offset) {
-  if (auto apart = check_apart(mould.ribs, mould.walls); !apart) return apart;
+  if (auto apart = check_apart(mould.ribs, mould.walls, mould.base); !apart) return apart;
   View view(mould.base, offset);
   for (const MouldRib& rib : mould.ribs)
     view.add(rib);

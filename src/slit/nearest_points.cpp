@@ -8,6 +8,11 @@
 #include <algorithm>
 #include <cstddef>
 
+// The nearest point of a scan (a k-d tree), as a point of the surface that was measured: the points
+// about it on a disc give a plane of best fit, whose normal is the direction of least spread; where
+// they spread along a line only, that is a traced edge. So noise and spacing average out, and a
+// point slides along the surface. The disc stays fixed for the derivative.
+
 namespace planish::slit_detail {
 
 /// The cloud as nanoflann reads it.

@@ -1,14 +1,20 @@
 #include "panel.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/slit/codes.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+
+// The panel over its leg curve: the sheet's widths are stepped along the curve as chords, so each
+// facet is plane and exactly as wide as in the flat sheet (math.md#slit-model). The first point at
+// a chord's distance is bracketed by walking and found by bisection, and the chord is made exact
+// afterwards. `fit` bisects the scale at which the chords end with the curve; chords are shorter
+// than the curve, which bounds it.
 
 namespace planish::slit_detail {
 namespace {
@@ -120,22 +126,18 @@ Frame upright(const Vec2& from, const Vec2& to, const Vec2& flat_from, const Vec
 
 tl::unexpected<Error> too_short(const BezierCurve& curve, double missing, double width,
                                 const std::string& where) {
-  return fail(code::curve_too_short,
-              fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too short for the chords of "
-                          "a sheet {:.6g} mm wide; make it longer or the "
-                          "sheet narrower, or set \"fit\": true to have it scaled",
-                          length(curve), missing, width),
-              where);
+  return fail(refuse::leg_curve_too_short, {{"length", length(curve), unit::mm},
+                                            {"missing", missing, unit::mm},
+                                            {"width", width, unit::mm},
+                                            {"field", place::pointer(where)}});
 }
 
 tl::unexpected<Error> too_long(const BezierCurve& curve, double rest, double width,
                                const std::string& where) {
-  return fail(code::curve_too_long,
-              fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too long for the chords of "
-                          "a sheet {:.6g} mm wide; make it shorter or the "
-                          "sheet wider, or set \"fit\": true to have it scaled",
-                          length(curve), rest, width),
-              where);
+  return fail(refuse::leg_curve_too_long, {{"length", length(curve), unit::mm},
+                                           {"rest", rest, unit::mm},
+                                           {"width", width, unit::mm},
+                                           {"field", place::pointer(where)}});
 }
 
 /// Places the facets over a leg curve.
@@ -210,11 +212,7 @@ Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve,
     const double middle = 0.5 * (low + high);
     (fits(facets, curve, middle) ? low : high) = middle;
   }
-  if (!(low > 0.0))
-    return fail(code::invalid_input,
-                "the leg curve cannot be scaled to the sheet: at no size do the strips' chords "
-                "end where it ends",
-                where);
+  if (!(low > 0.0)) return fail(refuse::curve_cannot_be_scaled, {{"field", place::pointer(where)}});
   if (std::abs(low - 1.0) <= tolerance::kComputed) return curve;
   BezierCurve scaled = curve;
   for (Vec2& pole : scaled.poles)

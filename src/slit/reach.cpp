@@ -6,6 +6,12 @@
 #include <cmath>
 #include <limits>
 
+// Shapes that meet the end conditions (math.md#strip-conditions, docs/decisions/0002). Damped
+// Gauss–Newton steps of least norm lead to one, none longer than keeps folds and spacings in
+// bounds. About it the conditions are eliminated: an orthogonal matrix splits the parameters into
+// as many as there are conditions, which follow by Newton's method, and the null space, which is
+// free. Derivatives follow by implicit functions.
+
 namespace planish::slit_detail {
 namespace {
 

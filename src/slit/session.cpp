@@ -1,5 +1,6 @@
 #include "align.hpp"
 #include "checks.hpp"
+#include "refusals.hpp"
 #include "snapshot.hpp"
 #include "strip_work.hpp"
 
@@ -7,15 +8,20 @@
 #include <planish/slit/codes.hpp>
 #include <planish/slit/session.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
+
+// A design under edit. A change makes a new snapshot, in which strips that it affects are open, and
+// replaces the old one only if all went well, so a refused change leaves the session as it was.
+// Solving works on open strips alone, from their present shape, then parts neighbours that cross.
+// Subdividing puts a ridge without a fold into each quad, which leaves the shape unchanged
+// (math.md#subdivision).
 
 namespace planish {
 
@@ -149,7 +155,7 @@ Result<Eigen::Isometry3d> SlitSession::align_scans() {
   for (int strip = 0; strip < next.count(); ++strip)
     if (const auto& scan = next.slot(strip).scan)
       scans.push_back({scan->points(), folded_of(next, strip)});
-  if (scans.empty()) return fail(code::empty_scan, "there is no scan to align", "/scan");
+  if (scans.empty()) return fail(refuse::no_scan, {{"field", place::pointer("/scan")}});
   const Eigen::Isometry3d motion = aligning_motion(scans);
   for (int strip = 0; strip < next.count(); ++strip) {
     if (!next.slot(strip).scan) continue;
@@ -204,7 +210,7 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
     note_crossings(now, moved);
   }
   report.strips_solved = static_cast<int>(moved.size());
-  if (cancelled) return fail(code::cancelled, "solving the slit sheet was cancelled");
+  if (cancelled) return fail(refuse::cancelled);
   for (const auto& slot : now.slots) {
     report.converged = report.converged && slot->state.status != StripStatus::open;
     report.gap = std::max(report.gap, slot->state.gap);
@@ -244,8 +250,10 @@ FoldedSlitSheet SlitSession::folded() const {
 Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,
                                       const SlitSolveOptions& options, const Progress& progress) {
   if (subdivisions < 0 || subdivisions > kMostSubdivisions)
-    return fail(code::bad_option, fmt::format("subdivisions is {}; it must be from 0 to {}",
-                                              subdivisions, kMostSubdivisions));
+    return fail(refuse::bad_slit_option,
+                {{"name", "subdivisions"},
+                 {"value", subdivisions},
+                 {"range", "a number from 0 to " + std::to_string(kMostSubdivisions)}});
   auto session = SlitSession::start(std::move(design));
   if (!session) return session;
   for (int level = 0; level <= subdivisions; ++level) {

@@ -1,6 +1,7 @@
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/builder.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
@@ -11,6 +12,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+
+// Folded strips and panels as a Sheet. Plane regions are listed with the borders they share, half a
+// sheet first and then its mirror image; regions in one plane become one flange (a union of sets),
+// the others are joined by a bend or a fold of their angle. The panels come before the strips,
+// since the mesh takes a shared corner from the region that comes first.
 
 namespace planish {
 namespace {
@@ -268,7 +274,7 @@ std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec2>& co
   const auto is_flat = [&](std::size_t i) {
     const Vec2 u = corners[at(i)] - corners[at(i + rest.size() - 1)],
                v = corners[at(i + 1)] - corners[at(i)];
-    return std::abs(u.x() * v.y() - u.y() * v.x()) <= tolerance::kComputed * u.norm() * v.norm();
+    return std::abs(cross(u, v)) <= tolerance::kComputed * u.norm() * v.norm();
   };
   std::vector<std::array<std::size_t, 3>> triangles;
   while (rest.size() > 3) {

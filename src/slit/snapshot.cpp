@@ -4,6 +4,11 @@
 #include <cstddef>
 #include <utility>
 
+// What a session knows, as values: parts of a snapshot never change, so copies share them and an
+// earlier one can be kept. The problem of a strip is put together here: where it begins and must
+// end (a plane of symmetry, a placed end, a facet of the second panel), what attracts it, and its
+// limits, with the multipliers it had (math.md#strip-conditions).
+
 namespace planish::slit_detail {
 namespace {
 

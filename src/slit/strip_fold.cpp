@@ -3,6 +3,12 @@
 #include <cmath>
 #include <cstddef>
 
+// A strip placed quad by quad: each quad is the flat one, moved by the rotations about all ridges
+// before it (math.md#strip-folding), so lengths are kept whatever the parameters are. A parameter's
+// derivative is a twist of all that lies beyond its ridge; a ridge end that slides turns the ridge
+// within its quad, which is the difference of two turns, about the normals before and after the
+// fold.
+
 namespace planish::slit_detail {
 namespace {
 

@@ -6,6 +6,12 @@
 #include <limits>
 #include <numbers>
 
+// The objective of a strip as a sum of squares, with derivatives, and its inequalities
+// (math.md#strip-conditions). Residuals are written row by row, in strip lengths, and weighted so
+// that the sum keeps its value when quads are divided (math.md#subdivision). The barrier of
+// spacings [slits 4] is rewritten as squares that vanish at equal spacing, so that Gauss–Newton
+// steps converge.
+
 namespace planish::slit_detail {
 namespace {
 

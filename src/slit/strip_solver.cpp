@@ -10,6 +10,12 @@
 #include <limits>
 #include <optional>
 
+// Solves a strip: end conditions first, then descent among shapes that meet them (descend.cpp),
+// then limits that the minimum breaks. Radii are an augmented Lagrangian, whose multipliers are
+// kept between calls; planes are only a growing penalty, as a multiplier would throw the strip into
+// another shape. What gets worse is taken back: a strip that would be creased to get clear stays.
+// From a first shape the wanted places attract weakly at first.
+
 namespace planish::slit_detail {
 namespace {
 

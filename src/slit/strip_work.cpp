@@ -8,6 +8,11 @@
 #include <optional>
 #include <utility>
 
+// One strip of a snapshot solved and measured, and neighbours parted. What a strip must not cross
+// is asked for anew in every round, since it depends on its shape. Of two strips that cross, the
+// one gives way for which their total objective is better; pairs are taken by their properties and
+// not their numbers, so that a mirrored sheet gives the mirrored result.
+
 namespace planish::slit_detail {
 namespace {
 

@@ -6,6 +6,11 @@
 #include <algorithm>
 #include <tuple>
 
+// A profile as a closed convex curve in space, element by element, each turning by at most 90°. It
+// runs so that its inside is on the left seen from its axis, which points to the other profile;
+// where that reverses it, each element begins where it ended, and the given edges keep their
+// numbers.
+
 namespace planish::transition_detail {
 namespace {
 

@@ -1,16 +1,21 @@
 #include "hull.hpp"
 
+#include "refusals.hpp"
 #include "roots.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/transition/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+// The lateral hull of two convex profiles (math.md#lateral-hull): planes that touch both. A plane
+// is carried over from the tangent line where an element of one begins or ends to the place of the
+// other where the slope over that line is largest. These events are sorted once round; between two
+// of them the plane touches one element of each side, and the patch there is a plane, a cone, or
+// ruled. Two that continue each other are one.
 
 namespace planish::transition_detail {
 namespace {
@@ -117,10 +122,7 @@ Result<std::vector<Event>> unwrapped(std::vector<Event> events, double n) {
     event.to[1] = std::max(from + length, event.from[1]);
     last = event.to[1];
   }
-  if (last > start + n + kBack)
-    return fail(code::profile_hidden,
-                "the planes that touch both profiles do not follow each other once round: a part "
-                "of one profile is hidden behind the other");
+  if (last > start + n + kBack) return fail(refuse::one_behind_other);
   return events;
 }
 
@@ -245,29 +247,29 @@ Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double
                          bool from) {
   const Vec3 origin = plane_of.elements.front().curve(plane_of.elements.front().t0).point;
   double low = std::numeric_limits<double>::infinity(), high = -low;
+  Vec3 lowest = origin;
   const Vec3 up = side * plane_of.axis;
   for (const Element& element : other.elements)
     for (const double t : {element.t0, turning_point(element, up), element.t1}) {
-      const double h = up.dot(element.curve(t).point - origin);
+      const Vec3 p = element.curve(t).point;
+      const double h = up.dot(p - origin);
+      if (h < low) lowest = p;
       low = std::min(low, h);
       high = std::max(high, h);
     }
   if (low > kTouching * size) return {};
   if (high <= kTouching * size)
-    return fail(code::profiles_meet, "both profiles lie in one plane: set their frames apart",
-                "/to/frame");
-  const char* whose = from ? "second" : "first";
+    return fail(refuse::in_one_plane, {{"field", place::pointer("/to/frame")}});
+  const char* which = from ? "second" : "first";
   if (low >= -kTouching * size)
     return fail(
-        code::profiles_meet,
-        fmt::format("the {} profile touches the plane of the other: move them apart", whose),
-        "/to/frame");
-  return fail(code::profile_hidden,
-              fmt::format("the {} profile lies on both sides of the plane of the other, by {:.4g} "
-                          "and {:.4g} mm, so that a part of it would be "
-                          "hidden inside the transition: move or turn one of them",
-                          whose, -low, high),
-              "/to/frame");
+        refuse::touches_plane,
+        {{"which", which}, {"at", place::point(lowest)}, {"field", place::pointer("/to/frame")}});
+  return fail(refuse::on_both_sides, {{"which", which},
+                                      {"below", -low, unit::mm},
+                                      {"above", high, unit::mm},
+                                      {"at", place::point(lowest)},
+                                      {"field", place::pointer("/to/frame")}});
 }
 
 }  // namespace

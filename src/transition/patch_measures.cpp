@@ -6,6 +6,11 @@
 #include <limits>
 #include <numbers>
 
+// Area, turn and radii of a patch between two rulings, by integrals along u. The turn adds up steps
+// of less than half a turn about the normals' common axis, as an angle between two normals alone
+// cannot tell more. On cones the radius grows with the distance from the apex, which tells where a
+// tip becomes too sharp.
+
 namespace planish::transition_detail {
 
 double RuledPatch::area(double from, double to) const {

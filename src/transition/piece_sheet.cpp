@@ -8,6 +8,11 @@
 
 #include <algorithm>
 
+// A piece of the net as a Sheet: planes become flanges, curved patches bends with their press
+// lines, edges between two planes sharp bends, joined in the order of the ring. Ends of the rulings
+// that a template shows are named, with true lengths; a name that equals that on the ruling before
+// is not repeated.
+
 namespace planish::transition_detail {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "plane_element.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -7,8 +9,6 @@ namespace planish::transition_detail {
 namespace {
 
 using std::numbers::pi;
-
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 PlaneCurve ellipse(double rx, double ry, const Vec2& centre) {
   return [=](double t) -> PlanePoint {
@@ -34,11 +34,11 @@ PlaneCurve set_off(PlaneCurve curve, double d) {
   if (d == 0.0) return curve;
   return [curve = std::move(curve), d](double t) -> PlanePoint {
     const auto [c, first, second, third] = curve(t);
-    const double speed = first.norm(), turning = cross2(first, second);
+    const double speed = first.norm(), turning = cross(first, second);
     const Vec2 tangent = first / speed, outward(tangent.y(), -tangent.x());
     const double rate = turning / (speed * speed);  // of the tangent's angle
     const double speed_rate = first.dot(second) / speed;
-    const double rate_rate = cross2(first, third) / (speed * speed) -
+    const double rate_rate = cross(first, third) / (speed * speed) -
                              2.0 * rate * speed_rate / speed;
     const double new_speed = speed + d * rate;
     return {c + d * outward, new_speed * tangent,

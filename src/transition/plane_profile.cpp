@@ -1,15 +1,19 @@
 #include "plane_profile.hpp"
 
 #include "profile_check.hpp"
+#include "refusals.hpp"
 
 #include <planish/geometry/region.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+// A profile in its plane, set outwards: polygons with mitred corners, curves as offsets of their
+// quarters, splines as they are. Each edge remembers which of the given edges and corners lie on
+// it, as shares of its length, so that a report speaks of what was given. Straight corners lie
+// within elements and are none.
 
 namespace planish::transition_detail {
 namespace {
@@ -94,6 +98,13 @@ struct Shaper {
   double outwards = 0.0;
   const std::string& pointer;
 
+  Facts thin_edge(const std::string& polygon, int edge, double length) const {
+    return {{"corner", edge + 1},
+            {"length", length, unit::mm},
+            {"inwards", -outwards, unit::mm},
+            {"edge", place::pointer(polygon + "/" + std::to_string(edge))}};
+  }
+
   Elements operator()(const PolygonProfile& given) const {
     const std::string place = pointer + "/polygon";
     const auto polygon = convex(given, place);
@@ -109,11 +120,8 @@ struct Shaper {
       PlaneElement plane_element = straight(moved[k], moved[next], static_cast<int>(k));
       add_given(plane_element, *polygon, k, edge.norm());
       if ((moved[next] - moved[k]).dot(edge) <= 0.0)
-        return fail(code::radius_too_small,
-                    fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the "
-                                "neutral surface lies {:.4g} mm within the polygon that is given",
-                                plane_element.edges.front().number, edge.norm(), -outwards),
-                    place);
+        return fail(refuse::thicker_than_edge,
+                    thin_edge(place, plane_element.edges.front().number, edge.norm()), place);
       plane_elements.push_back(std::move(plane_element));
     }
     return plane_elements;
@@ -135,12 +143,9 @@ struct Shaper {
     if (auto sound = check_sizes({r.width, r.height}, place); !sound) return pass_on(sound);
     const double most = 0.5 * std::min(r.width, r.height);
     if (!(r.radius >= 0.0) || !std::isfinite(r.radius) || r.radius > most)
-      return fail(
-          code::invalid_input,
-          fmt::format(
-              "the radius is {:.6g} mm; it must be from 0 to half of the shorter side, {:.6g} mm",
-              r.radius, most),
-          place + "/radius");
+      return fail(refuse::radius_too_large, {{"radius", r.radius, unit::mm},
+                                             {"most", most, unit::mm},
+                                             {"field", place::pointer(place + "/radius")}});
     const double x = 0.5 * r.width, y = 0.5 * r.height;
     if (r.radius == 0.0) return (*this)(PolygonProfile{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}});
     if (auto fits = check_radius(r.radius, outwards, place); !fits) return pass_on(fits);
@@ -151,11 +156,9 @@ struct Shaper {
     const std::string place = pointer + "/obround";
     if (auto sound = check_sizes({o.length, o.width}, place); !sound) return pass_on(sound);
     if (o.length < o.width)
-      return fail(code::invalid_input,
-                  fmt::format("the length of {:.6g} mm, over both half circles, is less than the "
-                              "width of {:.6g} mm",
-                              o.length, o.width),
-                  place + "/length");
+      return fail(refuse::obround_too_short, {{"length", o.length, unit::mm},
+                                              {"width", o.width, unit::mm},
+                                              {"field", place::pointer(place + "/length")}});
     const double radius = 0.5 * o.width;
     if (auto fits = check_radius(radius, outwards, place); !fits) return pass_on(fits);
     return rounded(0.5 * o.length - radius, 0.0, radius, outwards, {0, -1, 1, -1});

@@ -1,8 +1,8 @@
 #include "presses.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,12 +42,9 @@ Result<void> check_presses(const Ring& ring, const std::vector<std::vector<Patch
       if (patch.plane()) continue;
       if (const double lines = wanted_presses(patch, part.from, part.to, pressing);
           lines > kMostLines)
-        return fail(
-            code::invalid_input,
-            fmt::format("a bend would be pressed on {:.4g} lines; at most {:.0f} are possible: "
-                        "give a smaller count, or a larger angle or chord",
-                        lines, kMostLines),
-            "/press_lines");
+        return fail(refuse::too_many_press_lines, {{"lines", lines, unit::none},
+                                                   {"most", kMostLines, unit::none},
+                                                   {"field", place::pointer("/press_lines")}});
     }
   return {};
 }

@@ -1,28 +1,35 @@
 #include "profile_check.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/angle.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/transition/codes.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace planish::transition_detail {
 namespace {
 
-double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+/// A point of a profile in the request.
+Place point_pointer(const std::string& place, int i) {
+  return place::pointer(place + "/" + std::to_string(i));
+}
 
 Result<void> check_apart(const std::vector<Vec2>& corners, double size, const std::string& place) {
   const int n = static_cast<int>(corners.size());
   for (int i = 0; i < n; ++i) {
     const int next = (i + 1) % n;
     if ((corners[i] - corners[next]).norm() > kNoCorner * size) continue;
-    return fail(code::repeated_corner,
-                fmt::format("points {} and {} lie at the same place, ({:.6g}, {:.6g})", i, next,
-                            corners[i].x(), corners[i].y()),
-                fmt::format("{}/{}", place, next));
+    return fail(refuse::point_repeated, {{"point", i + 1},
+                                         {"next", next + 1},
+                                         {"x", corners[i].x(), unit::mm},
+                                         {"y", corners[i].y(), unit::mm},
+                                         {"repeated", point_pointer(place, next)},
+                                         {"field", point_pointer(place, i)}});
   }
   return {};
 }
@@ -32,40 +39,38 @@ Result<void> check_apart(const std::vector<Vec2>& corners, double size, const st
 Result<void> check_sizes(std::initializer_list<double> sizes, const std::string& place) {
   for (const double size : sizes)
     if (!(size > 0.0) || !std::isfinite(size))
-      return fail(code::invalid_input, fmt::format("a size is {:.6g} mm; it must be above 0", size),
-                  place);
+      return fail(refuse::bad_value, {{"name", "A size of the profile"},
+                                      {"value", size, unit::mm},
+                                      {"range", "a value above 0"},
+                                      {"field", place::pointer(place)}});
   return {};
 }
 
 Result<void> check_radius(double tightest, double outwards, const std::string& place) {
   if (tightest + outwards > kNoCorner * tightest) return {};
-  return fail(code::radius_too_small,
-              fmt::format("the thickness is too large: the neutral surface lies {:.4g} mm within "
-                          "the profile that is given, whose smallest radius is {:.4g} mm",
-                          -outwards, tightest),
-              place);
+  return fail(refuse::thicker_than_radius, {{"inwards", -outwards, unit::mm},
+                                            {"radius", tightest, unit::mm},
+                                            {"field", place::pointer(place)}});
 }
 
 Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place) {
   if (corners.size() < 3)
-    return fail(
-        code::too_few_corners,
-        fmt::format("a profile needs at least three points; this one has {}", corners.size()),
-        place);
+    return fail(refuse::few_points, {{"points", corners.size()}, {"field", place::pointer(place)}});
   double size = 0.0;
-  for (const Vec2& p : corners) {
+  for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
+    const Vec2& p = corners[i];
     if (!p.allFinite())
-      return fail(code::invalid_input, "a coordinate is not a finite number", place);
+      return fail(refuse::point_not_finite, {{"point", i + 1}, {"field", point_pointer(place, i)}},
+                  place);
     size = std::max(size, (p - corners.front()).norm());
   }
   if (auto apart = check_apart(corners, size, place); !apart) return apart;
   if (const auto at = self_crossings(corners); !at.empty())
-    return fail(code::self_crossing,
-                fmt::format("the profile crosses itself at ({:.6g}, {:.6g})", at.front().x(),
-                            at.front().y()),
-                place);
+    return fail(refuse::profile_crosses_itself, {{"x", at.front().x(), unit::mm},
+                                                 {"y", at.front().y(), unit::mm},
+                                                 {"field", place::pointer(place)}});
   if (std::abs(ring_area(corners)) <= kNoCorner * size * size)
-    return fail(code::invalid_input, "the profile encloses no area", place);
+    return fail(refuse::no_area, {{"field", place::pointer(place)}});
   return {};
 }
 
@@ -81,13 +86,12 @@ Result<void> check_convex(const std::vector<Vec2>& corners, const std::function<
     const Turn turn = turn_at(corners, i);
     const double along = turn.in.dot(turn.out);
     if (turn.sine() >= -kNoCorner && along > -1.0 + kNoCorner) continue;
-    return fail(
-        code::profile_not_convex,
-        fmt::format("the profile is not convex at corner {}, ({:.6g}, {:.6g}), where it turns "
-                    "inwards by {:.4g}°: divide it into convex ones",
-                    given(i), corners[i].x(), corners[i].y(),
-                    Angle::radians(std::atan2(-turn.sine(), along)).degrees()),
-        fmt::format("{}/{}", place, given(i)));
+    const double inwards = Angle::radians(std::atan2(-turn.sine(), along)).degrees();
+    return fail(refuse::turns_inwards, {{"corner", given(i) + 1},
+                                        {"x", corners[i].x(), unit::mm},
+                                        {"y", corners[i].y(), unit::mm},
+                                        {"angle", inwards, unit::degrees},
+                                        {"field", point_pointer(place, given(i))}});
   }
   return {};
 }
@@ -98,16 +102,17 @@ Result<void> check_convex(const PeriodicSpline& spline, double outwards, const s
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
     for (int i = 0; i <= kSamples; ++i) {
       const PlanePoint at = spline(std::lerp(knots[k], knots[k + 1], i / double(kSamples)));
-      const double turning = cross2(at.first, at.second), speed = at.first.norm();
+      const double turning = cross(at.first, at.second), speed = at.first.norm();
       if (speed > 0.0 && turning > kNoCorner * speed * speed * speed / knots.back()) {
         if (turning / (speed * speed * speed) * -outwards < 1.0 - kNoCorner) continue;
         return check_radius(speed * speed * speed / turning, outwards, place);
       }
-      return fail(code::profile_not_convex,
-                  fmt::format("the spline is not convex at ({:.6g}, {:.6g}), between points {} and "
-                              "{}: move or add points",
-                              at.point.x(), at.point.y(), k, (k + 1) % (knots.size() - 1)),
-                  fmt::format("{}/{}", place, k));
+      return fail(refuse::spline_turns_inwards,
+                  {{"x", at.point.x(), unit::mm},
+                   {"y", at.point.y(), unit::mm},
+                   {"point", k + 1},
+                   {"next", (k + 1) % (knots.size() - 1) + 1},
+                   {"field", point_pointer(place, static_cast<int>(k))}});
     }
   return {};
 }

@@ -4,6 +4,7 @@
 
 #include <planish/base/result.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <functional>
 #include <initializer_list>
@@ -39,7 +40,7 @@ Result<void> check_convex(const PeriodicSpline& spline, double outwards, const s
 /// Unit directions of the edges before and after a corner.
 struct Turn {
   Vec2 in, out;
-  double sine() const { return in.x() * out.y() - in.y() * out.x(); }  ///< to the left
+  double sine() const { return cross(in, out); }  ///< to the left
 };
 Turn turn_at(const std::vector<Vec2>& corners, int i);
 

@@ -1,6 +1,6 @@
 #include "request_check.hpp"
 
-#include <fmt/format.h>
+#include "refusals.hpp"
 
 #include <cmath>
 
@@ -9,27 +9,27 @@ namespace {
 
 Result<void> check_numbers(const TransitionSpec& spec) {
   if (!(spec.thickness > 0.0) || !std::isfinite(spec.thickness))
-    return fail(code::invalid_input,
-                fmt::format("the thickness is {} mm; it must be above 0", spec.thickness),
-                "/thickness");
+    return fail(refuse::bad_value, {{"name", "The thickness"},
+                                    {"value", spec.thickness, unit::mm},
+                                    {"range", "a value above 0"},
+                                    {"field", place::pointer("/thickness")}});
   if (!(spec.k_factor >= 0.0 && spec.k_factor <= 1.0))
-    return fail(code::invalid_input,
-                fmt::format("the K-factor is {}; it must be from 0 to 1", spec.k_factor),
-                "/k_factor");
+    return fail(refuse::bad_value, {{"name", "The K-factor"},
+                                    {"value", spec.k_factor, unit::none},
+                                    {"range", "a value from 0 to 1"},
+                                    {"field", place::pointer("/k_factor")}});
   const auto* count = std::get_if<PressCount>(&spec.pressing);
   const auto* angle = std::get_if<PressAngle>(&spec.pressing);
   const auto* chord = std::get_if<PressChord>(&spec.pressing);
   if ((count && count->count < 1) || (angle && !(angle->largest > Angle())) ||
       (chord && !(chord->largest > 0.0)))
-    return fail(code::invalid_input, "press lines need a count, a largest angle or a chord above 0",
-                "/press_lines");
+    return fail(refuse::bad_press_lines, {{"field", place::pointer("/press_lines")}});
   return {};
 }
 
 Result<void> check_frame(const Frame& frame, const char* where) {
   for (const Vec3& v : {frame.origin, frame.x, frame.y, frame.z})
-    if (!v.allFinite())
-      return fail(code::invalid_input, "a coordinate of the frame is not a finite number", where);
+    if (!v.allFinite()) return fail(refuse::frame_not_finite, {{"field", place::pointer(where)}});
   return {};
 }
 

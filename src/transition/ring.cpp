@@ -1,6 +1,6 @@
 #include "ring.hpp"
 
-#include <fmt/format.h>
+#include "refusals.hpp"
 
 #include <limits>
 
@@ -52,12 +52,12 @@ Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
     if (patch.plane()) continue;
     const double radius = patch.smallest_radii(0.0, 1.0).end;
     if (radius > inside) continue;
-    return fail(code::radius_too_small,
-                fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a "
-                            "radius of {:.4g} mm and needs more than "
-                            "{:.4g} mm, the part of the thickness that lies inside it",
-                            spec.thickness, radius, inside),
-                "/thickness");
+    const auto [p, q] = patch.ruling(0.5);
+    return fail(refuse::neutral_too_tight, {{"thickness", spec.thickness, unit::mm},
+                                            {"radius", radius, unit::mm},
+                                            {"least", inside, unit::mm},
+                                            {"field", place::pointer("/thickness")},
+                                            {"bend", place::point(Vec3(0.5 * (p + q)))}});
   }
   return {};
 }

@@ -1,10 +1,9 @@
 #include "seams.hpp"
 
+#include "refusals.hpp"
 #include "roots.hpp"
 
 #include <planish/transition/codes.hpp>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +33,8 @@ class Cutter {
   Result<Cut> at(const SeamEdge& seam) const {
     for (const GivenEdge& edge : boundary_.edges)
       if (edge.number == seam.edge) return at_share(edge.element, 0.5 * (edge.from + edge.to));
-    return fail(
-        code::unknown_seam,
-        fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edges)),
-        "/seam/edge");
+    return unknown(boundary_.edges.empty() ? refuse::no_edges : refuse::no_such_edge, seam.edge,
+                   boundary_.edges, "/seam/edge");
   }
 
   /// The middle of the patches that turn about the corner, so that both planes beside it stay
@@ -46,17 +43,14 @@ class Cutter {
     for (const GivenCorner& corner : boundary_.corners)
       if (corner.number == seam.corner)
         return corner.at == 0.0 ? at_start_of(corner.element) : at_share(corner.element, corner.at);
-    return fail(
-        code::unknown_seam,
-        fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corners)),
-        "/seam/corner");
+    return unknown(boundary_.corners.empty() ? refuse::no_corners : refuse::no_such_corner,
+                   seam.corner, boundary_.corners, "/seam/corner");
   }
 
   Result<Cut> at(const SeamParameter& seam) const {
     if (!(seam.parameter >= 0.0 && seam.parameter <= 1.0))
-      return fail(code::unknown_seam,
-                  fmt::format("the parameter is {:.6g}; it must be from 0 to 1", seam.parameter),
-                  "/seam/parameter");
+      return fail(refuse::bad_parameter, {{"value", seam.parameter, unit::none},
+                                          {"field", place::pointer("/seam/parameter")}});
     const double whole = perimeter();
     return at_length(start_of_profile() + (boundary_.turned ? -1.0 : 1.0) * seam.parameter * whole);
   }
@@ -137,9 +131,7 @@ class Cutter {
       round = 0.0;
     }
     if (edges && cuts.size() > 1) return cuts;
-    return fail(code::invalid_input,
-                "the first profile has no sides, so there is no piece for each: give 1 or 2 pieces",
-                "/pieces");
+    return fail(refuse::no_sides, {{"field", place::pointer("/pieces")}});
   }
 
   /// Moves a cut that would leave a sliver of a patch to its end.
@@ -206,13 +198,13 @@ class Cutter {
         element.t0, element.t1);
   }
 
+  /// The refusal of a number that none of the given edges or corners has.
   template <typename Given>
-  static std::string known(const std::vector<Given>& all) {
-    if (all.empty()) return ": it has none";
-    return fmt::format(": it has 0 to {}",
-                       std::max_element(all.begin(), all.end(), [](const Given& a, const Given& b) {
-                         return a.number < b.number;
-                       })->number);
+  static tl::unexpected<Error> unknown(const Refusal& refusal, int number,
+                                       const std::vector<Given>& all, const char* key) {
+    Facts facts{{"number", number}, {"field", place::pointer(key)}};
+    if (!all.empty()) facts.emplace_back("last", std::ranges::max(all, {}, &Given::number).number);
+    return fail(refusal, facts);
   }
 
   /// Length from the boundary's first element to the start of the given profile.

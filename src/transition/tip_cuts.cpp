@@ -1,8 +1,8 @@
 #include "tip_cuts.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -162,11 +162,11 @@ Result<void> TipCuts::leave_room(const RuledPatch& patch, double from, double to
     const auto [p, q] = patch.ruling(ruling);
     const double length = (q - p).norm();
     if (cuts[0] + cuts[1] <= kMostOfRuling * length) return {};
-    return fail(code::radius_too_small,
-                fmt::format("a sheet of {:.4g} mm is too thick to be folded there: where bends "
-                            "meet in a corner they need {:.4g} mm of a line that is {:.4g} mm long",
-                            thickness_, cuts[0] + cuts[1], length),
-                "/thickness");
+    return fail(refuse::no_room_at_corner, {{"thickness", thickness_, unit::mm},
+                                            {"at", place::point(cuts[0] >= cuts[1] ? p : q)},
+                                            {"needed", cuts[0] + cuts[1], unit::mm},
+                                            {"length", length, unit::mm},
+                                            {"field", place::pointer("/thickness")}});
   };
   if (auto room = check(tips.at_from, from); !room) return room;
   return check(tips.at_to, to);

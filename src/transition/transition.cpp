@@ -1,12 +1,11 @@
 #include "piece_sheet.hpp"
 #include "presses.hpp"
+#include "refusals.hpp"
 #include "request_check.hpp"
 #include "surface_mesh.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/transition/transition.hpp>
-
-#include <fmt/format.h>
 
 namespace planish {
 namespace {
@@ -22,6 +21,7 @@ constexpr double kMostCut = 0.1;
 
 /// No transition is a kilometre wide or long, and far larger ones lose what doubles can tell; mm.
 constexpr double kLargest = 1e6;
+constexpr double kMmInKm = 1e6;
 
 /// The ring, and the parts of each piece.
 struct Division {
@@ -31,17 +31,16 @@ struct Division {
 
 Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
   if (!(options.tolerance > 0.0))
-    return fail(code::bad_option,
-                fmt::format("The tolerance is {}; it must be positive.", options.tolerance));
+    return fail(refuse::bad_transition_option, {{"name", "The tolerance"},
+                                                {"value", options.tolerance, unit::none},
+                                                {"range", "a value above 0"}});
   if (auto sound = check_request(spec); !sound) return pass_on(sound);
   auto ring = ring_of(spec, options);
   if (!ring) return pass_on(ring);
   if (ring->size > kLargest)
-    return fail(code::invalid_input,
-                fmt::format("the profiles are {:.4g} km wide or apart; the largest transition has "
-                            "1 km",
-                            ring->size / 1e6),
-                "/to");
+    return fail(refuse::too_large, {{"size", ring->size / kMmInKm, unit::kilometres},
+                                    {"most", kLargest / kMmInKm, unit::kilometres},
+                                    {"field", place::pointer("/to")}});
   auto cuts = cuts_of(*ring, spec.seam, spec.pieces);
   if (!cuts) return pass_on(cuts);
   if (ring->count() == 1) {
@@ -97,11 +96,9 @@ Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, do
   for (const PatchPart& part : parts)
     whole += ring.patch(part.patch).area(part.from, part.to);
   if (cut <= kMostCut * whole) return {};
-  return fail(code::radius_too_small,
-              fmt::format("a sheet of {:.4g} mm is too thick to be folded there: corners in which "
-                          "bends meet would have to be cut until {:.0f} % of it are gone",
-                          spec.thickness, 100.0 * cut / whole),
-              "/thickness");
+  return fail(refuse::too_much_cut, {{"thickness", spec.thickness, unit::mm},
+                                     {"share", 100.0 * cut / whole, unit::percent},
+                                     {"field", place::pointer("/thickness")}});
 }
 
 }  // namespace
@@ -109,11 +106,12 @@ Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, do
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options,
                                    const Progress& progress) {
   if (!(options.mesh_chord > 0.0))
-    return fail(code::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.",
-                                              options.mesh_chord));
+    return fail(refuse::bad_transition_option, {{"name", "The chord of the mesh"},
+                                                {"value", options.mesh_chord, unit::mm},
+                                                {"range", "a value above 0"}});
   const auto division = divided(spec, options);
   if (!division) return pass_on(division);
-  if (progress.should_stop()) return fail(code::cancelled, "The transition was cancelled.");
+  if (progress.should_stop()) return fail(refuse::cancelled);
   Transition transition;
   for (const RuledPatch& ruled : division->ring.patches) {
     const TransitionPatch& patch = transition.patches.emplace_back(measured(ruled));

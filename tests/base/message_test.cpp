@@ -34,6 +34,9 @@ TEST(Tell, NamesPlacesAsPeopleCount) {
   EXPECT_EQ(said("at {@p}", {{"p", place::plate("floor")}}), "at plate \"floor\"");
   EXPECT_EQ(said("at {@p}", {{"p", place::bend("B2")}}), "at bend B2");
   EXPECT_EQ(said("at {@p}", {{"p", place::line(7)}}), "at line 7");
+  EXPECT_EQ(said("at {@p}", {{"p", place::edge(21)}}), "at edge 21");
+  EXPECT_EQ(said("at {@p}", {{"p", place::edge(21, {7, 9})}}),
+            "at edge 21 between face 7 and face 9");
   const std::array<double, 2> p{12.5, -0.0};
   EXPECT_EQ(said("at {@p}", {{"p", place::point(p)}}), "at (12.5, 0)");
 }

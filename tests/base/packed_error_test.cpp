@@ -11,7 +11,7 @@ namespace {
 
 Error full_error() {
   Error error{code::radius_too_small, "Bend B1 is too tight", "bend B1"};
-  error.places = {place::bend("B1"), place::face(7),
+  error.places = {place::bend("B1"), place::face(7), place::edge(21, {7, 9}),
                   Place{PlaceKind::point, {}, {0.1, -2.5, 1e-300}}};
   error.numbers = {{"radius", {1.0 / 3.0, unit::mm}}, {"count", {3.0, unit::none}}};
   error.remedies = {{"relief", "square", "Cut a square relief"}, {"", "", "draw it wider"}};

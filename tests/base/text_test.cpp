@@ -17,5 +17,15 @@ TEST(Shortened, CutsBetweenCharacters) {
   EXPECT_EQ(shortened("\x80\x80\x80", 2), "…") << "bytes that are not UTF-8";
 }
 
+TEST(Continued, BeginsSmallUnlessWithAName) {
+  EXPECT_EQ(continued("The profile has no tip"), "the profile has no tip");
+  EXPECT_EQ(continued("A bend is too tight"), "a bend is too tight");
+  EXPECT_EQ(continued("STEP is damaged"), "STEP is damaged");
+  EXPECT_EQ(continued("K-factor"), "K-factor");
+  EXPECT_EQ(continued("Cairo could not draw"), "Cairo could not draw");
+  EXPECT_EQ(continued("V"), "V");
+  EXPECT_EQ(continued(""), "");
+}
+
 }  // namespace
 }  // namespace planish

@@ -59,20 +59,20 @@ TEST(WorkerTalk, ABodyIsNoPart) {
 
 // Cut off anywhere, it is either nothing or a shorter list, and is never read past its end.
 TEST(WorkerTalk, WhatIsCutOffIsNotRead) {
-  const job::Texts task = texts_of(FileTask{.file = "a",
-                                            .name = "b",
-                                            .options = "{}",
-                                            .formats = {"dxf"},
-                                            .given_up = {{3, {code::overlap, "m", "w"}}}});
+  const process::Texts task = texts_of(FileTask{.file = "a",
+                                                .name = "b",
+                                                .options = "{}",
+                                                .formats = {"dxf"},
+                                                .given_up = {{3, {code::overlap, "m", "w"}}}});
   for (std::size_t length = 0; length < task.size(); ++length) {
     const auto read = task_in({task.begin(), task.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(read.has_value(), length == 6) << length;
   }
-  const job::Texts part = texts_of(PartDone{.folder = "f",
-                                            .report = "{}",
-                                            .refusal = {},
-                                            .shapes = {"s", "t"},
-                                            .files = {{"a", "b"}, {"c", "d"}}});
+  const process::Texts part = texts_of(PartDone{.folder = "f",
+                                                .report = "{}",
+                                                .refusal = {},
+                                                .shapes = {"s", "t"},
+                                                .files = {{"a", "b"}, {"c", "d"}}});
   for (std::size_t length = 0; length < part.size(); ++length) {
     const auto read = part_in({part.begin(), part.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(read.has_value(), length == 8 || length == 10) << length;

@@ -10,7 +10,7 @@
 namespace planish::test {
 namespace {
 
-constexpr int kSheets = 200;
+constexpr int kSheets = 60;
 constexpr std::array kBends{2, 3, 4, 5, 3, 4, 5, 6, 4, 7};
 
 /// A base with flanges on its sides, one of them not square, and lips on some of these: `bends`
@@ -85,13 +85,14 @@ BrakeTools shop() {
 }
 
 /// Every stroke that can be made in every stage, asked for one by one from the last stage back.
-StrokeTable table_of(brake_detail::StrokeModel& model) {
+StrokeTable table_of(brake_detail::StageCache& cache) {
   StrokeTable table;
-  table.lines = static_cast<int>(model.work().lines.size());
+  table.lines = cache.inputs().lines();
   table.by_stage.resize(std::size_t{1} << table.lines);
   for (std::size_t stage = table.stages(); stage-- > 0;)
-    for (const StrokeChoice& choice : model.choices(LineSet{stage}))
-      if (model.check(LineSet{stage}, choice).feasible) table.by_stage[stage].push_back(choice);
+    for (const StrokeChoice& choice : brake_detail::choices(cache, LineSet{stage}))
+      if (brake_detail::check(cache, LineSet{stage}, choice).feasible)
+        table.by_stage[stage].push_back(choice);
   return table;
 }
 
@@ -102,7 +103,7 @@ TEST(EveryOrder, OfRandomSheetsHasThePlansVerdictAndNoLessCost) {
     const Sheet sheet = random_tray(random, kBends[run % kBends.size()]);
     const BrakeTools tools = shop();
     Room room(sheet, tools);
-    const StrokeTable table = table_of(room.model());
+    const StrokeTable table = table_of(room.cache());
     const auto cheapest = cheapest_by_table(table, {});
     if (table.lines <= 4) {
       EXPECT_EQ(cheapest_by_orders(table, {}), cheapest);

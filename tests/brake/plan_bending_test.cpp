@@ -26,7 +26,7 @@ Result<Plan> plan_of(const Sheet& sheet, const BrakeTools& tools, const PlanOpti
 
 /// A U whose first leg only closes if it is bent last: the plan bends it last.
 TEST(PlanBending, BendsTheLongLegLast) {
-  const double longest = 60.0 + 2.0 - (10.0 - 0.05) / kSine45;  // closed_forms_test.cpp
+  const double longest = 60.0 + 2.0 - (10.0 - 0.05) / kSine45;  // check_test.cpp
   const Sheet sheet = strip(
       {Straight{longest + 5}, turn_up(), Straight{60}, turn_up(), Straight{30}}, 80, 1.5);
   const auto plan = plan_of(sheet, plain_tools());
@@ -35,31 +35,6 @@ TEST(PlanBending, BendsTheLongLegLast) {
   ASSERT_EQ(plan->strokes.size(), 2u);
   EXPECT_EQ(plan->strokes[0].bends, std::vector<BendId>{BendId(1)});
   EXPECT_EQ(plan->strokes[1].bends, std::vector<BendId>{BendId(0)});
-}
-
-/// Of tools that cost the same: the least acute, then the largest tip that is not larger than the
-/// inside radius, but none that the part does not allow.
-TEST(PlanBending, TakesTheToolsThatMarkTheSheetLeast) {
-  BrakeTools tools = plain_tools();
-  const auto add = [&](const char* id, double angle, double tip) {
-    Punch punch = tools.punches.front();
-    punch.id = id;
-    punch.angle = Angle::degrees(angle);
-    punch.tip_radius = tip;
-    tools.punches.push_back(punch);
-  };
-  const double usual = tools.punches.front().angle.degrees();
-  add("acute", usual - 30.0, 1.5);
-  add("round", usual, 1.5);
-  add("too round", usual, 2.5);
-  const Sheet sheet = strip({Straight{40}, turn_up(), Straight{60}, turn_up(), Straight{30}}, 80,
-                            1.5);
-  const auto plan = plan_of(sheet, tools), plain = plan_of(sheet, plain_tools());
-  ASSERT_TRUE(plan && plain);
-  EXPECT_EQ(plan->cost, plain->cost);
-  ASSERT_EQ(plan->strokes.size(), 2u);
-  for (const Stroke& stroke : plan->strokes)
-    EXPECT_EQ(stroke.punch, "round");
 }
 
 /// Both legs too long: proven, and told how deep in the punch the leg is, and when. A leg δ beyond
@@ -76,7 +51,7 @@ TEST(PlanBending, ProvesThatALegHitsThePunch) {
   EXPECT_EQ(plan->unformed.size(), 1u);
   ASSERT_FALSE(plan->notes.empty());
   Room room(sheet, plain_tools());
-  const BlockedBend blocked = room.model().blocked(room.lines({1}), room.line_of(2));
+  const BlockedBend blocked = brake_detail::blocked(room.cache(), room.lines({1}), room.line_of(2));
   EXPECT_EQ(blocked.hits, "punch P");
   EXPECT_EQ(blocked.with, FlangeId(0));
   EXPECT_NEAR(blocked.depth, 0.05 + beyond * kSine45, 0.01);
@@ -135,6 +110,11 @@ TEST(PlanBending, SendsARollToAnotherMachine) {
   const auto plan = plan_of(rolled, plain_tools());
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().code, code::no_tool);
+  EXPECT_EQ(plan.error().places, std::vector<Place>{place::bend("B1")});
+  EXPECT_EQ(plan.error().where, "B1");
+  ASSERT_FALSE(plan.error().numbers.empty());
+  EXPECT_EQ(plan.error().numbers[0].name, "angle");
+  EXPECT_NEAR(plan.error().numbers[0].quantity.value, 250.0, 1e-9);
   EXPECT_NE(plan.error().message.find("there is no tool that bends by 180° or more"),
             std::string::npos)
       << plan.error().message;
@@ -239,6 +219,16 @@ class PlanInvariants : public testing::Test {
     if (!plan) return {};
     return {true, plan->status, plan->cost};
   }
+  /// Those of the cases as they are, asked for once.
+  static const std::vector<Answer>& answers() {
+    static const std::vector<Answer> known = [] {
+      std::vector<Answer> all;
+      for (const Case& asked : cases())
+        all.push_back(answer(asked));
+      return all;
+    }();
+    return known;
+  }
 };
 
 TEST_F(PlanInvariants, TheWayThePatternLiesChangesNothing) {
@@ -259,6 +249,7 @@ TEST_F(PlanInvariants, TheWayThePatternLiesChangesNothing) {
 }
 
 TEST_F(PlanInvariants, MirroredToolsOnlyTurnTheSheetRound) {
+  std::size_t number = 0;
   for (const Case& asked : cases()) {
     Case mirrored = asked;
     for (ToolProfile* profile :
@@ -267,19 +258,20 @@ TEST_F(PlanInvariants, MirroredToolsOnlyTurnTheSheetRound) {
       for (Vec2& p : *profile)
         p.x() = -p.x();
     }
-    EXPECT_EQ(answer(asked), answer(mirrored));
+    EXPECT_EQ(answers()[number++], answer(mirrored));
   }
 }
 
 TEST_F(PlanInvariants, MorePunchesAreNeverWorse) {
+  std::size_t number = 0;
   for (const Case& asked : cases()) {
-    const Answer few = answer(asked);
+    const Answer few = answers()[number++];
+    if (few.status != PlanStatus::optimal) continue;
     Case more = asked;
     more.tools.punches.push_back(asked.tools.punches[0]);
     more.tools.punches.back().id = "thin";
     more.tools.punches.back().profile = {{0, 0}, {3, 11.2}, {3, 120}, {-3, 120}, {-3, 11.2}};
     const Answer many = answer(more);
-    if (few.status != PlanStatus::optimal) continue;
     EXPECT_EQ(many.status, PlanStatus::optimal);
     EXPECT_LE(many.cost, few.cost);
   }
@@ -357,15 +349,16 @@ TEST_F(PlanInvariants, APartThatIsMovedMirroredOrRenumberedHasTheSamePlan) {
 /// Dies of the opening that is taken anyhow: a narrower one and one for smaller angles.
 TEST_F(PlanInvariants, MoreDiesOfTheSameOpeningAreNeverWorse) {
   int looked = 0;
+  std::size_t number = 0;
   for (const Case& asked : cases()) {
-    const Answer few = answer(asked);
+    const Answer few = answers()[number++];
+    if (few.status != PlanStatus::optimal) continue;
     Case more = asked;
     const double opening = asked.tools.dies[0].opening;
     more.tools.dies.push_back(die({opening, Angle::degrees(28), asked.tools.dies[0].shoulder_radius,
                                    0.5 * opening + 2.0, 100.0, asked.tools.dies[0].segments}));
     more.tools.dies.back().id = "narrow";
     const Answer many = answer(more);
-    if (few.status != PlanStatus::optimal) continue;
     ++looked;
     EXPECT_EQ(many.status, PlanStatus::optimal);
     EXPECT_LE(many.cost, few.cost);
@@ -376,7 +369,9 @@ TEST_F(PlanInvariants, MoreDiesOfTheSameOpeningAreNeverWorse) {
 /// What a plan says of itself holds: every stroke keeps the clearance it reports.
 TEST_F(PlanInvariants, ReportedClearanceIsKept) {
   int looked = 0;
+  std::size_t number = 0;
   for (const Case& asked : cases()) {
+    if (answers()[number++].status != PlanStatus::optimal) continue;
     const auto plan = plan_of(asked.sheet, asked.tools);
     if (!plan || plan->status != PlanStatus::optimal) continue;
     double least = 1e9;

@@ -39,7 +39,7 @@ Profile random_profile(std::mt19937& random) {
 TEST(PlaneOracle, AgreesOnEveryStageOfRandomProfiles) {
   std::mt19937 random(2026);
   int clear = 0, blocked = 0, close = 0;
-  for (int run = 0; run < 10; ++run) {
+  for (int run = 0; run < 7; ++run) {
     const Profile profile = random_profile(random);
     PlainPunch plain;
     plain.half_width = 6.0 + run % 3 * 4.0;
@@ -64,15 +64,15 @@ TEST(PlaneOracle, AgreesOnEveryStageOfRandomProfiles) {
         if (stage >> i & 1) formed.push_back(i + 1);
       }
       const LineSet set = room.lines(formed);
-      for (const StrokeChoice& choice : room.model().choices(set)) {
-        const BrakeLine& line = room.model().work().lines[members(choice.lines).front()];
+      for (const StrokeChoice& choice : choices(room.cache(), set)) {
+        const BrakeLine& line = room.work().lines[members(choice.lines).front()];
         stroke.pressed = index_of(line.bends.front());
-        const Stroke told = room.model().stroke(set, choice);
+        const Stroke told = describe(room.cache(), set, choice);
         stroke.gauge_behind = told.to_gauge && index_of(*told.to_gauge) == stroke.pressed + 1;
         const PlaneVerdict verdict = plane_verdict(profile, stroke, tools.punches[choice.punch],
                                                    tools.dies[choice.die],
                                                    tools.machine.upper_beam);
-        const bool feasible = room.model().check(set, choice).feasible;
+        const bool feasible = check(room.cache(), set, choice).feasible;
         if (verdict == PlaneVerdict::close) {
           ++close;
           continue;

@@ -1,5 +1,4 @@
 #include "brake/stroke_room.hpp"
-#include "changed_work.hpp"
 
 #include <planish/brake/proposals.hpp>
 
@@ -43,7 +42,7 @@ Sheet channel_of(double leg) {
   return strip({Straight{leg}, bent_up(), Straight{60}, bent_up(), Straight{leg}}, 80, 1.5);
 }
 
-/// closed_forms_test.cpp: a punch 2 b wide closes a channel whose first leg is at most
+/// check_test.cpp: a punch 2 b wide closes a channel whose first leg is at most
 /// web + r − (b − ε) / s long.
 double longest_leg(double half_width) { return 60.0 + 2.0 - (half_width - 0.05) / kSlope; }
 
@@ -104,7 +103,7 @@ TEST(Proposals, NameTheWidestVForAShortFlange) {
   EXPECT_EQ(smaller->tools, std::vector<std::string>{"V10"});
 }
 
-/// closed_forms_test.cpp: a beam at Z above the tip takes legs up to
+/// check_test.cpp: a beam at Z above the tip takes legs up to
 /// (Z + ε − r (1 − s)) / s − (web + r + T) − r; for legs 25 longer it has to be 25 s higher.
 TEST(Proposals, TellHowMuchTallerPunchesAre) {
   PlainPunch plain;
@@ -144,54 +143,6 @@ TEST(Proposals, TakeNoTimeThatTheyAreNotGiven) {
   const auto plan = plan_bending(sheet, flat->layout, plain_tools());
   ASSERT_TRUE(plan);
   EXPECT_TRUE(proposals(sheet, flat->layout, plain_tools(), {}, *plan, {.seconds = 0.0}).empty());
-}
-
-double area_of(const brake_detail::Body& body) {
-  double area = 0.0;
-  for (const brake_detail::Convex& piece : body.pieces)
-    area += ring_area(piece);
-  return area;
-}
-
-/// A strip 80 wide: what is taken out of an end or of the web is a rectangle, and the line beyond
-/// comes as much nearer.
-TEST(ChangedWork, TakesAStripOutOfAFlange) {
-  Room room(channel_of(40.0), plain_tools());
-  const brake_detail::Workpiece& work = room.model().work();
-  const int first = room.line_of(1), second = room.line_of(2);
-  const auto shared = [&](int body) {
-    return std::ranges::count(work.lines[first].bodies, body) +
-           std::ranges::count(work.lines[second].bodies, body);
-  };
-  for (const int body : work.lines[first].bodies) {
-    EXPECT_GT(brake_detail::most_shorter(work, body, first), 30.0);
-    const auto made = brake_detail::shortened(work, body, first, 7.0);
-    EXPECT_NEAR(area_of(made.bodies[body]), area_of(work.bodies[body]) - 7.0 * 80.0, 1e-6);
-    const auto between = [&](const brake_detail::Workpiece& of) {
-      return std::abs(
-          of.lines[first].across().dot(of.lines[second].origin - of.lines[first].origin));
-    };
-    const bool is_web = shared(body) == 2;
-    EXPECT_NEAR(between(made), between(work) - (is_web ? 7.0 : 0.0), 1e-9);
-    const int last = *std::ranges::find_if(work.lines[second].bodies,
-                                           [&](int other) { return shared(other) == 1; });
-    EXPECT_NEAR(area_of(made.bodies[last]), area_of(work.bodies[last]), 1e-9);
-  }
-}
-
-TEST(ChangedWork, SplitsInTwo) {
-  Room room(channel_of(40.0), plain_tools());
-  const auto& work = room.model().work();
-  const auto halves = brake_detail::split_at(work, room.line_of(1));
-  EXPECT_EQ(halves[0].bodies.size() + halves[1].bodies.size(), 3u);
-  EXPECT_EQ(halves[0].lines.size() + halves[1].lines.size(), 1u);
-  double area = 0.0, whole = 0.0;
-  for (const auto& half : halves)
-    for (const auto& body : half.bodies)
-      area += area_of(body);
-  for (const auto& body : work.bodies)
-    whole += area_of(body);
-  EXPECT_NEAR(area, whole, 1e-9);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::vector<PlacedPoint> points_of(const Sheet& sheet, const Layout& layout,
 /// the sheet as it is folded: distances between all points are those in space.
 void expect_folded_as_drawn(const Sheet& sheet, const FlattenOptions& options) {
   Room room(sheet, plain_tools(), {}, options);
-  const Workpiece& work = room.model().work();
+  const Workpiece& work = room.work();
   const std::vector<PlacedPoint> points = points_of(sheet, room.layout(), work);
   const int lines = static_cast<int>(work.lines.size());
   LineSet all = no_lines(lines);
@@ -95,7 +95,7 @@ TEST(StagePose, BendsTowardsTheInside) {
       FlattenOptions options;
       options.up = up;
       Room room(sheet, plain_tools(), {}, options);
-      const Workpiece& work = room.model().work();
+      const Workpiece& work = room.work();
       for (int line = 0; line < std::ssize(work.lines); ++line)
         for (int other = 0; other < std::ssize(work.lines); ++other) {
           if (other == line) continue;
@@ -121,7 +121,7 @@ TEST(StagePose, BendsTowardsTheInside) {
 /// A formed zone is an arc between its flanges: its corners are at r and r + T from the axis.
 TEST(StagePose, BendsZonesToTheirRadii) {
   Room room(u_channel(), plain_tools());  // r 2, T 1.5, web 40
-  const Workpiece& work = room.model().work();
+  const Workpiece& work = room.work();
   const PartTree tree(work, 0);
   LineSet formed = no_lines(2);
   insert(formed, 1);

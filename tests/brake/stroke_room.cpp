@@ -51,11 +51,12 @@ Room::Room(Sheet sheet, BrakeTools tools, const PlanOptions& options,
   work_options.air_radius = options.radius_of_opening * wanted_opening(sheet_.thickness);
   auto work = workpiece_of(sheet_, flat_.layout, work_options);
   EXPECT_TRUE(work) << work.error().message;
-  model_ = std::make_unique<StrokeModel>(std::move(*work), tools_, options);
+  inputs_ = std::make_unique<StrokeInputs>(stroke_inputs(std::move(*work), tools_, options));
+  cache_ = std::make_unique<StageCache>(*inputs_);
 }
 
 int Room::line_of(int bend) const {
-  const auto& lines = model_->work().lines;
+  const auto& lines = work().lines;
   for (int i = 0; i < std::ssize(lines); ++i)
     if (std::count(lines[i].bends.begin(), lines[i].bends.end(), static_cast<BendId>(bend - 1)))
       return i;
@@ -64,7 +65,7 @@ int Room::line_of(int bend) const {
 }
 
 LineSet Room::lines(const std::vector<int>& bends) const {
-  LineSet set = no_lines(static_cast<int>(model_->work().lines.size()));
+  LineSet set = no_lines(inputs_->lines());
   for (const int bend : bends)
     insert(set, line_of(bend));
   return set;
@@ -73,8 +74,8 @@ LineSet Room::lines(const std::vector<int>& bends) const {
 std::vector<StrokeChoice> Room::ways(int bend, const std::vector<int>& formed) {
   const LineSet stage = lines(formed);
   std::vector<StrokeChoice> ways;
-  for (const StrokeChoice& choice : model_->choices(stage))
-    if (holds(choice.lines, line_of(bend)) && model_->check(stage, choice).feasible)
+  for (const StrokeChoice& choice : choices(*cache_, stage))
+    if (holds(choice.lines, line_of(bend)) && check(*cache_, stage, choice).feasible)
       ways.push_back(choice);
   return ways;
 }

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "stroke_model.hpp"
+#include "check.hpp"
+#include "choices.hpp"
+#include "describe.hpp"
+#include "scene.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/sheet/flat_pattern.hpp>
@@ -32,7 +35,9 @@ class Room {
   Room(Sheet sheet, BrakeTools tools, const PlanOptions& options = {},
        const FlattenOptions& flattening = {});
 
-  brake_detail::StrokeModel& model() { return *model_; }
+  brake_detail::StageCache& cache() { return *cache_; }
+  const brake_detail::StrokeInputs& inputs() const { return *inputs_; }
+  const brake_detail::Workpiece& work() const { return inputs_->work; }
   const Sheet& sheet() const { return sheet_; }
   const Layout& layout() const { return flat_.layout; }
   const BrakeTools& tools() const { return tools_; }
@@ -49,7 +54,8 @@ class Room {
   Sheet sheet_;
   BrakeTools tools_;
   FlatSheet flat_;
-  std::unique_ptr<brake_detail::StrokeModel> model_;
+  std::unique_ptr<brake_detail::StrokeInputs> inputs_;
+  std::unique_ptr<brake_detail::StageCache> cache_;
 };
 
 }  // namespace planish::test

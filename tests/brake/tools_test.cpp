@@ -1,3 +1,5 @@
+#include "support/error_data.hpp"
+
 #include <planish/brake/codes.hpp>
 #include <planish/brake/tools.hpp>
 
@@ -6,6 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace planish {
 namespace {
@@ -62,6 +66,9 @@ void expect_wrong(const std::string& where, const std::string& part,
   EXPECT_EQ(said.code, code::bad_tools);
   EXPECT_EQ(said.where, where) << said.message;
   EXPECT_NE(said.message.find(part), std::string::npos) << said.message;
+  EXPECT_TRUE(test::is_told(said)) << said.message;
+  EXPECT_EQ(test::pointers_in(said), std::vector<std::string>{where});
+  EXPECT_EQ(said.remedies.size(), 1u) << said.message;
 }
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -234,6 +241,15 @@ TEST(CheckTools, FindsRepeatedAndMissingIds) {
   expect_wrong("/dies/0/id", "no id", [](BrakeTools& t) { t.dies[0].id = ""; });
   // A punch and a die are told apart by what they are.
   EXPECT_EQ(said_of([](BrakeTools& t) { t.dies[0].id = "P88"; }).code, code::internal);
+}
+
+TEST(CheckTools, SaysValuesWithTheirUnits) {
+  Error said = said_of([](BrakeTools& t) { t.machine.force = -5.0; });
+  EXPECT_EQ(test::number_in(said, "value"), -5.0);
+  EXPECT_EQ(test::unit_in(said, "value"), "kN");
+  said = said_of([](BrakeTools& t) { t.dies[0].opening = 12.0; });
+  EXPECT_EQ(test::number_in(said, "opening"), 12.0);
+  EXPECT_TRUE(said.message.starts_with("The opening of die \"V16\" is 12 mm")) << said.message;
 }
 
 TEST(CheckTools, FindsForcesThatAreNone) {

@@ -494,7 +494,7 @@ class WrongPlates(Refusal):
     def test_edges_that_cannot_carry_one_bend(self):
         wrong = ell()
         wrong["bends"][0]["edges"] = {"A": [0, 2]}
-        self.refusal("unknown_edge", "/bends/0", wrong, "0, 2")
+        self.refusal("unknown_edge", "/bends/0", wrong, "edges 0 and 2")
 
     def test_loop_of_bends(self):
         wrong = ell()
@@ -518,7 +518,7 @@ class WrongPlates(Refusal):
 
     def test_sheet_thicker_than_its_plates_are_wide(self):
         folded = json.loads((EXAMPLES / "a_folded.json").read_text())
-        self.refusal("radius_too_small", "/plates/1", {**folded, "thickness": 2000}, "the thickness of 2000 mm needs more than", status=4)
+        self.refusal("radius_too_small", "/plates/1", {**folded, "thickness": 2000}, "a sheet of 2000 mm needs more than", status=4)
 
 
 class Usage(PlatesTest):

@@ -33,12 +33,14 @@ class CliTest(unittest.TestCase):
         return out, err
 
     def refused(self, *arguments, status, stdin=b""):
-        """The one sentence that a failed run says; nothing is on standard output."""
+        """What a failed run says: a line, and commands that would help; nothing is on standard output."""
         out, err = self.run_cli(*arguments, status=status, stdin=stdin)
         self.assertEqual(out, "")
         self.assertTrue(err.startswith("planish: "), err)
-        self.assertEqual(err.count("\n"), 1, err)
-        return err
+        said, *commands = err.splitlines()
+        for command in commands:
+            self.assertTrue(command.startswith("try: planish "), err)
+        return said + "\n"
 
     def write(self, name, content):
         path = self.dir / name

@@ -55,7 +55,7 @@ class Inputs(SchemaTest):
                 self.assert_keeps(validator, json.loads(path.read_text()), path.name)
         rules = json.loads(self.run_cli("unfold", "--print-rules")[0])
         self.assert_keeps(self.validator("rules"), rules, "rules")
-        tools = json.loads((SOURCE / "src" / "job" / "european_tools.json").read_text())
+        tools = json.loads((SOURCE / "src" / "shop" / "european_tools.json").read_text())
         self.assert_keeps(self.validator("tools"), tools, "tools")
 
     def places(self, value, at=()):

@@ -184,7 +184,7 @@ class Forms(SlitTest):
 
     def test_a_leg_curve_is_scaled_to_the_sheet(self):
         half = {"bezier": [[360, 0], [360, 60], [360, 120], [360, 180]]}
-        self.assertIn('"fit": true', self.sentence(chair(leg_curve=half)))
+        self.assertIn('set fit to true', self.sentence(chair(leg_curve=half)))
         fitted = self.report(chair(leg_curve={**half, "fit": True}), "--check")
         whole = self.report(chair(), "--check")
         self.assertAlmostEqual(fitted["slit"]["leg_scales"][0], 2, places=9)

@@ -137,7 +137,7 @@ class Angle(CliTest):
         self.assertGreaterEqual(finding["count"], 2)
         self.assertIn(finding["places"][0]["message"], finding["message"])
         self.assertTrue(finding["message"].startswith(f"{finding['count']} flanges are too low to be bent; the worst: "))
-        self.assertEqual(finding["at"], [point for place in finding["places"] for point in place["at"]])
+        self.assertEqual(finding["at"], [point for place in finding["places"] for point in place["points"]])
 
 
 class Outputs(CliTest):

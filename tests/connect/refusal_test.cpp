@@ -1,9 +1,11 @@
 #include "sample_plates.hpp"
+#include "support/error_data.hpp"
 
 #include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,6 +17,9 @@
 namespace planish::test {
 namespace {
 
+using ::testing::Contains;
+using ::testing::ElementsAre;
+
 void expect_refused(const PlateStructure& structure, ErrorCode code, const std::string& where,
                     const std::string& in_message = "") {
   const auto c = connect(structure);
@@ -22,6 +27,14 @@ void expect_refused(const PlateStructure& structure, ErrorCode code, const std::
   EXPECT_EQ(code_name(c.error().code), code_name(code)) << c.error().message;
   EXPECT_EQ(c.error().where, where) << c.error().message;
   EXPECT_NE(c.error().message.find(in_message), std::string::npos) << c.error().message;
+  EXPECT_TRUE(is_told(c.error())) << c.error().message;
+  EXPECT_THAT(pointers_in(c.error()), Contains(where)) << c.error().message;
+}
+
+Error refusal_of(const PlateStructure& structure) {
+  const auto c = connect(structure);
+  EXPECT_FALSE(c);
+  return c ? Error{} : c.error();
 }
 
 TEST(ConnectRefuses, OutlinesThatAreNone) {
@@ -30,7 +43,7 @@ TEST(ConnectRefuses, OutlinesThatAreNone) {
   expect_refused(s, code::too_few_corners, "/plates/1/outline", "2");
   s = angle_pair(14.0);
   s.plates[0].outline[2] = s.plates[0].outline[1];
-  expect_refused(s, code::repeated_corner, "/plates/0/outline/2", "corners 1 and 2");
+  expect_refused(s, code::repeated_corner, "/plates/0/outline/2", "corners 2 and 3");
   s = angle_pair(14.0);
   s.plates[0].outline[2].z() = 0.5;
   const auto c = connect(s);
@@ -60,7 +73,7 @@ TEST(ConnectRefuses, NumbersThatMakeNoSense) {
 TEST(ConnectRefuses, PlatesAndEdgesThatDoNotExist) {
   PlateStructure s = angle_pair(14.0);
   s.bends = {{.between = {"A", "C"}}};
-  expect_refused(s, code::unknown_plate, "/bends/0/between/1", "A, B");
+  expect_refused(s, code::unknown_plate, "/bends/0/between/1", "A and B");
   s.bends = {{.between = {"A", "B"}, .edges = {std::vector{2, 7}}}};
   expect_refused(s, code::unknown_edge, "/bends/0/edges/A/1", "0 to 3");
   s.bends = {{.between = {"A", "B"}, .edges = {std::vector{0, 2}}}};
@@ -152,7 +165,7 @@ TEST(ConnectRefuses, HolesThatMeetTheOutlineOrEachOther) {
   for (const auto& second : {square(40, 60, 40, 60), square(30, 40, 35, 45), square(20, 50, 30, 50),
                              square(50, 80, 30, 50)}) {
     s.plates[0].holes = {square(20, 50, 30, 50), second};
-    expect_refused(s, code::self_crossing, "/plates/0/holes/1", "hole 0");
+    expect_refused(s, code::self_crossing, "/plates/0/holes/1", "hole 1");
   }
   s.plates[0].holes[1] = square(51, 80, 30, 50);
   EXPECT_TRUE(connect(s));
@@ -198,12 +211,9 @@ TEST(ConnectRefuses, PlatesWithinEachOthersThickness) {
 TEST(ConnectRefuses, ARadiusOfAConeAndNamesTheNearestThatFits) {
   PlateStructure s = cone_pair();
   s.bends = {{.between = {"A", "B"}, .surface = SurfaceChoice::cone, .inside_radius = 1e4}};
-  const auto refused = connect(s);
-  ASSERT_FALSE(refused);
-  const std::string& message = refused.error().message;
-  const auto at = message.find("the nearest that does is ");
-  ASSERT_NE(at, std::string::npos) << message;
-  s.bends[0].inside_radius = std::stod(message.substr(at + 25)) * (1.0 - 1e-5);
+  const Error refused = refusal_of(s);
+  EXPECT_EQ(number_in(refused, "asked"), 1e4);
+  s.bends[0].inside_radius = number_in(refused, "nearest");
   const auto fits = connect(s);
   EXPECT_TRUE(fits) << fits.error().message;
 }
@@ -217,6 +227,63 @@ TEST(ConnectRefuses, ADefaultRadiusThatIsTooLarge) {
   const auto fits = connect(s);
   ASSERT_TRUE(fits) << fits.error().message;
   EXPECT_NEAR(fits->bends.front().inside_radius, 5.0, 1e-9);
+}
+
+TEST(ConnectRefusesAsData, PlatesThatAreTooNearWithThePlaceAndTheDistances) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("A", {0, -50, 0}, {200, 0, 0}, {0, 150, 0}),
+              rectangle_plate("B", {0, 0, 0.5}, {200, 0, 0}, {0, 0, 100})};
+  const Error error = refusal_of(s);
+  EXPECT_THAT(ids_in(error, PlaceKind::plate), ElementsAre("\"A\"", "\"B\""));
+  EXPECT_THAT(pointers_in(error), ElementsAre("/plates/1"));
+  const std::vector<double> at = at_in(error, PlaceKind::plate);
+  ASSERT_EQ(at.size(), 3u);
+  EXPECT_EQ(at, at_in(error, PlaceKind::point));
+  EXPECT_NEAR(at[1], 0.0, 1e-9) << "on the border of B";
+  EXPECT_NEAR(at[2], 0.5, 1e-9);
+  EXPECT_NEAR(number_in(error, "gap"), 0.5, 1e-9);
+  EXPECT_EQ(unit_in(error, "gap"), "mm");
+  EXPECT_EQ(number_in(error, "thickness"), 2.0);
+  ASSERT_EQ(error.remedies.size(), 1u);
+  EXPECT_FALSE(error.remedies[0].change.empty());
+}
+
+TEST(ConnectRefusesAsData, CornersOfAPolygonFromOneAndTheirPlacesInTheFile) {
+  PlateStructure s = angle_pair(14.0);
+  s.plates[0].outline[2] = s.plates[0].outline[1];
+  Error error = refusal_of(s);
+  EXPECT_THAT(pointers_in(error), ElementsAre("/plates/0/outline/1", "/plates/0/outline/2"));
+  EXPECT_EQ(number_in(error, "corner"), 2.0);
+  EXPECT_EQ(number_in(error, "next"), 3.0);
+  EXPECT_THAT(ids_in(error, PlaceKind::plate), ElementsAre("\"A\""));
+  s = angle_pair(14.0);
+  s.plates[0].outline[2].z() = 0.5;
+  error = refusal_of(s);
+  EXPECT_EQ(unit_in(error, "off"), "mm");
+  EXPECT_EQ(number_in(error, "allowed"), ConnectOptions{}.planarity);
+}
+
+TEST(ConnectRefusesAsData, ARadiusWithThoseThatFit) {
+  PlateStructure s = angle_pair(14.0);  // the thickness is 4, so the inside radius is 12 at most
+  s.bends = {{.between = {"A", "B"}, .inside_radius = 20.0}};
+  const Error error = refusal_of(s);
+  EXPECT_EQ(number_in(error, "asked"), 20.0);
+  EXPECT_NEAR(number_in(error, "largest"), 12.0, 1e-9);
+  EXPECT_THAT(ids_in(error, PlaceKind::plate), ElementsAre("\"A\"", "\"B\""));
+  EXPECT_THAT(pointers_in(error), ElementsAre("/bends/0/inside_radius"));
+  ASSERT_EQ(error.remedies.size(), 1u);
+  EXPECT_NE(error.remedies[0].change.find("12 mm or less"), std::string::npos);
+}
+
+TEST(ConnectRefusesAsData, ABendThatIsFoundByThePlateThatStaysAlone) {
+  const Error error = refusal_of(angle_pair(1.0));
+  EXPECT_EQ(error.where, "/plates/1");
+  EXPECT_THAT(ids_in(error, PlaceKind::plate), ElementsAre("\"B\"", "\"A\""));
+  EXPECT_THAT(pointers_in(error), ElementsAre("/plates/1"))
+      << "no field of a bend nobody asked for";
+  EXPECT_EQ(number_in(error, "thickness"), 4.0);
+  EXPECT_FALSE(error.remedies.empty());
 }
 
 TEST(ConnectRefuses, OptionsThatMeanNothing) {

@@ -100,8 +100,12 @@ class Formats(CliTest):
 
     def test_the_reasons_are_those_of_the_program(self):
         """Both ways: codes and exit statuses, on which scripts branch."""
-        source = (SOURCE / "src" / "base" / "result.cpp").read_text(encoding="utf-8")
-        program = {(name, int(status)) for name, status in re.findall(r"\"(\w+)\",\s*(\d)\}", source)}
+        statuses = {"internal": 1, "usage": 2, "unreadable": 3, "refused": 4}
+        headers = SOURCE / "include" / "planish"
+        program = {(name, statuses[status])
+                   for header in [headers / "base" / "code.hpp", *headers.glob("*/codes.hpp")]
+                   for name, status in re.findall(r'ErrorCode \w+\{\s*"(\w+)",\s*ExitStatus::(\w+),',
+                                                  header.read_text(encoding="utf-8"))}
         self.assertGreater(len(program), 40)
         page = set()
         for status, codes in re.findall(r"^\| (\d)[^|]* \| (`.*`) \|$", section("reason"), flags=re.M):

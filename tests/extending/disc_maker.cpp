@@ -1,16 +1,17 @@
 #include "disc_maker.hpp"
 
-#include "json_reading.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
 #include "report_text.hpp"
 
+#include <planish/schema/json_reading.hpp>
 #include <planish/sheet/builder.hpp>
 
 #include <numbers>
 
 namespace planish::job {
+using namespace schema;
 
 struct DiscFile {
   double radius = 0.0, thickness = 0.0;  ///< mm

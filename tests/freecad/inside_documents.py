@@ -99,7 +99,7 @@ class Unfold(Document):
             with self.assertRaises(planish.Error) as refused:
                 planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
             self.assertEqual(refused.exception.code, "closed_loop")
-            edges += places.named(refused.exception.where, "Edge")
+            edges += places.named(refused.exception.places, "edge")
         flat = planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
         self.assert_near(flat.Shape.Area, area(0.5))
         self.assertEqual(flat.RipEdges, ",".join(map(str, edges)))
@@ -289,7 +289,7 @@ class Findings(Document):
         self.assertEqual(flat.Status, "refused")
         row, = places.rows(flat)
         names = places.faces(flat, row)
-        self.assertEqual(bool(names), bool(places.named(f"{flat.Where} {flat.Problem}", "Face")))
+        self.assertEqual(bool(names), bool(places.named(json.loads(flat.Places or "[]"), "face")))
         for name in names:
             self.assertGreater(source.Shape.getElement(name).Area, 0)
 

@@ -3,8 +3,9 @@
 #include "fuzz/mutation.hpp"
 #include "fuzz/readers.hpp"
 
-#include <planish/job/child_process.hpp>
+#include <planish/base/packed_error.hpp>
 #include <planish/job/codes.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <fmt/format.h>
 
@@ -85,7 +86,7 @@ std::vector<Seed> seeds_of(const Options& options) {
   return seeds;
 }
 
-job::Texts answered(const job::Texts& question, const job::Parent& parent) {
+process::Texts answered(const process::Texts& question, const process::Parent& parent) {
   const std::string& what = question[0];
   const std::string& text = question[1];
   std::optional<Error> error;
@@ -93,7 +94,7 @@ job::Texts answered(const job::Texts& question, const job::Parent& parent) {
   if (what == "json") error = read_json(text, parent.progress);
   if (what == "make") error = make_json(text, parent.progress);
   if (what == "table") error = read_table(text);
-  return error ? job::texts_of(*error) : job::Texts{"ok"};
+  return error ? packed(*error) : process::Texts{"ok"};
 }
 
 /// One sentence, and an exit status that an input may bring about.
@@ -122,21 +123,21 @@ class Target {
 
   Outcome give(const std::string& what, const std::string& text) {
     if (!child_) {
-      auto child = job::ChildProcess::copy(answered, job::default_memory_limit());
+      auto child = process::ChildProcess::copy(answered, process::default_memory_limit());
       if (!child) return {"not started", child.error().message};
       child_ = std::move(*child);
     }
     const auto answer = child_->ask({what, text}, options_.limit);
     if (!answer) return ended(answer.error(), what);
-    const auto error = job::error_in(*answer);
+    const auto error = unpacked(*answer);
     if (!error) return {"ok", {}};
     return {std::string(code_name(error->code)), broken_form(*error)};
   }
 
  private:
-  Outcome ended(const job::ChildEnd& end, const std::string& what) {
+  Outcome ended(const process::ChildEnd& end, const std::string& what) {
     child_.reset();
-    using Cause = job::ChildEnd::Cause;
+    using Cause = process::ChildEnd::Cause;
     if (end.cause == Cause::out_of_time) return {"[out of time]", what == "step" ? "" : "hangs"};
     if (end.cause == Cause::out_of_memory) return {"[out of memory]", {}};
     const std::string said = fmt::format("{}\n{}", end.reason, end.said);
@@ -146,7 +147,7 @@ class Target {
   }
 
   const Options& options_;
-  std::unique_ptr<job::ChildProcess> child_;
+  std::unique_ptr<process::ChildProcess> child_;
 };
 
 int run(const Options& options) {

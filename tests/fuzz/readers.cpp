@@ -1,10 +1,10 @@
 #include "readers.hpp"
 
 #include <planish/job/artifact.hpp>
-#include <planish/job/rules_json.hpp>
 #include <planish/job/slit_json.hpp>
-#include <planish/job/tools_json.hpp>
 #include <planish/sheet/allowance.hpp>
+#include <planish/shop/rules_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 namespace planish::fuzz {
 
@@ -46,9 +46,9 @@ bool is_of_tools(const std::string& text) {
 }  // namespace
 
 std::optional<Error> read_json(const std::string& text, const Progress& progress) {
-  (void)job::parse_rules(text, "input.json");
+  (void)shop::parse_rules(text, "input.json");
   if (is_of_tools(text)) {
-    const auto tools = job::parse_tools(text, "input.json");
+    const auto tools = shop::parse_tools(text, "input.json");
     return tools ? std::nullopt : std::optional(tools.error());
   }
   const auto maker = job::built_in().maker_for("input.json", text);
@@ -62,7 +62,7 @@ std::optional<Error> make_json(const std::string& text, const Progress& progress
   request.input = "input.json";
   request.effort = job::Effort::draft;
   if (is_of_tools(text)) {
-    auto tools = job::parse_tools(text, "input.json");
+    auto tools = shop::parse_tools(text, "input.json");
     if (!tools) return tools.error();
     request.bending.tools = std::move(*tools);
     request.bending.ask = job::Bending::Ask::plan;

@@ -138,10 +138,10 @@ TEST(FlatJson, RefusesOtherVersionsAndFormats) {
     return read ? std::string() : read.error().message;
   };
   EXPECT_EQ(changed("\"version\":1", "\"version\":2"),
-            "the stored flat pattern cannot be read: another version of the program has written "
-            "it");
+            "The stored flat pattern cannot be read: another version of the program has written "
+            "it. Make it again.");
   EXPECT_EQ(changed("planish/flat", "planish/report"),
-            "the stored flat pattern cannot be read: it is of another format");
+            "The stored flat pattern cannot be read: it is of another format. Make it again.");
   EXPECT_FALSE(read_flat_json("[]"));
   EXPECT_FALSE(read_flat_json(std::string(100000, '[')));
 }

@@ -149,7 +149,7 @@ TEST(SheetDxf, ShowsNamesInNarrowAndHollowPartsToo) {
 
 TEST(SheetDxf, RefusesWhatIsNoSheet) {
   const FlatPattern flat = bracket(), empty;
-  EXPECT_THAT(sheet_dxf_text({0.0, 10.0, {}}).error().message, HasSubstr("0 × 10 mm"));
+  EXPECT_THAT(sheet_dxf_text({0.0, 10.0, {}}).error().message, HasSubstr("0 mm × 10 mm"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(sheet_dxf_text({10.0, nan, {}}));
   EXPECT_FALSE(sheet_dxf_text({100.0, 100.0, {{&empty, Isometry2::Identity(), "none"}}}));

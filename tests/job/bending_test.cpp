@@ -2,13 +2,14 @@
 #include <planish/job/maker.hpp>
 #include <planish/job/request.hpp>
 #include <planish/job/run.hpp>
-#include <planish/job/tools_json.hpp>
+#include <planish/shop/tools_json.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace planish::job {
+using namespace shop;
 namespace {
 
 using nlohmann::json;

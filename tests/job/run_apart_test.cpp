@@ -11,6 +11,7 @@
 #include <thread>
 
 namespace planish::job {
+using namespace process;
 namespace {
 
 using namespace std::chrono_literals;

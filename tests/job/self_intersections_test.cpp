@@ -57,8 +57,11 @@ TEST(SelfIntersectionFindings, NameBothFlangesTheDepthAndBothPlaces) {
   EXPECT_EQ(found[0].code, "self_intersection");
   EXPECT_EQ(found[0].severity, Severity::error);
   // The plates are 1.2 thick and cross at 70°.
-  EXPECT_EQ(found[0].message,
-            "flange 1 and flange 2 run through each other when folded, 1.2 mm deep");
+  EXPECT_EQ(found[0].message, "flanges 1 and 2 run through each other when folded, 1.2 mm deep");
+  EXPECT_EQ(found[0].about, (std::vector<Place>{place::flange(1), place::flange(2)}));
+  ASSERT_EQ(found[0].numbers.size(), 1u);
+  EXPECT_EQ(found[0].numbers[0].name, "depth");
+  EXPECT_NEAR(found[0].numbers[0].quantity.value, 1.2, 0.05);
   // The middles of the flanges cross a tangent length (r + t/2)(1 − cos α)/sin α before and behind
   // the bend; the ball may lie anywhere within what they share, 1.2 mm wide.
   const double angle = 250 * std::numbers::pi / 180;
@@ -73,8 +76,7 @@ TEST(SelfIntersectionFindings, NameTheBendsOfATubeRolledOntoItself) {
   const Turn half{Angle::degrees(200), 20, BendDirection::up};
   const auto found = found_in(strip({half, half}, 50, 1.5));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].message,
-            "bend B1 and bend B2 run through each other when folded, 1.5 mm deep");
+  EXPECT_EQ(found[0].message, "bends B1 and B2 run through each other when folded, 1.5 mm deep");
 }
 
 TEST(SelfIntersectionFindings, NameABendAndAFlange) {
@@ -88,6 +90,7 @@ TEST(SelfIntersectionFindings, NameABendAndAFlange) {
             15, 1.0));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].message, "flange 3 and bend B1 run through each other when folded, 1 mm deep");
+  EXPECT_EQ(found[0].about, (std::vector<Place>{place::flange(3), place::bend("B1")}));
 }
 
 TEST(SelfIntersectionFindings, AreNoneInSheetsThatCanBeMade) {

@@ -239,13 +239,19 @@ TEST(Nest, RefusesWhatCannotBe) {
     return nesting ? Error{} : nesting.error();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(error({{&part, 1}}, {.length = 0}).message, HasSubstr("the length is 0 mm"));
-  EXPECT_THAT(error({{&part, 1}}, {.width = nan}).message, HasSubstr("the width is nan mm"));
-  EXPECT_THAT(error({{&part, 1}}, {.gap = -1}).message, HasSubstr("the gap is -1 mm"));
+  EXPECT_THAT(error({{&part, 1}}, {.length = 0}).message, HasSubstr("The length is 0 mm"));
+  EXPECT_THAT(error({{&part, 1}}, {.width = nan}).message, HasSubstr("The width is nan mm"));
+  EXPECT_THAT(error({{&part, 1}}, {.gap = -1}).message, HasSubstr("The gap is -1 mm"));
   EXPECT_THAT(error({{&part, 1}}, {.gap = 1000}).message, HasSubstr("750 mm, half the sheet"));
-  EXPECT_THAT(error({{&part, 1}}, {.margin = 800}).message, HasSubstr("the margin is 800 mm"));
-  EXPECT_THAT(error({{&part, 1}, {&part, 0}}, {}).message, HasSubstr("part 2 is wanted 0 times"));
+  EXPECT_THAT(error({{&part, 1}}, {.margin = 800}).message, HasSubstr("The margin is 800 mm"));
+  EXPECT_THAT(error({{&part, 1}, {&part, 0}}, {}).message, HasSubstr("Part 2 is wanted 0 times"));
   EXPECT_EQ(error({{&empty, 1}}, {}).code, code::invalid_sheet);
+  EXPECT_EQ(error({{&part, 1}, {&part, 0}}, {}).where, "part 2");
+  const Error gap = error({{&part, 1}}, {.gap = -1});
+  EXPECT_EQ(gap.where, "gap");
+  ASSERT_EQ(gap.numbers.size(), 1u);
+  EXPECT_EQ(gap.numbers[0].quantity, (Quantity{-1.0, unit::mm}));
+  EXPECT_EQ(gap.remedies.size(), 1u);
 }
 
 TEST(Nest, OfNothingHasNoSheets) { EXPECT_TRUE(nested({}, {}).sheets.empty()); }

@@ -202,10 +202,12 @@ class Requests(ServeTest):
                 ({"input": "part.step", "maker": "slit"}, "invalid_input", "/maker")):
             error = server.fails("unfold", params)
             self.assertEqual((error["code"], error["data"]["code"], error["data"]["where"]), (-32602, code, where), error)
+            self.assertIn({"kind": "pointer", "id": where}, error["data"]["places"])
         for params in ([], ["part.step"], "part.step", 5):
             self.assertEqual(server.fails("unfold", params)["code"], -32602)
         error = server.fails("unfold", {"input": "none.step"})
-        self.assertEqual((error["code"], error["data"]), (-32000, {"code": "cannot_read", "where": "none.step"}))
+        self.assertEqual((error["code"], error["data"]),
+                         (-32000, {"code": "cannot_read", "where": "none.step", "places": [], "numbers": {}}))
         error = server.fails("info", {"input": "part.step", "artifacts": ["json"]})
         self.assertEqual((error["code"], error["data"]["where"]), (-32602, "/artifacts/0"))
         self.assertEqual(server.fails("info", {"input": "part.step", "write": {"json": "a"}})["data"]["where"], "/write")

@@ -1,10 +1,12 @@
 #include "sample_sheets.hpp"
+#include "support/error_data.hpp"
 
 #include <planish/slit/codes.hpp>
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 // Each refusal with its code, its place in the file, and numbers in its message.
 
@@ -18,6 +20,8 @@ void expect_refused(const SlitDesign& design, ErrorCode code, const std::string&
   EXPECT_EQ(code_name(session.error().code), code_name(code)) << session.error().message;
   EXPECT_EQ(session.error().where, where) << session.error().message;
   EXPECT_NE(session.error().message.find(in_message), std::string::npos) << session.error().message;
+  EXPECT_TRUE(is_told(session.error())) << session.error().message;
+  EXPECT_FALSE(pointers_in(session.error()).empty()) << session.error().message;
 }
 
 template <typename Change>
@@ -193,6 +197,31 @@ TEST(SlitRefuses, EndsThatCannotBePlaced) {
   design.ends.resize(7);
   design.ends[6].direction = Vec3(1, 0, 0);
   expect_refused(design, code::unknown_strip, "/ends/6");
+}
+
+TEST(SlitRefusesAsData, StripsAndRidgesFromZeroThatSentencesCountFromOne) {
+  SlitDesign design = chair();
+  design.anchors = {{2, 11, StripEdge::left, {180, 450, 30}}};
+  const Error error = SlitSession::start(design).error();
+  EXPECT_EQ(error.places[0], place::strip(2));
+  EXPECT_EQ(error.places[1], place::ridge(11));
+  EXPECT_EQ(pointers_in(error), std::vector<std::string>{"/anchors/0/ridge"});
+  EXPECT_EQ(number_in(error, "last"), 10.0) << "as files count";
+  EXPECT_EQ(number_in(error, "count"), 11.0);
+  EXPECT_TRUE(error.message.starts_with("Strip 3 has no ridge 12:")) << error.message;
+}
+
+TEST(SlitRefusesAsData, AnAnchorOutOfReachWithItsPlaceAndDistances) {
+  SlitDesign design = chair();
+  design.anchors = {{0, 5, StripEdge::left, {360, 620, 0}}};
+  const Error error = SlitSession::start(design).error();
+  EXPECT_EQ(at_in(error, PlaceKind::point), (std::vector<double>{360, 620, 0}));
+  EXPECT_NEAR(number_in(error, "missing"), 96.0, 1e-9);
+  EXPECT_NEAR(number_in(error, "needed"), 560.0, 1e-9);
+  EXPECT_NEAR(number_in(error, "available"), 464.0, 1e-9);
+  EXPECT_EQ(unit_in(error, "missing"), "mm");
+  EXPECT_EQ(ids_in(error, PlaceKind::strip), std::vector<std::string>{"1"});
+  EXPECT_EQ(error.remedies.size(), 1u);
 }
 
 }  // namespace

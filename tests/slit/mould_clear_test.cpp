@@ -1,8 +1,12 @@
 #include "mould_clear.hpp"
 
+#include "support/error_data.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace planish::test {
 namespace {
@@ -55,8 +59,24 @@ TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
   const auto clear = check_clear(mould, {}, 1.0);
   ASSERT_FALSE(clear);
   EXPECT_EQ(clear.error().code, code::unsupported_shape);
-  EXPECT_NE(clear.error().message.find("500 mm²"), std::string::npos) << clear.error().message;
-  EXPECT_EQ(clear.error().where, "strip 0");
+  EXPECT_NEAR(number_in(clear.error(), "area"), 500.0, 1e-6);
+  EXPECT_EQ(unit_in(clear.error(), "area"), unit::mm2);
+  EXPECT_EQ(ids_in(clear.error(), PlaceKind::strip), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(clear.error().where, "strip 0") << "as files count";
+  const std::vector<double> at = at_in(clear.error(), PlaceKind::point);
+  ASSERT_EQ(at.size(), 3u);
+  EXPECT_TRUE(at[1] >= 15.0 && at[1] <= 20.0) << at[1];
+  EXPECT_TRUE(is_told(clear.error())) << clear.error().message;
+}
+
+TEST(CheckClear, NamesAStripWhoseRibOverlapsThatOfItsMirrorImage) {
+  Mould mould;
+  mould.ribs = {block(2, {0, 0}, {100, 20}, 30), block(2, {0, 15}, {100, 40}, 50)};
+  const auto clear = check_clear(mould, {}, 1.0);
+  ASSERT_FALSE(clear);
+  EXPECT_EQ(ids_in(clear.error(), PlaceKind::strip), std::vector<std::string>{"3"});
+  EXPECT_NE(clear.error().message.find("symmetry plane"), std::string::npos);
+  EXPECT_EQ(clear.error().where, "strip 2");
 }
 
 TEST(CheckClear, RefusesAFootprintThatCrossesItself) {

@@ -28,14 +28,14 @@ TEST(WorkerTexts, CarryTasksAndAnswersOfAnyBytes) {
 }
 
 TEST(WorkerTexts, ThatAreNoneAreEmpty) {
-  const job::Texts none[] = {{},
-                             {"200"},
-                             {"200", "", "", ""},
-                             {"x", "", ""},
-                             {"-5", "", ""},
-                             {"99999", "", ""},
-                             {"200 ", "", ""}};
-  for (const job::Texts& texts : none)
+  const process::Texts none[] = {{},
+                                 {"200"},
+                                 {"200", "", "", ""},
+                                 {"x", "", ""},
+                                 {"-5", "", ""},
+                                 {"99999", "", ""},
+                                 {"200 ", "", ""}};
+  for (const process::Texts& texts : none)
     EXPECT_FALSE(answer_of(texts));
   EXPECT_FALSE(task_of({"draft"}));
 }

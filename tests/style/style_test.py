@@ -10,6 +10,7 @@ import pathlib
 import tempfile
 import unittest
 
+import sentences
 import style_checks as checks
 
 ROOT = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR",
@@ -50,6 +51,17 @@ class Repository(unittest.TestCase):
         self.assert_clean(checks.long_lines(ROOT, CPP, checks.CPP_COLUMNS) +
                           checks.long_lines(ROOT, PAGE, checks.TYPESCRIPT_COLUMNS),
                           "The formatters break code; a long comment or string is broken by hand.")
+
+    def test_sentences_name_places_as_data(self):
+        self.assertGreater(len(sentences.tables(ROOT)), 0)
+        self.assert_clean(sentences.faults(ROOT), "CONTRIBUTING.md#errors says how sentences are made.")
+
+    def test_every_slot_of_a_sentence_is_filled(self):
+        self.assert_clean(sentences.unfilled(ROOT), "Give the fact under the name that the sentence uses.")
+
+    def test_sentences_stand_in_tables(self):
+        found = sum(sentences.plain(path) for path in PROGRAM)
+        self.assertLessEqual(found, LIMITS["sentences_outside_tables"])
 
     def test_tolerances_have_names(self):
         limits = LIMITS["bare_tolerances"]

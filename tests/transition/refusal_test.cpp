@@ -1,16 +1,21 @@
 #include "sample_transitions.hpp"
+#include "support/error_data.hpp"
 
 #include <planish/transition/codes.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
+#include <vector>
 
 // Each refusal with its code, its place in the file, and numbers in its message.
 
 namespace planish::test {
 namespace {
+
+using ::testing::ElementsAre;
 
 void expect_refused(const TransitionSpec& spec, ErrorCode code, const std::string& where,
                     const std::string& in_message = "") {
@@ -20,6 +25,14 @@ void expect_refused(const TransitionSpec& spec, ErrorCode code, const std::strin
   EXPECT_EQ(transition.error().where, where) << transition.error().message;
   EXPECT_NE(transition.error().message.find(in_message), std::string::npos)
       << transition.error().message;
+  EXPECT_TRUE(is_told(transition.error())) << transition.error().message;
+  EXPECT_FALSE(pointers_in(transition.error()).empty()) << transition.error().message;
+}
+
+Error refusal_of(const TransitionSpec& spec) {
+  const auto transition = make_transition(spec);
+  EXPECT_FALSE(transition);
+  return transition ? Error{} : transition.error();
 }
 
 TransitionSpec square_to_round() {
@@ -41,7 +54,7 @@ TEST(TransitionRefuses, PolygonsThatAreNone) {
                          "2");
   expect_profile_refused(PolygonProfile{}, code::too_few_corners, "/polygon", "0");
   expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {100, 0}, {0, 100}}},
-                         code::repeated_corner, "/polygon/2", "(100, 0)");
+                         code::repeated_corner, "/polygon/2", "(100 mm, 0 mm)");
   expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {0, 100}, {0, 0}}},
                          code::repeated_corner, "/polygon/0");
   expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {0, 100}, {110, 100}}},
@@ -55,9 +68,9 @@ TEST(TransitionRefuses, PolygonsThatAreNone) {
 TEST(TransitionRefuses, ProfilesThatAreNotConvex) {
   const std::vector<Vec2> notched{{0, 0}, {100, 0}, {40, 30}, {0, 100}};
   expect_profile_refused(PolygonProfile{notched}, code::profile_not_convex, "/polygon/2",
-                         "corner 2");
+                         "corner 3");
   expect_profile_refused(PolygonProfile{{notched.rbegin(), notched.rend()}},
-                         code::profile_not_convex, "/polygon/1", "(40, 30)");
+                         code::profile_not_convex, "/polygon/1", "(40 mm, 30 mm)");
   // A pentagram winds round twice.
   PolygonProfile star;
   for (int i = 0; i < 5; ++i)
@@ -169,7 +182,7 @@ TEST(TransitionRefuses, ProfilesThatMeet) {
 TEST(TransitionRefuses, ProfilesOnBothSidesOfTheOthersPlane) {
   TransitionSpec spec = square_to_round();
   spec.to.frame = frame_at({0, 80, 20}, kPi / 2);
-  expect_refused(spec, code::profile_hidden, "/to/frame", "10 and 50 mm");
+  expect_refused(spec, code::profile_hidden, "/to/frame", "10 mm and 50 mm");
   std::swap(spec.from, spec.to);
   expect_refused(spec, code::profile_hidden, "/to/frame");
   // Above the square's plane, but its own plane cuts the square.
@@ -204,15 +217,39 @@ TEST(TransitionRefuses, SeamsThatDoNotExist) {
   }
   std::swap(spec.from.profile, spec.to.profile);
   spec.seam = SeamEdge{0};
-  expect_refused(spec, code::unknown_seam, "/seam/edge", "none");
+  expect_refused(spec, code::unknown_seam, "/seam/edge", "no edges");
   spec.seam = SeamCorner{0};
-  expect_refused(spec, code::unknown_seam, "/seam/corner", "none");
+  expect_refused(spec, code::unknown_seam, "/seam/corner", "no corners");
 }
 
 TEST(TransitionRefuses, APieceForEachSideOfWhatHasNone) {
   TransitionSpec spec = between(EllipseProfile{50, 50}, EllipseProfile{30, 30}, {0, 0, 80});
   spec.pieces = Division::per_side;
   expect_refused(spec, code::invalid_input, "/pieces");
+}
+
+TEST(TransitionRefusesAsData, ACornerThatTurnsInwardsFromOneAndItsPlaceInTheFile) {
+  TransitionSpec spec = square_to_round();
+  spec.from.profile = PolygonProfile{{{0, 0}, {100, 0}, {50, 50}, {100, 100}, {0, 100}}};
+  const Error error = refusal_of(spec);
+  EXPECT_THAT(pointers_in(error), ElementsAre("/from/profile/polygon/2"));
+  EXPECT_EQ(number_in(error, "corner"), 3.0);
+  EXPECT_EQ(number_in(error, "x"), 50.0);
+  EXPECT_NEAR(number_in(error, "angle"), 90.0, 1e-9);
+  EXPECT_EQ(unit_in(error, "angle"), unit::degrees);
+  EXPECT_EQ(error.remedies.size(), 1u);
+}
+
+TEST(TransitionRefusesAsData, WhereAProfileReachesThroughThePlaneOfTheOther) {
+  TransitionSpec spec = square_to_round();
+  spec.to.frame = frame_at({0, 80, 20}, kPi / 2);
+  const Error error = refusal_of(spec);
+  EXPECT_NEAR(number_in(error, "below"), 10.0, 1e-9);
+  EXPECT_NEAR(number_in(error, "above"), 50.0, 1e-9);
+  const std::vector<double> at = at_in(error, PlaceKind::point);
+  ASSERT_EQ(at.size(), 3u);
+  EXPECT_NEAR(at[2], -10.0, 1e-9) << "the lowest point of the circle";
+  EXPECT_NEAR(at[1], 80.0, 1e-9);
 }
 
 TEST(TransitionRefuses, TolerancesThatAreNotPositive) {

@@ -1,6 +1,6 @@
 import { Api, ApiError } from './api.ts';
 import { geometryShown } from './timings.ts';
-import type { Store } from './state.ts';
+import type { Store } from './store.ts';
 import type { ApiProblem, Request } from './types.ts';
 
 const settle = 120; // ms without an edit before the whole result is asked for

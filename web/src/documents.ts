@@ -5,7 +5,8 @@ import { EditedCopies, type Begun } from './edited-copies.ts';
 import { isAtStart, keepDocument, keepSource, keepTab, keptDocument, keptTab, type Kept } from './kept.ts';
 import { partOptions } from './open-state.ts';
 import type { Recent, Recents } from './recents.ts';
-import type { OptionsSet, Store } from './state.ts';
+import type { OptionsSet } from './state.ts';
+import type { Store } from './store.ts';
 import { lookAt } from './survey.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 

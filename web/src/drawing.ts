@@ -1,4 +1,4 @@
-import type { Store } from './state.ts';
+import type { Store } from './store.ts';
 
 /** Draws the page in the frame after its state changes. Returns what draws it at once, if it is to be drawn. */
 export function drawsPage(store: Store, draw: () => void): () => void {

@@ -1,7 +1,8 @@
 import { pictureOf } from './bodies.ts';
 import { keepCopy, keptCopy } from './kept.ts';
 import { keyOf, type Recent, type Recents } from './recents.ts';
-import type { Input, Store } from './state.ts';
+import type { Input } from './state.ts';
+import type { Store } from './store.ts';
 import type { Options, Shape } from './types.ts';
 
 const pause = 400; // ms without an edit, after which what was edited is kept

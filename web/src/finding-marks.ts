@@ -19,9 +19,8 @@ const [chosen, plain, dot] = [10, 7, 3.5]; // radii, pixels
  */
 export function findingMarks(findings: Finding[], at: (place: Vec2) => Vec2, selected: number | null): FindingMark[] {
   const wanted = findings.flatMap((f, finding) => {
-    const all = (f.places ?? [{ severity: f.severity, at: f.at ?? [] }]).flatMap(({ severity, at: points }) =>
-      points.map((point) => ({ severity, point })),
-    );
+    const breaches = f.count ? (f.places ?? []) : [{ severity: f.severity, points: f.at ?? [] }],
+      all = breaches.flatMap(({ severity = f.severity, points = [] }) => points.map((point) => ({ severity, point })));
     const shown = finding === selected ? all : all.slice(0, 1); // the worst is the first
     return shown.map(({ severity, point }) => ({ finding, severity, at: at(point), of: at(point) }));
   });

@@ -1,6 +1,7 @@
 import type { Api } from './api.ts';
 import { recentList, type Recent } from './recents.ts';
-import type { State, Store } from './state.ts';
+import type { State } from './state.ts';
+import type { Store } from './store.ts';
 import { keepView, soundView, viewFile } from './split.ts';
 import { soundWorkshop } from './workshop-state.ts';
 

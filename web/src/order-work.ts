@@ -1,7 +1,8 @@
 import { Api, ApiError } from './api.ts';
 import { problemOf } from './compute.ts';
 import { shownBend } from './order-state.ts';
-import { isInMachine, type Store } from './state.ts';
+import { isInMachine } from './state.ts';
+import type { Store } from './store.ts';
 import type { OrderedStroke } from './types.ts';
 
 const patience = 600; // ms after which a check that is no longer wanted is ended; sooner, ending it would take longer

@@ -1,6 +1,7 @@
 import { ApiError, type Api } from './api.ts';
 import { pictureOf, type Picture } from './bodies.ts';
-import type { OptionsSet, State, Store } from './state.ts';
+import type { OptionsSet, State } from './state.ts';
+import type { Store } from './store.ts';
 import type { Kind } from './types.ts';
 
 /** A file that was opened lately. Its bytes, and those of the files beside it, are kept on this machine. */

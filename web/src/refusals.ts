@@ -1,4 +1,4 @@
-import type { Store } from './state.ts';
+import type { Store } from './store.ts';
 
 /** Says why an entry was refused, until another one is taken. */
 export function sayRefusals(store: Store) {

@@ -1,7 +1,7 @@
 import { ShapeUtils, Vector2 } from 'three';
 import type { State } from './state.ts';
 import { namedPlaces, unnamed, type NamedPlaces, type Solid } from './solid-mesh.ts';
-import type { ApiProblem, PlatesSpec, Vec3 } from './types.ts';
+import type { Place, PlatesSpec, Vec3 } from './types.ts';
 import { millimetres } from './units.ts';
 import { cross, dot, minus, normalised, plus, scaled } from './vectors.ts';
 
@@ -22,19 +22,24 @@ export function refusedSolid({ shape, problem, document, input }: State): Solid 
 /** What the refusal names of it. */
 export function refusedPlaces({ shape, problem, document, input }: State): NamedPlaces {
   if (!problem || !document || shape?.facet_parent.length) return unnamed;
-  return document.kind === 'connect' ? namedPlates(problem, input.spec as PlatesSpec) : namedPlaces(problem);
+  return document.kind === 'connect'
+    ? namedPlates(problem.places, input.spec as PlatesSpec)
+    : namedPlaces(problem.places);
 }
 
-const plate = /\bplates? "([^"]+)"(?: and "([^"]+)")?/g,
-  pointer = /\/(plates|bends)\/(\d+)/;
-
-/** Plates by their names in the message, or by the place in the file. */
-export function namedPlates({ message, where }: ApiProblem, { plates, bends }: PlatesSpec): NamedPlaces {
-  let ids = [...message.matchAll(plate)].flatMap(([, a, b]) => (b === undefined ? [a!] : [a!, b]));
-  const [, list, at] = pointer.exec(where ?? '') ?? [];
-  if (list === 'plates') ids.push(plates[Number(at)]?.id ?? '');
-  if (list === 'bends') ids.push(...(bends?.[Number(at)]?.between ?? []));
-  ids = [...new Set(ids)].filter((id) => plates.some((p) => p.id === id));
+/** Plates among places, and those of fields of the file: its own of a plate, both of a bend. */
+export function namedPlates(places: Place[] = [], { plates, bends }: PlatesSpec): NamedPlaces {
+  const idsOf = ({ kind, id }: Place): string[] => {
+    if (kind === 'plate') return [String(id)];
+    if (kind !== 'pointer') return [];
+    const [, list, at] = String(id).split('/');
+    return list === 'plates'
+      ? [plates[Number(at)]?.id ?? '']
+      : list === 'bends'
+        ? (bends?.[Number(at)]?.between ?? [])
+        : [];
+  };
+  const ids = [...new Set(places.flatMap(idsOf))].filter((id) => plates.some((p) => p.id === id));
   return { faces: ids.map((id) => ({ name: id, number: plates.findIndex((p) => p.id === id) + 1 })), edges: [] };
 }
 

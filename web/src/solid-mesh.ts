@@ -1,10 +1,10 @@
-import type { ApiProblem, Shape, Vec3 } from './types.ts';
+import type { Place, Shape, Vec3 } from './types.ts';
 import { cross, minus, plus, scaled } from './vectors.ts';
 
 /** The triangles of a solid, each with the number of its face. */
 export type Solid = Pick<Shape, 'space_points' | 'space_triangles' | 'space_faces'>;
 
-/** Faces of a solid by number, and edges by the two faces that meet there, as a message names them. */
+/** Faces of a solid by number, and edges by the two faces that meet there. */
 export interface NamedPlaces {
   faces: { name: string; number: number }[];
   edges: { name: string; between: [number, number] }[];
@@ -12,22 +12,16 @@ export interface NamedPlaces {
 
 export const unnamed: NamedPlaces = { faces: [], edges: [] };
 
-const face = /\b[Ff]aces? (\d+(?:(?:, | and )(?:face )?\d+)*)/g,
-  edge = /\b(edge(?: \d+)?) between face (\d+) and face (\d+)/g;
-
-/** What the reason of a refusal names. The faces on both sides of an edge are named for the edge's sake only. */
-export function namedPlaces({ message, where }: ApiProblem): NamedPlaces {
-  const text = `${message}\n${where ?? ''}`,
-    edges = new Map<string, NamedPlaces['edges'][number]>();
-  for (const [, name, a, b] of text.matchAll(edge)) {
-    const key = `${a} ${b}`;
-    if (!edges.has(key) || name !== 'edge') edges.set(key, { name: name!, between: [Number(a), Number(b)] });
+/** The faces and edges among places. */
+export function namedPlaces(places: Place[] = []): NamedPlaces {
+  const named: NamedPlaces = { faces: [], edges: [] };
+  for (const { kind, id, faces } of places) {
+    const name = `${kind} ${id}`;
+    if (kind === 'face' && !named.faces.some((f) => f.number === id)) named.faces.push({ name, number: Number(id) });
+    if (kind === 'edge' && faces?.length === 2 && !named.edges.some((e) => e.name === name))
+      named.edges.push({ name, between: [faces[0]!, faces[1]!] });
   }
-  const numbers = [...text.replace(edge, '').matchAll(face)].flatMap(([, list]) => list!.match(/\d+/g)!.map(Number));
-  return {
-    faces: [...new Set(numbers)].map((number) => ({ name: `face ${number}`, number })),
-    edges: [...edges.values()],
-  };
+  return named;
 }
 
 /** A line between two triangles of different faces; of open bodies also one with a triangle on one side. */

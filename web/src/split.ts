@@ -9,7 +9,8 @@ import {
   type Arrangement,
   type ViewState,
 } from './view-state.ts';
-import type { State, Store } from './state.ts';
+import type { State } from './state.ts';
+import type { Store } from './store.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
 import './narrow.css';

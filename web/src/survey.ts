@@ -1,7 +1,8 @@
 import { ApiError, type Api } from './api.ts';
 import { optionsOf, refused, sameOptions, statusOfShape, type BodyStatus } from './bodies.ts';
 import { poll, problemOf } from './compute.ts';
-import { bodyOf, type Store } from './state.ts';
+import { bodyOf } from './state.ts';
+import type { Store } from './store.ts';
 import type { Options } from './types.ts';
 
 /**

@@ -16,6 +16,40 @@ export interface ApiProblem {
   code: string;
   message: string;
   where?: string | null;
+  places?: Place[];
+  numbers?: Numbers;
+  remedy?: Remedy;
+  remedies?: Remedy[]; // if there are several
+}
+
+/** What a message states, by name. */
+export type Numbers = Record<string, { value: number | null; unit: string }>;
+
+/** What a message names, as data: docs/formats.md#places. */
+export interface Place {
+  kind:
+    | 'face'
+    | 'edge'
+    | 'body'
+    | 'flange'
+    | 'bend'
+    | 'plate'
+    | 'strip'
+    | 'ridge'
+    | 'stroke'
+    | 'point'
+    | 'pointer'
+    | 'line';
+  id?: number | string;
+  faces?: number[]; // that meet at an edge
+  at?: number[];
+}
+
+/** An option that does away with a finding or a refusal, and what it does; or what to change in the input. */
+export interface Remedy {
+  option?: string; // as on the command line: "--rip-edges"
+  value?: string;
+  change?: string;
 }
 
 export interface Example {
@@ -263,13 +297,17 @@ export interface Finding {
   message: string;
   at?: Vec2[] | null;
   count?: number; // of a rule's places
-  places?: FindingPlace[]; // the worst first
+  numbers?: Numbers;
+  places?: FindingPlace[]; // of a rule: those where it is broken, the worst first
+  remedy?: Remedy;
+  remedies?: Remedy[];
 }
 
-export interface FindingPlace {
-  severity: 'info' | 'warning' | 'error';
-  message: string;
-  at: Vec2[];
+export interface FindingPlace extends Place {
+  severity?: 'info' | 'warning' | 'error'; // of a rule's place, as the next two
+  message?: string;
+  points?: Vec2[];
+  numbers?: Numbers;
 }
 
 export interface Verification {

@@ -14,7 +14,8 @@ import {
 } from '../src/allowance.ts';
 import { areaText, massText } from '../src/amounts.ts';
 import { unconfirmedK } from '../src/default-k.ts';
-import { initialState, reduce } from '../src/state.ts';
+import { reduce } from '../src/reduce.ts';
+import { initialState } from '../src/state.ts';
 import type { OpenDocument, PieceReport } from '../src/types.ts';
 import { soundWorkshop } from '../src/workshop-state.ts';
 

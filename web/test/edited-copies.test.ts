@@ -3,7 +3,8 @@ import { beforeEach, test } from 'node:test';
 import type { Api } from '../src/api.ts';
 import { EditedCopies } from '../src/edited-copies.ts';
 import { Recents, recentList, type Recent } from '../src/recents.ts';
-import { initialState, Store } from '../src/state.ts';
+import { initialState } from '../src/state.ts';
+import { Store } from '../src/store.ts';
 import type { Spec } from '../src/types.ts';
 
 const stored = new Map<string, string>();

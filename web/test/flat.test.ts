@@ -60,13 +60,14 @@ test('marks of findings that would cover each other step aside, never that of th
 test('a rule has one mark, at its worst place, until it is chosen: then one at each place', () => {
   const places = Array.from(
       { length: 300 },
-      (_, i): FindingPlace => ({ severity: i ? 'info' : 'warning', message: '', at: [[30 * i, 0]] }),
+      (_, i): FindingPlace => ({ kind: 'point', severity: i ? 'info' : 'warning', message: '', points: [[30 * i, 0]] }),
     ),
     rules: Finding[] = [1, 2, 3].map((y) => ({
       code: 'hole_size',
       severity: 'warning',
       message: '',
-      places: places.map((p) => ({ ...p, at: [[p.at[0]![0], 100 * y]] })),
+      count: places.length,
+      places: places.map((p) => ({ ...p, points: [[p.points![0]![0], 100 * y]] })),
     }));
   const marks = (selected: number | null) => findingMarks(rules, (p) => p, selected);
   assert.deepEqual(

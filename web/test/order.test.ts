@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ApiError, type Api } from '../src/api.ts';
 import { OrderWork } from '../src/order-work.ts';
-import { initialState, Store } from '../src/state.ts';
+import { initialState } from '../src/state.ts';
+import { Store } from '../src/store.ts';
 import type { OrderAnswer, OrderedStroke, Request } from '../src/types.ts';
 
 const order = (...bends: string[]): OrderedStroke[] => bends.map((b) => ({ bends: [b] }));

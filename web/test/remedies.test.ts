@@ -5,28 +5,52 @@ import { remedies } from '../src/panels/remedies.ts';
 import type { Ui } from '../src/ui.ts';
 
 /** The page with a STEP part, as far as remedies look at it. */
-const page = {
-  state: {
-    document: { kind: 'unfold' },
-    description: { makers: [{ name: 'unfold', options: [{ name: 'rip_edges' }, { name: 'bend_relief' }] }] },
-    input: { options: {} },
-  },
-} as unknown as Ui;
+const page = (options: object) =>
+  ({
+    state: {
+      document: { kind: 'unfold' },
+      description: {
+        makers: [
+          {
+            name: 'unfold',
+            options: [
+              { name: 'rip_edges', kind: 'name', default: '', description: '' },
+              { name: 'bend_relief', kind: 'word', default: 'none', description: '' },
+            ],
+          },
+        ],
+      },
+      input: { options },
+    },
+  }) as unknown as Ui;
 
-const closed = (text: string, where: string) =>
-  remedies(page, {
-    code: 'closed_loop',
-    message: `The flanges and bends form a closed loop that does not lie flat${text}`,
-    where,
-  } as Parameters<typeof remedies>[1]);
+const rip = { option: '--rip-edges', value: '21', change: 'Rip edge 21.' },
+  square = { option: '--bend-relief', value: 'square', change: 'Cut square reliefs' },
+  none = { option: '--bend-relief', value: 'none', change: 'Leave it as drawn' };
 
-test('a rip is offered where rips lead to a pattern', () => {
-  const first = '; rips along 4 edges would open it, first along the edge between face 7 and face 9.';
-  assert.notEqual(closed(first, 'edge 34 between face 7 and face 9'), nothing);
-  assert.equal(closed(', and no rips along its edges open it.', 'between face 7 and face 9'), nothing);
+/** What the buttons say. */
+const buttons = (...said: Parameters<typeof remedies>) => {
+  const shown = remedies(...said);
+  return shown === nothing
+    ? []
+    : (shown as unknown as { values: { values: unknown[] }[][] }).values[0]!.map((b) => b.values[4]);
+};
+
+test('an option that helps is a button', () => {
+  assert.deepEqual(buttons(page({}), { remedy: rip }), ['Rip edge 21']);
+  assert.deepEqual(buttons(page({}), { remedy: square, remedies: [square, rip] }), [
+    'Cut square reliefs',
+    'Rip edge 21',
+  ]);
 });
 
-test('reliefs are offered where the rules ask for one', () => {
-  assert.notEqual(remedies(page, { code: 'bend_relief' }), nothing);
-  assert.equal(remedies(page, { code: 'flush_bend' }), nothing);
+test('no button offers what is in force, by choice or by default', () => {
+  assert.deepEqual(buttons(page({}), { remedy: none }), []);
+  assert.deepEqual(buttons(page({ bend_relief: 'square' }), { remedies: [square, none] }), ['Leave it as drawn']);
+});
+
+test('no button is there for what the maker does not take, or for a change to the input', () => {
+  assert.deepEqual(buttons(page({}), { remedy: { option: '--kerf', value: '1', change: 'Widen it' } }), []);
+  assert.deepEqual(buttons(page({}), { remedy: { change: 'Draw a larger radius.' } }), []);
+  assert.deepEqual(buttons(page({}), {}), []);
 });

@@ -53,7 +53,7 @@ async function findings({ page, made }) {
 
 async function remedy({ page, made }) {
   await open(page, [`${made}/shelled_box.step`]);
-  await page.click('[data-testid=remedy-rip-edge]');
+  await page.click('[data-testid^=remedy-rip_edges]');
   await rested(page);
   await away(page);
 }

@@ -1,44 +1,42 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { decodeShape, encodeShape } from '../src/shape.ts';
-import { namedPieces, namedPlaces, pointOf, solidLines, type NamedPlaces } from '../src/solid-mesh.ts';
+import { namedPieces, namedPlaces, pointOf, solidLines } from '../src/solid-mesh.ts';
 import { namedPlates } from '../src/refused-solid.ts';
 import { SolidNames } from '../src/solid-names.ts';
 import { directionThatShows } from '../src/solid-sight.ts';
 import { normalised } from '../src/vectors.ts';
 import { pixelsOf, rasterOf } from '../src/solid-picture.ts';
-import type { PlatesSpec, Shape, Vec3 } from '../src/types.ts';
+import type { Place, PlatesSpec, Shape, Vec3 } from '../src/types.ts';
 
-const problem = (message: string, where?: string) => ({ code: 'refused', message, where });
-
-const numbers = (named: NamedPlaces) => named.faces.map((f) => f.number);
-
-test('faces and edges are named as messages name them', () => {
-  const named = (message: string, where?: string) => namedPlaces(problem(message, where));
-  assert.deepEqual(named('The material below face 8, which continues face 7, is not 12 mm thick', 'face 8'), {
-    faces: [
-      { name: 'face 8', number: 8 },
-      { name: 'face 7', number: 7 },
-    ],
-    edges: [],
+test('faces and edges are those among the places', () => {
+  assert.deepEqual(
+    namedPlaces([
+      { kind: 'face', id: 8 },
+      { kind: 'face', id: 7 },
+      { kind: 'face', id: 8 },
+    ]),
+    {
+      faces: [
+        { name: 'face 8', number: 8 },
+        { name: 'face 7', number: 7 },
+      ],
+      edges: [],
+    },
+  );
+  // Of an edge the faces on both sides are named for its own sake.
+  assert.deepEqual(namedPlaces([{ kind: 'edge', id: 73, faces: [6, 35] }]), {
+    faces: [],
+    edges: [{ name: 'edge 73', between: [6, 35] }],
   });
-  assert.deepEqual(numbers(named('Face 49 (torus) is curved in two directions')), [49]);
-  assert.deepEqual(numbers(named('Faces 3 and 12 meet smoothly', 'faces 3 and 12')), [3, 12]);
-  assert.deepEqual(numbers(named('the faces 1, 2 and 3')), [1, 2, 3]);
   assert.deepEqual(
-    named('a rip along the edge between face 6 and face 35 would open it', 'edge 73 between face 6 and face 35'),
-    { faces: [], edges: [{ name: 'edge 73', between: [6, 35] }] },
+    namedPlaces([
+      { kind: 'point', at: [1, 2, 3] },
+      { kind: 'bend', id: 'B1' },
+    ]),
+    { faces: [], edges: [] },
   );
-  assert.deepEqual(
-    named(
-      'rips along 4 edges would open it, first along the edge between face 6 and face 35',
-      'edge 73 between face 6 and face 35',
-    ),
-    { faces: [], edges: [{ name: 'edge 73', between: [6, 35] }] },
-  );
-  // Without a rip that leads on, the place is the faces.
-  assert.deepEqual(numbers(named('and no rips along its edges open it', 'between face 6 and face 35')), [6, 35]);
-  assert.deepEqual(named('A sheet of 3 mm accounts for 40 % of the surface 12'), { faces: [], edges: [] });
+  assert.deepEqual(namedPlaces(undefined), { faces: [], edges: [] });
 });
 
 const numbered = (faces: number[]) => faces.map((number) => ({ name: `face ${number}`, number }));
@@ -148,22 +146,24 @@ test('a name stands beside a place that is seen, and says where there is none', 
   assert.equal(from(0, -1, 0)[0]!.behind, true, 'the wall hides all of it');
 });
 
-test('plates are named by the message, or by the place in the file', () => {
+test('plates are those among the places, and those of fields of the file', () => {
   const spec = {
     plates: ['base', 'left', 'right "1"'].map((id) => ({ id, outline: [] })),
     bends: [{ between: ['base', 'left'] }],
   } as unknown as PlatesSpec;
-  const named = (message: string, where?: string) => namedPlates(problem(message, where), spec).faces;
+  const named = (...places: Place[]) => namedPlates(places, spec).faces;
+  const plate = (id: string): Place => ({ kind: 'plate', id }),
+    pointer = (id: string): Place => ({ kind: 'pointer', id });
   const [base, left] = [
     { name: 'base', number: 1 },
     { name: 'left', number: 2 },
   ];
-  assert.deepEqual(named('plates "left" and "base" lie in one plane'), [left, base]);
-  assert.deepEqual(named('the bends do not join plate "left" to plate "base": add a bend'), [left, base]);
-  assert.deepEqual(named('there is no plate "other"'), []);
-  assert.deepEqual(named('is not plane', 'file.json/plates/0/outline/3'), [base]);
-  assert.deepEqual(named('has no room', 'file.json/bends/0/inside_radius'), [base, left]);
-  assert.deepEqual(named('has no room', 'file.json/bends/7'), []);
+  assert.deepEqual(named(plate('left'), plate('base')), [left, base]);
+  assert.deepEqual(named(plate('other')), []);
+  assert.deepEqual(named(pointer('/plates/0/outline/3')), [base]);
+  assert.deepEqual(named(pointer('/bends/0/inside_radius')), [base, left]);
+  assert.deepEqual(named(pointer('/bends/7')), []);
+  assert.deepEqual(named(pointer('/root')), []);
 });
 
 test('a picture of a solid shows the three faces that are turned to the eye, each as bright as it lies', () => {

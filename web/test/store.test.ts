@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { keepHistory } from '../src/kept.ts';
-import { initialState, Store, type History } from '../src/state.ts';
+import { initialState, type History } from '../src/state.ts';
+import { Store } from '../src/store.ts';
 import { twoFlanges } from './two-flanges.ts';
 import { decodeShape, encodeShape } from '../src/shape.ts';
 import type { OpenDocument, Spec } from '../src/types.ts';

@@ -5,7 +5,7 @@
 
 #include <planish/base/packed_error.hpp>
 #include <planish/job/artifact.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,7 +70,7 @@ std::vector<job::NamedFile> files_named_in(const std::string& name, const std::s
 
 Result<void> open_first(DocumentStore& store, const std::filesystem::path& file) {
   if (auto bearable = check_size(file); !bearable) return bearable;
-  const auto bytes = job::read_text(file, "file");
+  const auto bytes = schema::read_text(file, "file");
   if (!bytes) return pass_on(bytes);
   if (bytes->size() > kLargestBody) return too_large(file);
   const Answer taken = store.take(shown_name(file), *bytes, Origin::command_line);
@@ -80,7 +80,7 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
   if (opened.status != 200) return tl::unexpected(error_of(opened));
   for (const auto& [name, pointer] : files_named_in(file.string(), *bytes)) {
     // A file elsewhere is reported as missing when it is needed.
-    const auto content = is_plain_name(name) ? job::read_text(file.parent_path() / name, "file")
+    const auto content = is_plain_name(name) ? schema::read_text(file.parent_path() / name, "file")
                                              : fail(code::cannot_read, "");
     if (content) store.attach(id, name, *content);
   }

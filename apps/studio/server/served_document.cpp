@@ -1,7 +1,7 @@
 #include "served_document.hpp"
 
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/text_file.hpp>
+#include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace planish::studio {
 namespace fs = std::filesystem;
 namespace {
 
-using Cause = job::ChildEnd::Cause;
+using Cause = process::ChildEnd::Cause;
 
 constexpr int kUnreadable = 422;  // status for a file that the program cannot read
 
@@ -86,7 +86,7 @@ Answer ServedDocument::computed(const Task& task, Turns& turns) {
 }
 
 Answer ServedDocument::read() {
-  const auto bytes = job::read_text(file(), "document");
+  const auto bytes = schema::read_text(file(), "document");
   if (!bytes) return failure(bytes.error());
   auto started = start_worker(attachments());
   if (!started) return failure(started.error());

@@ -60,7 +60,7 @@ class ServedDocument {
   ServedDocument(std::filesystem::path folder, DocumentLabel label, std::chrono::seconds limit)
       : folder_(std::move(folder)), label_(std::move(label)), limit_(limit) {}
 
-  using Worker = std::shared_ptr<job::ChildProcess>;
+  using Worker = std::shared_ptr<process::ChildProcess>;
 
   void begin();
   void end();
@@ -71,7 +71,7 @@ class ServedDocument {
   Worker worker() const;
   void replace_worker(Worker worker);
   bool is_cancelled() const;
-  Answer worker_lost(job::ChildEnd::Cause cause);
+  Answer worker_lost(process::ChildEnd::Cause cause);
   std::filesystem::path file() const { return folder_ / "document"; }
   std::filesystem::path attachments() const { return folder_ / "attachments"; }
 

@@ -11,14 +11,14 @@ constexpr int kLeastStatus = 200, kLargestStatus = 599;  // of HTTP
 
 }  // namespace
 
-Result<std::unique_ptr<job::ChildProcess>> start_worker(const std::filesystem::path& folder) {
-  return job::ChildProcess::program({"studio-worker"}, folder);
+Result<std::unique_ptr<process::ChildProcess>> start_worker(const std::filesystem::path& folder) {
+  return process::ChildProcess::program({"studio-worker"}, folder);
 }
 
-tl::expected<Answer, job::ChildEnd> ask(job::ChildProcess& worker, const Task& task,
-                                        std::chrono::seconds limit,
-                                        const std::function<void(Stage)>& report) {
-  job::Parent parent;
+tl::expected<Answer, process::ChildEnd> ask(process::ChildProcess& worker, const Task& task,
+                                            std::chrono::seconds limit,
+                                            const std::function<void(Stage)>& report) {
+  process::Parent parent;
   parent.progress.report = [&](std::string_view stage, double share) {
     report({std::string(stage), share});
   };
@@ -26,21 +26,22 @@ tl::expected<Answer, job::ChildEnd> ask(job::ChildProcess& worker, const Task& t
   if (!texts) return tl::unexpected(texts.error());
   if (auto answer = answer_of(*texts)) return std::move(*answer);
   worker.kill();
-  return tl::unexpected(job::ChildEnd{job::ChildEnd::Cause::crashed, job::kDamagedAnswer});
+  return tl::unexpected(
+      process::ChildEnd{process::ChildEnd::Cause::crashed, process::kDamagedAnswer});
 }
 
-job::Texts texts_of(const Task& task) { return {task.verb, task.argument, task.body}; }
+process::Texts texts_of(const Task& task) { return {task.verb, task.argument, task.body}; }
 
-job::Texts texts_of(const Answer& answer) {
+process::Texts texts_of(const Answer& answer) {
   return {fmt::format("{}", answer.status), answer.type, answer.body};
 }
 
-std::optional<Task> task_of(const job::Texts& texts) {
+std::optional<Task> task_of(const process::Texts& texts) {
   if (texts.size() != 3) return std::nullopt;
   return Task{texts[0], texts[1], texts[2]};
 }
 
-std::optional<Answer> answer_of(const job::Texts& texts) {
+std::optional<Answer> answer_of(const process::Texts& texts) {
   if (texts.size() != 3) return std::nullopt;
   int status = 0;
   const std::string& text = texts[0];

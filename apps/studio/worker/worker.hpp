@@ -2,7 +2,7 @@
 
 #include "../work/answer.hpp"
 
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <chrono>
 #include <filesystem>
@@ -21,17 +21,17 @@ struct Stage {
 
 /// A process that works for one document in `folder`: this program again, as
 /// `planish studio-worker`. Error: `internal` with the reason of the system.
-Result<std::unique_ptr<job::ChildProcess>> start_worker(const std::filesystem::path& folder);
+Result<std::unique_ptr<process::ChildProcess>> start_worker(const std::filesystem::path& folder);
 
 /// Has a worker do a task, for `limit` at the most. After an end there is no worker any more.
-tl::expected<Answer, job::ChildEnd> ask(job::ChildProcess& worker, const Task& task,
-                                        std::chrono::seconds limit,
-                                        const std::function<void(Stage)>& report);
+tl::expected<Answer, process::ChildEnd> ask(process::ChildProcess& worker, const Task& task,
+                                            std::chrono::seconds limit,
+                                            const std::function<void(Stage)>& report);
 
 /// Tasks and answers as they are sent. Empty for texts that are none.
-job::Texts texts_of(const Task& task);
-job::Texts texts_of(const Answer& answer);
-std::optional<Task> task_of(const job::Texts& texts);
-std::optional<Answer> answer_of(const job::Texts& texts);
+process::Texts texts_of(const Task& task);
+process::Texts texts_of(const Answer& answer);
+std::optional<Task> task_of(const process::Texts& texts);
+std::optional<Answer> answer_of(const process::Texts& texts);
 
 }  // namespace planish::studio

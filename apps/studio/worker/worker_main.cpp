@@ -22,7 +22,7 @@ void keep_memory() {
 int run_worker(const std::string& server) {
   keep_memory();
   Workbench bench(".");
-  const auto answering = [&](const job::Texts& question, const job::Parent& parent) {
+  const auto answering = [&](const process::Texts& question, const process::Parent& parent) {
     const auto task = task_of(question);
     if (!task) throw std::invalid_argument("a question that is no task");
     return texts_of(bench.perform(*task, parent.progress));
@@ -30,7 +30,7 @@ int run_worker(const std::string& server) {
   const auto rest = [&] {
     if (bench.rest()) malloc_trim(0);
   };
-  return job::answer_parent(server, answering, rest);
+  return process::answer_parent(server, answering, rest);
 }
 
 }  // namespace planish::studio

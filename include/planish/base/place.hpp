@@ -36,12 +36,14 @@ struct Place {
   PlaceKind kind = PlaceKind::point;
   Id id = {};
   std::vector<double> at = {};  ///< mm: x, y in the pattern or x, y, z in space; empty: not known
+  std::vector<int> faces = {};  ///< of an edge: the faces that meet there
 
   friend bool operator==(const Place&, const Place&) = default;
 };
 
 /// A place as a sentence names it, for people, who count from 1: "face 12", "bend B2",
-/// "plate \"floor\"", "strip 3" (of id 2), "(12.5, 40)", "/plates/0", "line 7".
+/// "plate \"floor\"", "strip 3" (of id 2), "(12.5, 40)", "/plates/0", "line 7", and of an edge with
+/// its faces "edge 21 between face 7 and face 9".
 std::string text_of(const Place& place);
 
 /// The same without its kind: "12", "B2", "\"floor\"".
@@ -51,8 +53,10 @@ namespace place {
 
 /// A face of the solid, by its number in `planish info` (from 1).
 inline Place face(int number) { return {PlaceKind::face, number}; }
-/// An edge of the solid, likewise.
-inline Place edge(int number) { return {PlaceKind::edge, number}; }
+/// An edge of the solid, likewise, and the faces that meet there.
+inline Place edge(int number, std::vector<int> faces = {}) {
+  return {PlaceKind::edge, number, {}, std::move(faces)};
+}
 /// A body of the file, from 1.
 inline Place body(int number) { return {PlaceKind::body, number}; }
 /// A flange of the flat pattern, from 1.

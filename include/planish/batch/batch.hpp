@@ -2,7 +2,7 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/batch/inputs.hpp>
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -20,8 +20,8 @@ struct BatchOptions {
   std::vector<std::string> formats = {"dxf"};  ///< artifacts, and "json": the report
   std::string options = "{}";                  ///< JSON object, as in requests
   int workers = 1;
-  job::Limits limits;  ///< `time` of each body, `memory` of each worker
-  Shard shard;         ///< an input falls to the share that the hash of its content says
+  process::Limits limits;  ///< `time` of each body, `memory` of each worker
+  Shard shard;             ///< an input falls to the share that the hash of its content says
 };
 
 /// How far a batch is.

@@ -9,8 +9,8 @@
 
 namespace planish::batch {
 
-/// Among the formats of a batch: the isometric view of each piece, as `job::view_json`, in a file
-/// of this name beside the others.
+/// Among the formats of a batch: the isometric view of each piece, as `drawing::view_json`, in a
+/// file of this name beside the others.
 inline constexpr auto kViews = "views";
 std::string view_name(std::size_t piece);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/base/length_unit.hpp>
 #include <planish/base/result.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
@@ -9,10 +10,6 @@
 #include <vector>
 
 namespace planish {
-
-enum class LengthUnit { mm, inch, m };
-/// Millimetres in one unit.
-double millimetres_in(LengthUnit unit);
 
 enum class LayerProfile { standard, inventor, onshape, solid_edge };
 enum class DxfVersion { r2000, r12 };

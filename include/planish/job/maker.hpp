@@ -14,9 +14,12 @@
 #include <string_view>
 #include <vector>
 
+namespace planish::schema {
+struct Schema;
+}
+
 namespace planish::job {
 
-struct Schema;
 struct ReportDetails;
 
 /// What artifacts are written from.
@@ -109,7 +112,7 @@ struct Maker {
   std::string_view help = {};         ///< examples and exit status, below the options
   std::vector<Source> sources = {};
   std::vector<OptionUse> options = {};
-  const Schema& (*schema)() = nullptr;  ///< of the input; null: not JSON
+  const schema::Schema& (*schema)() = nullptr;  ///< of the input; null: not JSON
   /// What its reports have beyond those of all makers; null: nothing.
   ReportDetails (*report_details)() = nullptr;
   /// Errors: `where` is the input's name with the JSON pointer.

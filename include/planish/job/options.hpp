@@ -1,8 +1,8 @@
 #pragma once
 
 #include <planish/base/result.hpp>
-#include <planish/job/range.hpp>
 #include <planish/job/request.hpp>
+#include <planish/schema/range.hpp>
 
 #include <optional>
 #include <span>
@@ -41,7 +41,7 @@ struct Option {
   std::string_view group;           ///< heading in the help: "Bends"
   std::string_view description;     ///< one line, without the default
   std::string_view otherwise = {};  ///< the default in words; empty: see `OptionUse`, or none
-  Range range = kAnyNumber;
+  schema::Range range = schema::kAnyNumber;
   std::vector<std::string_view> words = {};
   std::string_view file_type = {};  ///< "FILE.csv"
   std::string_view file_kind = {};  ///< what a file is called in messages: "bend table"

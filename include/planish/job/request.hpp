@@ -4,8 +4,8 @@
 #include <planish/connect/plates.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/shop.hpp>
 #include <planish/sheet/layout.hpp>
+#include <planish/shop/shop.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -50,7 +50,7 @@ struct PatternChecks {
   CertificateBounds bounds;
   std::optional<double> density;  ///< kg/dm³; gives the mass
   Bending bending;
-  std::optional<ShopChoice> shop;  ///< has a material once `OptionValues::enter` is done
+  std::optional<shop::ShopChoice> shop;  ///< has a material once `OptionValues::enter` is done
 };
 
 /// How corners whose patterns overlap are mended, and slits are cut.

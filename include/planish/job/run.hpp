@@ -1,7 +1,7 @@
 #pragma once
 
 #include <planish/job/artifact.hpp>
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <memory>
 #include <optional>
@@ -60,7 +60,8 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress = 
 /// `out_of_time`, `out_of_memory`, each with the stage that was reached, and `internal` if the
 /// system cannot start a process.
 Result<RunResult> run_apart(const std::string& request, const Progress& progress = {},
-                            const Limits& limits = {}, const Catalogue& catalogue = built_in());
+                            const process::Limits& limits = {},
+                            const Catalogue& catalogue = built_in());
 
 /// Option values from the text of a JSON object, like the "options" of a request. With
 /// `OptionFiles::content` files are given by content only: {"name": "steel.csv", "content": ...};

@@ -26,7 +26,7 @@ struct Stock {
 struct PackOptions {
   std::string options = "{}";  ///< JSON object, as in requests: how parts are made and written
   int workers = 1;
-  job::Limits limits;                       ///< as of a batch
+  process::Limits limits;                   ///< as of a batch
   bool plan = true;                         ///< find out whether a press brake can bend each part
   std::optional<GivenFile> materials = {};  ///< CSV: names of parts, their material and density
   std::optional<GivenFile> rates = {};      ///< JSON: what the shop asks for work and material

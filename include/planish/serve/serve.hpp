@@ -1,7 +1,7 @@
 #pragma once
 
 #include <planish/job/artifact.hpp>
-#include <planish/job/child_process.hpp>
+#include <planish/process/child_process.hpp>
 
 #include <functional>
 #include <string>
@@ -9,9 +9,9 @@
 namespace planish::serve {
 
 struct ServeOptions {
-  int jobs = 1;         ///< requests at a time, each in a process of its own
-  job::Limits limits;   ///< of each request; `bend` has its search time on top
-  std::string version;  ///< of the program, as clients are told it
+  int jobs = 1;            ///< requests at a time, each in a process of its own
+  process::Limits limits;  ///< of each request; `bend` has its search time on top
+  std::string version;     ///< of the program, as clients are told it
 };
 
 /// Answers requests (docs/serve.md), JSON-RPC 2.0 and Model Context Protocol, until the client says

@@ -32,8 +32,8 @@ Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& 
 
 /// What to say of a sheet that was refused as `closed_loop`: where the first rip goes, if rips open
 /// it; what refuses it after the rips; or that there are none. Only the first names an edge
-/// (`where`: "edge 21 between face 7 and face 8"): its places are that edge, the faces beside it
-/// and the edges of the further rips, its remedy is the option `rip_edges` with all of them.
+/// (`where`: "edge 21 between face 7 and face 8"): its places are that edge and those of the other
+/// rips, its remedy is the option `rip_edges` with all of them.
 Error loop_refusal(const Sheet& sheet, const Error& closed, const FlattenOptions& options,
                    const SheetCheck& passes);
 

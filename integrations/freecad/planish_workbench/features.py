@@ -42,6 +42,7 @@ RESULTS = [
     ("App::PropertyString", "Problem", "Why it could not be made again", ""),
     ("App::PropertyString", "Code", "The same as one word", ""),
     ("App::PropertyString", "Where", "The place in the source, such as a face", ""),
+    ("App::PropertyString", "Places", "The same as JSON (docs/formats.md#places)", ""),
 ]
 PATTERN = [
     ("App::PropertyLength", "Thickness", "Of the sheet", 0.0),
@@ -107,9 +108,10 @@ class Proxy:
             document_object.Problem = sentence(error)
             document_object.Code = getattr(error, "code", "internal")
             document_object.Where = getattr(error, "where", "")
+            document_object.Places = json.dumps(getattr(error, "places", []), ensure_ascii=False)
             document_object.Status = "refused"
             raise
-        document_object.Problem = document_object.Code = document_object.Where = ""
+        document_object.Problem = document_object.Code = document_object.Where = document_object.Places = ""
 
     def made(self, document_object):
         raise NotImplementedError

@@ -1,13 +1,12 @@
 """Findings as rows, and the faces of the solid that a row means.
 
-Faces are named in messages, or follow from places in the flat pattern: a flange of the pattern is the face of the solid
-with its area, outline and edges. Where several faces are congruent, all of them are meant.
+A finding names faces among its places, or they follow from points of the flat pattern: a flange of the pattern is the face
+of the solid with its area, outline and edges. Where several faces are congruent, all of them are meant.
 """
 
 import dataclasses
 import json
 import os
-import re
 import tempfile
 
 import FreeCAD as App
@@ -18,30 +17,31 @@ from .library import planish
 
 ALIKE = 1e-3  # mm, and relative for areas: between a face and its image
 MARGIN = 1e-3  # mm, by which strips of bends reach beyond their lines
-NAMED = {"Face": re.compile(r"\b[Ff]aces? (\d+(?:(?:, | and )(?:face )?\d+)*)"),
-         "Edge": re.compile(r"\b[Ee]dges? (\d+(?:(?:, | and )(?:edge )?\d+)*)")}
 
 
 @dataclasses.dataclass
 class Row:
-    """One finding: severity, sentence, places in the flat pattern, where in the input."""
+    """One finding: severity, sentence, points of the flat pattern, places (docs/formats.md#places)."""
 
     severity: str
     message: str
     at: list
-    where: str = ""
+    places: list = dataclasses.field(default_factory=list)
 
 
 def rows(made):
     """The findings of an object; if it could not be made, why."""
     if made.Problem:
-        return [Row("error", made.Problem, [], made.Where)]
+        return [Row("error", made.Problem, [], json.loads(made.Places or "[]"))]
     report = json.loads(made.Report) if made.Report else {}
     found = []
     for one in report.get("pieces") or [report]:
         for check in one.get("checks", ()):
-            found += [Row(place["severity"], place["message"], place["at"])
-                      for place in check.get("places") or [check]]
+            if "count" in check:  # a rule, with the places where it is broken
+                found += [Row(place["severity"], place["message"], place["points"], [place])
+                          for place in check["places"]]
+            else:
+                found.append(Row(check["severity"], check["message"], check["at"], check["places"]))
         found += [Row("info", note, []) for note in one.get("notes", ())]
     return found
 
@@ -51,16 +51,16 @@ def faces(made, row):
     source = getattr(made, "Source", None)
     if source is None:
         return []
-    numbers = named(f"{row.where} {row.message}", "Face")
+    numbers = named(row.places, "face")
     if not numbers and row.at and hasattr(made, "Flat"):
         numbers = faces_at(sources.solid(source, made.Body), made.Flat, json.loads(made.Report)["flat"]["bends"], row.at,
                            made.Thickness.Value)
     return sources.element_names(source, made.Body, "Face", sorted(set(numbers)))
 
 
-def named(text, kind):
-    """The numbers of faces ("Face") or edges ("Edge") that a text names."""
-    return sorted({int(number) for group in NAMED[kind].findall(text) for number in re.findall(r"\d+", group)})
+def named(places, kind):
+    """The numbers of the faces ("face") or edges ("edge") among places."""
+    return sorted({place["id"] for place in places if place["kind"] == kind})
 
 
 def faces_at(solid, flat, bends, points, thickness):

@@ -14,7 +14,9 @@ import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
 import { lengthText } from '../units.ts';
 import { platesOf, type Ui } from '../ui.ts';
 import { shopSection } from './allowance.ts';
-import { choice, lengthField, lengthSlider, niceAbove, numberField, refuse, section } from './fields.ts';
+import { block } from './blocks.ts';
+import { choice, lengthSlider, niceAbove, numberField, refuse, section } from './fields.ts';
+import { kFactorField, thicknessField } from './sheet-fields.ts';
 import { platesPart } from './plates.ts';
 
 export function connectPanel(ui: Ui) {
@@ -24,23 +26,7 @@ export function connectPanel(ui: Ui) {
     bends = bendsOf(spec, rows);
   return html` ${section(
     'Sheet',
-    html` ${lengthField(ui, {
-      label: 'Thickness',
-      testid: 'thickness',
-      value: spec.thickness,
-      from: spec.units,
-      min: 1e-6,
-      on: (v) => v && set({ thickness: v }),
-    })}
-    ${numberField({
-      label: 'K-factor',
-      testid: 'k-factor',
-      value: spec.k_factor,
-      min: 0,
-      max: 1,
-      placeholder: '0.44',
-      on: (v) => set({ k_factor: v ?? undefined }),
-    })}
+    html` ${thicknessField(ui, spec, set)} ${kFactorField(spec, '0.44', set)}
     ${choice(
       'Stays in place',
       'root',
@@ -85,27 +71,18 @@ function bendBlock(
     return html`<div class="block missing" data-testid="bend-missing-${index}">
       <span>${between.join(' – ')}</span><em>not fitted</em>${remove}
     </div>`;
-  const open = ui.state.selection.part === row.id,
-    own = bendSpecOf(spec, rows, row);
+  const own = bendSpecOf(spec, rows, row);
   const set = (patch: Partial<BendSpec>, live = false) =>
     ui.edit<PlatesSpec>((s) => setBend(s, rows, row, patch), live);
-  return html`<div class="block ${open ? 'open' : ''}">
-    <button
-      class="head"
-      data-testid="bend-head-${row.id}"
-      aria-expanded=${open}
-      @click=${() => ui.dispatch({ type: 'select', selection: { part: open ? null : row.id } })}
-    >
-      <b>${row.id}</b><span>${between.join(' – ')}</span
-      ><em
-        >${row.surface ?? row.kind}, R ${lengthText(row.inside_radius, knownPiece(ui.state)?.units, ui.state.units)}</em
-      >
-    </button>
-    ${open
-      ? html`${bendFields(ui, spec, row, own, set)}
-          <p class="row">${remove}</p>`
-      : nothing}
-  </div>`;
+  const radius = lengthText(row.inside_radius, knownPiece(ui.state)?.units, ui.state.units);
+  return block(ui, {
+    picks: { part: row.id },
+    testid: `bend-head-${row.id}`,
+    head: { name: row.id, said: between.join(' – '), aside: `${row.surface ?? row.kind}, R ${radius}` },
+    content: () =>
+      html`${bendFields(ui, spec, row, own, set)}
+        <p class="row">${remove}</p>`,
+  });
 }
 
 function bendFields(

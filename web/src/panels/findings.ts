@@ -59,7 +59,7 @@ function severityFilter(ui: Ui, findings: Finding[]) {
 
 function finding(ui: Ui, f: Finding, i: number) {
   const chosen = ui.state.selection.finding === i,
-    places = f.places?.length ?? 0;
+    places = f.count ?? 0;
   const choose = () => ui.dispatch({ type: 'select', selection: { finding: chosen ? null : i } });
   return html`<li class="${f.severity} ${chosen ? 'selected' : ''}" data-testid="finding-${i + 1}">
     <button class="finding" aria-expanded=${chosen} @click=${choose}>
@@ -71,9 +71,9 @@ function finding(ui: Ui, f: Finding, i: number) {
 }
 
 /** All places of a chosen finding that has several. */
-const placesOf = ({ places }: Finding) =>
-  (places?.length ?? 0) > 1
+const placesOf = ({ places, count = 0 }: Finding) =>
+  count > 1
     ? html`<ul class="places" data-testid="places" tabindex="0" aria-label="Places">
-        ${places!.map((place) => html`<li class="${place.severity}">${sentence(place.message)}</li>`)}
+        ${places!.map((place) => html`<li class="${place.severity}">${sentence(place.message!)}</li>`)}
       </ul>`
     : nothing;

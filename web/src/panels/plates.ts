@@ -24,7 +24,9 @@ import {
 } from '../edits/outline.ts';
 import type { BendRow, PlateSpec, PlatesSpec, Vec2, Vec3 } from '../types.ts';
 import { convert } from '../units.ts';
+import type { GizmoMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
+import { segment } from './blocks.ts';
 import { lengthField, numberField, refuse } from './fields.ts';
 
 /** Plates to choose from, actions on the chosen one, and new plates. */
@@ -94,21 +96,9 @@ function placeFields(ui: Ui, spec: PlatesSpec, plate: PlateSpec) {
     );
   const turn = (axis: 0 | 1 | 2, v: number | null) =>
     v && ui.edit<PlatesSpec>((s) => movePlate(s, plate.id, (p) => turned(p, middle, axis, v)));
-  return html`<div class="segments">
-      <button
-        data-testid="gizmo-translate"
-        class=${mode === 'translate' ? 'on' : ''}
-        @click=${() => ui.dispatch({ type: 'gizmo', gizmo: 'translate' })}
-      >
-        Move</button
-      ><button
-        data-testid="gizmo-rotate"
-        class=${mode === 'rotate' ? 'on' : ''}
-        @click=${() => ui.dispatch({ type: 'gizmo', gizmo: 'rotate' })}
-      >
-        Turn
-      </button>
-    </div>
+  const chooses = (text: string, gizmo: GizmoMode) =>
+    segment(text, `gizmo-${gizmo}`, mode === gizmo, () => ui.dispatch({ type: 'gizmo', gizmo }));
+  return html`<div class="segments">${chooses('Move', 'translate')}${chooses('Turn', 'rotate')}</div>
     <div class="triple">
       ${(['x', 'y', 'z'] as const).map((axis, k) =>
         mode === 'translate'

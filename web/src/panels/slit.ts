@@ -6,9 +6,11 @@ import { convert, lengthText, sizeText, unitName } from '../units.ts';
 import { restingSpec, slitOf, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
 import { massSection } from './allowance.ts';
+import { block } from './blocks.ts';
 import { choice, lengthField, numberField, section, slider, toggle } from './fields.ts';
 import { legFields, secondPanel } from './legs.ts';
 import { mouldFields } from './mould.ts';
+import { thicknessField } from './sheet-fields.ts';
 import { stripFields } from './strips.ts';
 
 type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
@@ -108,45 +110,40 @@ function anchorFields(ui: Ui, spec: SlitSpec) {
 }
 
 function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
-  const open = ui.state.selection.anchor === i;
-  return html`<div class="block ${open ? 'open' : ''}">
-    <button
-      class="head"
-      data-testid="anchor-${i}"
-      aria-expanded=${open}
-      @click=${() => ui.dispatch({ type: 'select', selection: { anchor: open ? null : i } })}
-    >
-      <b>${i + 1}</b><span>strip ${a.strip}, ridge ${a.ridge}, ${a.side ?? 'left'}</span
-      ><em>${a.at.map((v) => lengthText(v, spec.units, ui.state.units)).join(' · ')}</em>
-    </button>
-    ${open
-      ? html`<div class="triple">
-            ${(['x', 'y', 'z'] as const).map((axis, k) =>
-              lengthField(ui, {
-                label: axis,
-                testid: `anchor-${axis}`,
-                value: a.at[k]!,
-                from: spec.units,
-                on: (v) =>
-                  v !== null &&
-                  ui.edit<SlitSpec>((s) => moveAnchor(s, i, a.at.map((x, j) => (j === k ? v : x)) as Vec3)),
-              }),
-            )}
-          </div>
-          <p class="row">
-            <button
-              class="link"
-              data-testid="anchor-remove"
-              @click=${() => {
-                ui.edit<SlitSpec>((s) => removeAnchor(s, i));
-                ui.dispatch({ type: 'select', selection: {} });
-              }}
-            >
-              Remove
-            </button>
-          </p>`
-      : nothing}
-  </div>`;
+  return block(ui, {
+    picks: { anchor: i },
+    testid: `anchor-${i}`,
+    head: {
+      name: i + 1,
+      said: `strip ${a.strip}, ridge ${a.ridge}, ${a.side ?? 'left'}`,
+      aside: a.at.map((v) => lengthText(v, spec.units, ui.state.units)).join(' · '),
+    },
+    content: () =>
+      html`<div class="triple">
+          ${(['x', 'y', 'z'] as const).map((axis, k) =>
+            lengthField(ui, {
+              label: axis,
+              testid: `anchor-${axis}`,
+              value: a.at[k]!,
+              from: spec.units,
+              on: (v) =>
+                v !== null && ui.edit<SlitSpec>((s) => moveAnchor(s, i, a.at.map((x, j) => (j === k ? v : x)) as Vec3)),
+            }),
+          )}
+        </div>
+        <p class="row">
+          <button
+            class="link"
+            data-testid="anchor-remove"
+            @click=${() => {
+              ui.edit<SlitSpec>((s) => removeAnchor(s, i));
+              ui.dispatch({ type: 'select', selection: {} });
+            }}
+          >
+            Remove
+          </button>
+        </p>`,
+  });
 }
 
 /** How far each strip is from its targets. */
@@ -228,15 +225,7 @@ function scanFields(ui: Ui, spec: SlitSpec, set: Set) {
 function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
   const { sheet } = spec,
     change = (patch: object) => set({ sheet: { ...sheet, ...patch } });
-  return html` ${lengthField(ui, {
-    label: 'Thickness',
-    testid: 'thickness',
-    value: spec.thickness,
-    from: spec.units,
-    min: 1e-6,
-    on: (v) => v && set({ thickness: v }),
-  })}
-  ${stripFields(ui, spec)}
+  return html` ${thicknessField(ui, spec, set)} ${stripFields(ui, spec)}
   ${lengthField(ui, {
     label: 'Panel height',
     testid: 'panel-height',

@@ -16,6 +16,7 @@ import {
 import type { LengthUnit, SlitSpec, StripEnd, StripSpec, Vec3 } from '../types.ts';
 import { lengthText, millimetres } from '../units.ts';
 import type { Ui } from '../ui.ts';
+import { block } from './blocks.ts';
 import { choice, lengthField, numberField, toggle } from './fields.ts';
 
 type Change = (change: (s: SlitSpec) => SlitSpec) => void;
@@ -73,22 +74,18 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
 const endsFreely = (spec: SlitSpec) => spec.symmetric === false && !spec.second_panel;
 
 function stripBlock(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number, own: boolean) {
-  const open = ui.state.selection.strip === i,
-    text = (v: number) => lengthText(v, spec.units, ui.state.units);
-  return html`<div class="block ${open ? 'open' : ''}">
-    <button
-      class="head"
-      data-testid="strip-head-${i}"
-      aria-expanded=${open}
-      @click=${() => ui.dispatch({ type: 'select', selection: { strip: open ? null : i } })}
-    >
-      <b>${i}</b><span>${text(strip.width)} wide${strip.gap ? `, gap ${text(strip.gap)}` : ''}</span
-      ><em>${endOf(spec, i)?.position ? 'end is placed' : ''}</em>
-    </button>
-    ${open
-      ? html`${own ? ownFields(ui, spec, strip, i) : nothing}${endsFreely(spec) ? endFields(ui, spec, i) : nothing}`
-      : nothing}
-  </div>`;
+  const text = (v: number) => lengthText(v, spec.units, ui.state.units);
+  return block(ui, {
+    picks: { strip: i },
+    testid: `strip-head-${i}`,
+    head: {
+      name: i,
+      said: `${text(strip.width)} wide${strip.gap ? `, gap ${text(strip.gap)}` : ''}`,
+      aside: endOf(spec, i)?.position ? 'end is placed' : '',
+    },
+    content: () =>
+      html`${own ? ownFields(ui, spec, strip, i) : nothing}${endsFreely(spec) ? endFields(ui, spec, i) : nothing}`,
+  });
 }
 
 function ownFields(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number) {

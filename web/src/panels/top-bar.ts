@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { redoesOrder, undoesOrder } from '../order-state.ts';
 import type { Ui } from '../ui.ts';
+import { segment } from './blocks.ts';
 import { closeMenu, downloadMenu } from './download-menu.ts';
 
 export function topBar(ui: Ui): TemplateResult {
@@ -50,19 +51,9 @@ export function topBar(ui: Ui): TemplateResult {
       </button></span
     >
     <span class="segments"
-      ><button
-        data-testid="units-mm"
-        class=${units === 'mm' ? 'on' : ''}
-        @click=${() => ui.dispatch({ type: 'units', units: 'mm' })}
-      >
-        mm</button
-      ><button
-        data-testid="units-inch"
-        class=${units === 'inch' ? 'on' : ''}
-        @click=${() => ui.dispatch({ type: 'units', units: 'inch' })}
-      >
-        inch
-      </button></span
+      >${(['mm', 'inch'] as const).map((unit) =>
+        segment(unit, `units-${unit}`, units === unit, () => ui.dispatch({ type: 'units', units: unit })),
+      )}</span
     >
     <button data-testid="theme" title="Light or dark" @click=${() => ui.setTheme(theme === 'light' ? 'dark' : 'light')}>
       ${theme === 'light' ? 'Dark' : 'Light'}

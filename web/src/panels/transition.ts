@@ -16,7 +16,8 @@ import {
 import type { PressLines, Profile, ProfileSpec, Seam, TransitionSpec, Vec2, Vec3 } from '../types.ts';
 import { restingSpec, transitionOf, type Ui } from '../ui.ts';
 import { shopSection } from './allowance.ts';
-import { choice, lengthField, lengthSlider, niceAbove, numberField, section, slider } from './fields.ts';
+import { choice, lengthField, lengthSlider, niceAbove, section, slider } from './fields.ts';
+import { kFactorField, thicknessField } from './sheet-fields.ts';
 
 type Set = (patch: Partial<TransitionSpec>, live?: boolean) => void;
 type End = 'from' | 'to';
@@ -26,23 +27,7 @@ export function transitionPanel(ui: Ui) {
   const set: Set = (patch, live = false) => ui.edit<TransitionSpec>((s) => clear({ ...s, ...patch }), live);
   return html` ${section(
     'Sheet',
-    html` ${lengthField(ui, {
-      label: 'Thickness',
-      testid: 'thickness',
-      value: spec.thickness,
-      from: spec.units,
-      min: 1e-6,
-      on: (v) => v && set({ thickness: v }),
-    })}
-    ${numberField({
-      label: 'K-factor',
-      testid: 'k-factor',
-      value: spec.k_factor,
-      min: 0,
-      max: 1,
-      placeholder: '0.5',
-      on: (v) => set({ k_factor: v ?? undefined }),
-    })}
+    html` ${thicknessField(ui, spec, set)} ${kFactorField(spec, '0.5', set)}
     ${choice(
       'Sizes are',
       'sizes-are',

@@ -39,7 +39,7 @@ export async function access({ page }) {
   });
   await opened(page, 'walls.json');
   await tabs('refused');
-  await page.click('[data-testid=remedy-overlapping]');
+  await page.click('[data-testid=remedy-write_overlapping-true]');
   await rested(page);
   await page.click('[data-testid=tab-findings]');
   await page.click('[data-testid=finding-1] button');

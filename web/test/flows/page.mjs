@@ -134,7 +134,7 @@ export async function drop({ page }) {
     await page.textContent('[data-testid=message]'),
     /with “write overlapping” the pattern is written anyway/,
   );
-  await page.click('[data-testid=remedy-overlapping]');
+  await page.click('[data-testid=remedy-write_overlapping-true]');
   await rested(page);
   assert.deepEqual(await state(page, '[s.problem, s.shape.report.status]'), [null, 'warning']);
   await download(page, 'dxf');

@@ -58,13 +58,13 @@ export async function refusal({ page }) {
   await near();
   await page.click('[data-testid=see-through]');
   // One click opens it where the sentence says; undo closes it again.
-  await page.click('[data-testid=remedy-rip-edge]');
+  await page.click('[data-testid^=remedy-rip_edges]');
   await rested(page);
   assert.match(await page.textContent('[data-testid=blank-size]'), /148\.1\d × 120/);
   assert.match(await page.textContent('[data-testid=rip-edges]'), /edge 21/);
   await page.screenshot({ path: `${folder(page)}/ripped.png` });
   await page.click('[data-testid=undo]');
-  await page.waitForSelector('[data-testid=remedy-rip-edge]');
+  await page.waitForSelector('[data-testid^=remedy-rip_edges]');
   // A face.
   await open(page, [`${folder(page)}/../stepped.step`]);
   assert.match(await page.textContent('[data-testid=message]'), /face 6/);
@@ -140,7 +140,7 @@ export async function roomy({ page }) {
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.querySelector('[data-testid=divider]').ariaValueNow === '85');
   // With a pattern the views share the room again.
-  await page.click('[data-testid=remedy-rip-edge]');
+  await page.click('[data-testid^=remedy-rip_edges]');
   await rested(page);
   assert.equal(await share(), '50');
   assert.ok((await size()).width < 0.55 * main.width || (await stacked()));
@@ -156,7 +156,7 @@ export async function reliefs({ page }) {
   const area = () => state(page, 's.shape.report.flat.area');
   assert.match(await list(), /2 ends of bends[^]*without relief; it needs one 1 mm/);
   const drawn = await area();
-  await page.click('[data-testid=remedy-bend-round]');
+  await page.click('[data-testid=remedy-bend_relief-round]');
   await rested(page);
   assert.match(await list(), /2 round reliefs are cut beside bends/);
   assert.doesNotMatch(await list(), /without relief/);
@@ -184,7 +184,7 @@ export async function reliefs({ page }) {
   for (const off of [0.2, 0.5, 0.8, 1.2]) assert.ok((await darkest(off)) > 200, `no line ${off} mm from the bend`);
   await page.screenshot({ path: `${folder(page)}/round.png` });
   await page.click('[data-testid=undo]');
-  await page.click('[data-testid=remedy-bend-square]');
+  await page.click('[data-testid=remedy-bend_relief-square]');
   await rested(page);
   assert.match(await list(), /2 reliefs are cut/);
   // Each 1 mm wide over the bend zone and 0.2 mm beyond at both ends; the slits of 0.01 mm are cut anyway.
@@ -193,7 +193,7 @@ export async function reliefs({ page }) {
   assert.ok(Math.abs(drawn - (await area()) - square) < 1e-3, `${drawn - (await area())} mm² is cut`);
   // With half circles at both ends.
   assert.ok(drawn - round > square, `${drawn - round} mm² is cut`);
-  await page.click('[data-testid=remedy-bend-none]');
+  await page.click('[data-testid=remedy-bend_relief-none]');
   await rested(page);
   assert.equal(await area(), drawn);
 }
@@ -224,7 +224,7 @@ export async function offered({ page }) {
   await page.click('[data-testid=tab-bends]');
   await page.locator('[data-testid=panel]', { hasText: 'Refused: no bends are known.' }).waitFor();
   // Opened along its edge it has all of it.
-  await page.click('[data-testid=remedy-rip-edge]');
+  await page.click('[data-testid^=remedy-rip_edges]');
   await rested(page);
   await page.click('[data-testid=tab-input]');
   for (const one of ['pick-root', 'pick-up', 'up-turn']) await page.waitForSelector(`[data-testid=${one}]:enabled`);

@@ -272,7 +272,7 @@ export async function marks({ page }) {
   const [rules, places] = await state(
       page,
       `[s.result.report.checks.length,
-    s.result.report.checks.map((f) => f.places?.length ?? f.at?.length ?? 0)]`,
+    s.result.report.checks.map((f) => f.count ?? f.at?.length ?? 0)]`,
     ),
     many = places.indexOf(Math.max(...places));
   assert.ok(places[many] >= 100, `places by rule: ${places}`);

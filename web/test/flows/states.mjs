@@ -96,7 +96,7 @@ export async function liststates({ page }) {
   await page.click('[data-testid=tab-findings]');
   const most = await state(
     page,
-    `(() => { const n = s.result.report.checks.map((f) => f.places?.length ?? 0);
+    `(() => { const n = s.result.report.checks.map((f) => f.count ?? 0);
       return n.indexOf(Math.max(...n)); })()`,
   );
   await page.click(`[data-testid=finding-${most + 1}] button`);

@@ -64,10 +64,10 @@ def selected_pattern():
 
 def point_out(source, number, error, rips=()):
     """Selects the edges that an error names, beside those ripped already, or else the faces."""
-    text = f"{error.where} {error.message}"
-    edges = places.named(text, "Edge")
+    of_error = getattr(error, "places", [])
+    edges = places.named(of_error, "edge")
     names = sources.element_names(source, number, "Edge", [*rips, *edges]) if edges else \
-        sources.element_names(source, number, "Face", places.named(text, "Face"))
+        sources.element_names(source, number, "Face", places.named(of_error, "face"))
     if names:
         Gui.Selection.clearSelection()
     for name in names:

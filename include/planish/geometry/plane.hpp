@@ -1,0 +1,42 @@
+#pragma once
+
+#include <planish/geometry/curve.hpp>
+
+#include <algorithm>
+#include <vector>
+
+// Vectors, segments and boxes of the plane. Everything is exact up to rounding and takes constant
+// time, or time in proportion to the points given.
+
+namespace planish {
+
+/// |a| |b| sin of the angle from a to b: above 0 if b points to the left of a.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Where the point of a segment nearest to p lies: 0 at its start, 1 at its end. 0 of a segment
+/// without length.
+inline double nearest_share(const Segment& segment, const Vec2& p) {
+  const Vec2 along = segment.b - segment.a;
+  const double square = along.squaredNorm();
+  return square > 0.0 ? std::clamp(along.dot(p - segment.a) / square, 0.0, 1.0) : 0.0;
+}
+
+/// The point of a segment nearest to p.
+inline Vec2 nearest_on(const Segment& segment, const Vec2& p) {
+  return segment.a + nearest_share(segment, p) * (segment.b - segment.a);
+}
+
+inline double distance(const Vec2& p, const Segment& segment) {
+  return (p - segment.a - nearest_share(segment, p) * (segment.b - segment.a)).norm();
+}
+
+/// Whether segments cross: the ends of each lie on both sides of the other. Touching is none.
+bool properly_cross(const Segment& a, const Segment& b);
+
+/// Of two segments: 0 if they meet.
+double distance(const Segment& a, const Segment& b);
+
+/// The smallest box that holds the points.
+Box2 box_of(const std::vector<Vec2>& points);
+
+}  // namespace planish

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace planish::schema {
+
+/// A file's bytes, or those of standard input for "-"; `what` names the kind of file in messages
+/// ("plates file"). Errors: `cannot_read` with the system's reason.
+Result<std::string> read_text(const std::filesystem::path& file, const std::string& what);
+
+}  // namespace planish::schema

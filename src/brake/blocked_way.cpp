@@ -1,0 +1,164 @@
+// Why a line cannot be pressed. Of all ways to press it the one counts in which least is in the
+// way: of all parts that hit tools the deepest one, measured by how far the tool's section can be
+// shrunk until it is clear, found by doubling and halving. What must hold: a tool shrunk more is
+// hit less (math.md#bend-order).
+#include "blocked_way.hpp"
+
+#include "closing.hpp"
+#include "gauge.hpp"
+#include "one_line.hpp"
+#include "plane_side.hpp"
+#include "standing.hpp"
+#include "sweep.hpp"
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kDepthFound = 0.005;  // mm
+constexpr double kDeepest = 1000.0;    // mm: beyond any tool
+
+/// The flange that a part belongs to, or of a zone the one behind it.
+std::optional<FlangeId> flange_of(StageCache& cache, int line, int part) {
+  const Workpiece& work = cache.inputs().work;
+  const PartTree& tree = cache.tree(line);
+  const PartTree::Part& at = tree.parts()[part];
+  if (!at.is_zone) return work.bodies[at.index].flange;
+  const auto& bodies = work.lines[at.index].bodies;
+  const int before = at.before >= 0 ? tree.parts()[at.before].index : bodies[0];
+  const int beyond = bodies[bodies[0] == before ? 1 : 0];
+  const auto flange = work.bodies[beyond].flange;
+  return flange ? flange : work.bodies[before].flange;
+}
+
+/// Where along x a tool counts: beams everywhere, rows where they must press.
+Interval where_it_counts(StageCache& cache, const Setting& stroke, ToolKind kind) {
+  if (!is_row(kind)) return kEverywhere;
+  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  const double left_out = shortfall(cache.inputs());
+  return {pieces.front().lo + left_out, pieces.back().hi - left_out};
+}
+
+/// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
+/// Outside `told` it is only said on which side it is: at most its lower end, or at least its upper
+/// one.
+BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction& obstruction,
+                    const Interval& told) {
+  const StrokeInputs& inputs = cache.inputs();
+  BlockedBend blocked{
+      inputs.work.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
+  if (obstruction.part >= 0) blocked.with = flange_of(cache, stroke.line, obstruction.part);
+  if (!obstruction.hits || obstruction.part < 0) return blocked;
+  const ToolKind kind = *obstruction.hits;
+  const int tool = tool_of(kind, stroke);
+  const PlacedPart& placed = *cache.parts(stroke)[obstruction.part];
+  const Interval along = where_it_counts(cache, stroke, kind);
+  const auto turn_deeper = [&](double depth) {
+    const Obstacle& plain = cache.tools().deeper(kind, tool, depth);
+    const Obstacle other = mirrored(plain);
+    const bool same = stroke.direction > 0;
+    return hit_within(motion(inputs, stroke), placed, same ? plain : other, same ? other : plain,
+                      along, most_turn(inputs, stroke.line));
+  };
+  double lo = 0.0, hi = kPenetration;
+  std::optional<double> turn;
+  blocked.hits = cache.tools().name(kind, tool);
+  // Most ways are told apart from the best one by a single look.
+  if (told.hi < kDeepest && turn_deeper(told.hi)) {
+    blocked.depth = told.hi;
+    return blocked;
+  }
+  if (told.lo > 0.0 && !turn_deeper(told.lo)) return blocked;
+  while (hi < kDeepest) {
+    const auto deeper = turn_deeper(hi);
+    if (!deeper) break;
+    turn = deeper;
+    lo = hi;
+    hi *= 2.0;
+  }
+  while (hi - lo > kDepthFound) {
+    const double middle = 0.5 * (lo + hi);
+    if (const auto deeper = turn_deeper(middle)) {
+      turn = deeper;
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+  blocked.depth = lo;
+  if (turn) blocked.at_turn = Angle::radians(*turn);
+  return blocked;
+}
+
+/// Of all parts that are in a tool the one that is deepest; one that is at least `most` deep will
+/// do.
+BlockedBend deepest_of_all(StageCache& cache, const Setting& stroke, double most) {
+  BlockedBend worst{cache.inputs().work.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, {}};
+  for (const Obstruction& obstruction : collisions(cache, stroke)) {
+    BlockedBend found = deepest(cache, stroke, obstruction, {worst.depth, most});
+    if (found.depth > worst.depth || worst.hits.empty()) worst = std::move(found);
+    if (worst.depth >= most) break;
+  }
+  return worst;
+}
+
+std::optional<Obstruction> obstruction_of(StageCache& cache, const Setting& stroke, bool closes) {
+  if (!closes)
+    if (auto short_side = too_short(cache, stroke)) return short_side;
+  auto rows = closes ? closing(cache, stroke) : standing(cache, stroke);
+  if (rows) return std::nullopt;
+  return std::move(rows.error());
+}
+
+/// Of all ways to make a stroke that cannot be made the one in which least is in the way.
+BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& pressed,
+                       Clock::time_point until) {
+  const StrokeInputs& inputs = cache.inputs();
+  const int line = members(pressed).front();
+  const BrakeLine& first = inputs.work.lines[line];
+  const FittingTools& fitting = inputs.fitting[line];
+  const bool closes = first.closes.has_value();
+  BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
+  Setting way{&formed, pressed, line, 0, 0, 1};
+  for (const int punch : fitting.punches)
+    for (const int die : fitting.dies)
+      for (const int direction : {1, -1}) {
+        if (Clock::now() > until && (!best.hits.empty() || !best.why.empty())) continue;
+        const Setting stroke{&formed, pressed, line, punch, die, direction};
+        const auto obstruction = obstruction_of(cache, stroke, closes);
+        if (!obstruction) continue;
+        const double most = best.hits.empty() ? kDeepest : best.depth;
+        BlockedBend found = obstruction->part >= 0 && obstruction->hits
+                                ? deepest_of_all(cache, stroke, most)
+                                : deepest(cache, stroke, *obstruction, {0.0, most});
+        const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
+        if (!collides && (best_collides || !best.why.empty())) continue;
+        if (collides && best_collides && found.depth >= best.depth) continue;
+        best = std::move(found);
+        way = stroke;
+      }
+  if (best.hits.empty()) best.depth = 0.0;
+  StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
+  choice.direction = direction_number(inputs, way.direction * first.across());
+  choice.gauged = closes || gauge(cache, way).has_value();
+  return {std::move(best), std::move(choice)};
+}
+
+}  // namespace
+
+BlockedWay blocked_way(StageCache& cache, const LineSet& formed, const LineSet& pressed,
+                       Clock::time_point until) {
+  LineSet key = formed;
+  key.insert(key.end(), pressed.begin(), pressed.end());
+  if (const BlockedWay* known = cache.blocked_way(key)) return *known;
+  BlockedWay way = nearest_way(cache, formed, pressed, until);
+  if (Clock::now() <= until) cache.keep(std::move(key), way);
+  return way;
+}
+
+BlockedBend blocked(StageCache& cache, const LineSet& formed, int line, Clock::time_point until) {
+  LineSet alone = no_lines(cache.inputs().lines());
+  insert(alone, line);
+  return blocked_way(cache, formed, alone, until).bend;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,52 @@
+// The least distance left in a stroke. Every block of the workpiece is swept past every tool where
+// both are: past beams whole, past punch and die as far as their rows reach. What must hold: a pair
+// farther apart than the least so far need not be told apart (math.md#stroke-clearance).
+#include "clearance.hpp"
+
+#include "standing.hpp"
+#include "sweep.hpp"
+
+#include <algorithm>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
+
+/// The ranges of x in which a tool stands beside a block.
+std::vector<Interval> beside(const Interval& block, ToolKind kind, const PressRows& rows) {
+  if (!is_row(kind)) return {block};
+  std::vector<Interval> ranges;
+  for (const ToolRow& row : kind == ToolKind::punch ? rows.punch : rows.die) {
+    const Interval range{std::max(block.lo, row.from), std::min(block.hi, row.from + row.length())};
+    if (range.lo <= range.hi) ranges.push_back(range);
+  }
+  return ranges;
+}
+
+}  // namespace
+
+double clearance(StageCache& cache, const Setting& stroke, const PressRows& rows) {
+  double least = kFarAway;
+  const PressMotion motion = brake_detail::motion(cache.inputs(), stroke);
+  const double most = most_turn(cache.inputs(), stroke.line);
+  const std::vector<const PlacedPart*>& parts = cache.parts(stroke);
+  for (int part = 0; part < std::ssize(parts); ++part) {
+    const PlacedPart& placed = *parts[part];
+    for (const ToolKind kind : kToolKinds) {
+      const SidedObstacle body = cache.tools().body(
+          kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
+      const Obstacle& obstacle = placed.left ? *body.left : *body.right;
+      for (const Block3& block : placed.blocks)
+        for (const Interval& range : beside(extent(block), kind, rows)) {
+          const Convex cut = section(block, range.lo, range.hi);
+          if (cut.empty()) continue;
+          const Moving moving = turned_with_side(motion, cut);
+          least = std::min(least, closest(motion, moving, obstacle, most, least).distance);
+        }
+    }
+  }
+  return least;
+}
+
+}  // namespace planish::brake_detail

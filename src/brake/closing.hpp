@@ -1,0 +1,14 @@
+#pragma once
+
+#include "closed_hem.hpp"
+#include "obstruction.hpp"
+
+namespace planish::brake_detail {
+
+/// Where the flat tools stand that close a hem, or what is in their way.
+Standing closing(StageCache& cache, const Setting& stroke);
+
+/// The parts of a hem's tree before it is closed, both its sides lying.
+std::vector<const PlacedPart*> open_parts(StageCache& cache, const Setting& stroke);
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,82 @@
+// What a stroke tells the operator. Rows are given as he sees them: he stands where the gauge is
+// not, so with the gauge on the right of the line everything along it runs the other way
+// (math.md#machine-frame). Forces are those of air bending or of closing a hem (math.md#tool-fit).
+#include "describe.hpp"
+
+#include "clearance.hpp"
+#include "closing.hpp"
+#include "gauge.hpp"
+#include "one_line.hpp"
+#include "standing.hpp"
+
+#include <algorithm>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kNewtons = 1000.0;  // in a kN
+
+/// Rows as the operator sees them: with the gauge behind the line, x runs to the right.
+std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interval& line,
+                                  bool from_left) {
+  std::vector<SegmentRow> seen;
+  for (const ToolRow& row : rows)
+    seen.push_back(
+        {from_left ? row.from - line.lo : line.hi - (row.from + row.length()), row.segments});
+  if (from_left) return seen;
+  std::ranges::reverse(seen);
+  for (SegmentRow& row : seen)
+    std::ranges::reverse(row.segments);
+  return seen;
+}
+
+/// kN: of air bending over the die, or of closing a hem.
+double force(const StrokeInputs& inputs, const Setting& stroke) {
+  double length = 0.0;
+  for (const int line : members(stroke.pressed))
+    length += inputs.work.lines[line].length();
+  const double strength = inputs.options.tensile_strength, thickness = inputs.work.thickness;
+  return length / kNewtons *
+         (inputs.work.lines[stroke.line].closes
+              ? closing_force(strength, thickness)
+              : force_per_length(strength, thickness, inputs.tools.dies[stroke.die].opening));
+}
+
+std::vector<BendId> bends_of(const Workpiece& work, const LineSet& pressed) {
+  std::vector<BendId> all;
+  for (const int line : members(pressed))
+    all.insert(all.end(), work.lines[line].bends.begin(), work.lines[line].bends.end());
+  return all;
+}
+
+}  // namespace
+
+Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
+  const StrokeInputs& inputs = cache.inputs();
+  const Setting at = setting(inputs, formed, choice);
+  const BrakeLine& line = inputs.work.lines[at.line];
+  const bool from_left = at.direction > 0;
+  const Standing rows = line.closes ? closing(cache, at) : standing(cache, at);
+  Stroke stroke;
+  stroke.bends = bends_of(inputs.work, at.pressed);
+  stroke.press_line = line.press_line;
+  stroke.flattening = line.closes.has_value();
+  stroke.angle = line.closes ? line.closed - line.angle : line.angle;
+  stroke.punch = inputs.tools.punches[at.punch].id;
+  stroke.die = inputs.tools.dies[at.die].id;
+  if (rows) {
+    const std::vector<Interval> pieces = pressed_pieces(cache, at);
+    const Interval whole{pieces.front().lo, pieces.back().hi};
+    stroke.punch_rows = seen_rows(rows->punch, whole, from_left);
+    stroke.die_rows = seen_rows(rows->die, whole, from_left);
+  }
+  stroke.reference_up = line.reference_up;
+  stroke.gauge_direction = at.direction * line.across();
+  stroke.to_gauge = inputs.work.bodies[line.bodies[from_left ? 1 : 0]].flange;
+  if (choice.gauged && !line.closes) stroke.gauge = gauge(cache, at);
+  stroke.force = force(inputs, at);
+  if (!line.closes && rows) stroke.clearance = clearance(cache, at, *rows);
+  return stroke;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "stage_cache.hpp"
+
+namespace planish::brake_detail {
+
+/// The longest edge that a finger of the back gauge reaches and touches along its width, in the
+/// stage before the stroke; empty if there is none, or no gauge (math.md#gauging).
+std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke);
+
+}  // namespace planish::brake_detail

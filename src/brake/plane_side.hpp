@@ -1,0 +1,17 @@
+#pragma once
+
+#include "obstruction.hpp"
+
+namespace planish::brake_detail {
+
+/// Whether a plane side is too short for the die at some turn, or the shoulders would touch the
+/// bend (math.md#tool-fit).
+std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke);
+
+/// How far the plane side goes from the bend line: as far as it does along half of the line, mm.
+double reach(StageCache& cache, const Setting& stroke, bool left);
+
+/// Where the shoulder touches the sides, from the bend line, over all turns, mm.
+Interval contact_range(StageCache& cache, int line, int die);
+
+}  // namespace planish::brake_detail

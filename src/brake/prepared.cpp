@@ -1,0 +1,85 @@
+#include "prepared.hpp"
+
+#include "refusals.hpp"
+
+#include <planish/brake/codes.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brake_detail {
+namespace {
+
+/// The first option that is out of its range.
+std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
+  const auto wrong = [](const char* name, const Quantity& value, const char* range) {
+    return error_of(refuse::bad_plan_option,
+                    {{"option", name}, {"value", value.value, value.unit}, {"range", range}}, name);
+  };
+  const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!is_length(options.clearance))
+    return wrong("clearance", {options.clearance, unit::mm}, "0 or more");
+  if (options.shortfall && !is_length(*options.shortfall))
+    return wrong("shortfall", {*options.shortfall, unit::mm}, "0 or more");
+  if (!(options.springback.degrees() >= 0.0 && options.springback.degrees() < 45.0))
+    return wrong("springback", {options.springback.degrees(), unit::degrees},
+                 "an angle from 0° to below 45°");
+  if (!(is_length(options.tensile_strength) && options.tensile_strength > 0.0))
+    return wrong("tensile_strength", {options.tensile_strength, "N/mm²"}, "a value above 0");
+  if (!is_length(options.radius_of_opening))
+    return wrong("radius_of_opening", {options.radius_of_opening}, "0 or more");
+  if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
+    return wrong("opening", {*options.opening, unit::mm}, "a value above 0");
+  for (const BendId bend : options.begin_with)
+    if (!sheet.bends.has(bend))
+      return error_of(refuse::begins_with_unknown, {{"bend", place::bend(name_of(bend))}},
+                      "begin_with");
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
+
+std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
+  for (int i = 0; i < std::ssize(inputs.work.lines); ++i) {
+    const FittingTools& fitting = inputs.fitting[i];
+    if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
+    const BrakeLine& line = inputs.work.lines[i];
+    const std::string name = name_of(line.bends.front());
+    return error_of(refuse::no_tool_bears,
+                    {{"bend", place::bend(name)},
+                     {"angle", line.angle.degrees(), unit::degrees},
+                     {"radius", line.inside_radius, unit::mm},
+                     {"thickness", line.bend.thickness, unit::mm},
+                     {"why", fitting.why}},
+                    name);
+  }
+  return std::nullopt;
+}
+
+Result<StrokeInputs> prepared(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                              const PlanOptions& options) {
+  if (const auto right = check(tools); !right) return pass_on(right);
+  if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
+  auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
+  if (!work) return pass_on(work);
+  StrokeInputs inputs = stroke_inputs(std::move(*work), tools, options);
+  if (const auto error = line_without_tool(inputs)) return tl::unexpected(*error);
+  return inputs;
+}
+
+LineSet lines_of(const Workpiece& work, const OrderedStroke& stroke) {
+  LineSet lines = no_lines(static_cast<int>(work.lines.size()));
+  for (int i = 0; i < std::ssize(work.lines); ++i)
+    for (const BendId bend : work.lines[i].bends)
+      if (std::ranges::find(stroke.bends, bend) != stroke.bends.end() &&
+          work.lines[i].press_line == stroke.press_line &&
+          work.lines[i].closes.has_value() == stroke.flattening)
+        insert(lines, i);
+  return lines;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,108 @@
+// A stroke in space, for those who show it: where the held body and the tools are at `kMoments`
+// steps of the turn, and where segments stand. The machine's x runs along the line so that y points
+// to the gauge (math.md#machine-frame, math.md#stroke); between steps motion is all but linear.
+#include "scene.hpp"
+
+#include "closing.hpp"
+#include "one_line.hpp"
+#include "standing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr int kMoments = 32;  // steps of a stroke: up to 6°, between which motion is all but linear
+
+/// A point well inside a body.
+Vec2 point_on(const Body& body) {
+  const auto largest = std::ranges::max_element(
+      body.pieces, {}, [](const Convex& piece) { return std::abs(ring_area(piece)); });
+  Vec2 middle = Vec2::Zero();
+  if (largest == body.pieces.end()) return middle;
+  for (const Vec2& p : *largest)
+    middle += p / static_cast<double>(largest->size());
+  return middle;
+}
+
+/// Segments along x of the machine, which runs against that of the line where the gauge is on its
+/// right.
+std::vector<StandingSegment> standing_segments(const std::vector<ToolRow>& rows, int direction) {
+  std::vector<StandingSegment> segments;
+  for (const ToolRow& row : rows) {
+    double from = row.from;
+    for (const double length : row.segments) {
+      segments.push_back({direction > 0 ? from : -(from + length), length});
+      from += length;
+    }
+  }
+  std::ranges::sort(segments, {}, &StandingSegment::from);
+  return segments;
+}
+
+/// The rows of tools of a stroke. Of one that cannot be made those that the line needs, whatever
+/// is in their way, and where there are no such segments one of its whole length.
+PressRows rows_wanted(StageCache& cache, const Setting& stroke) {
+  const bool closes = cache.inputs().work.lines[stroke.line].closes.has_value();
+  if (Standing rows = closes ? closing(cache, stroke) : standing(cache, stroke)) return *rows;
+  PressRows rows = rows_without_walls(cache, stroke);
+  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  for (auto* row : {&rows.punch, &rows.die})
+    if (row->empty()) row->push_back({pieces.front().lo, {pieces.back().hi - pieces.front().lo}});
+  return rows;
+}
+
+/// The left side is held: its tangent line moves as `PressMotion` says, and it turns about that.
+void add_bending(const StrokeInputs& inputs, const Setting& stroke, StrokeScene& scene) {
+  const BrakeLine& line = inputs.work.lines[stroke.line];
+  const PressMotion press = motion(inputs, stroke);
+  const Vec2 edge(0.5 * line.bend.allowance, 0.0);
+  scene.held = point_on(inputs.work.bodies[line.bodies[stroke.direction > 0 ? 1 : 0]]);
+  for (int i = 0; i <= kMoments; ++i) {
+    const double turn = most_turn(inputs, stroke.line) * i / kMoments, slope = 0.5 * turn;
+    const Vec2 start = press.side({edge}, turn).front();
+    const Vec2 turned(std::cos(slope) * edge.x(), std::sin(slope) * edge.x());
+    scene.moments.push_back(
+        {Angle::radians(turn), Angle::radians(slope), start - turned, 0.0, press.die_height(turn)});
+  }
+}
+
+void add_closing(StageCache& cache, const Setting& stroke, StrokeScene& scene) {
+  const Workpiece& work = cache.inputs().work;
+  const BrakeLine& line = work.lines[stroke.line];
+  const std::vector<const PlacedPart*> open = open_parts(cache, stroke);
+  const double turned = line.closed.radians() - line.angle.radians();
+  for (int i = 0; i <= kMoments; ++i) {
+    const double turn = turned * i / kMoments;
+    BrakeLine at = line;
+    at.closed = Angle::radians(line.angle.radians() + turn);
+    const ClosedHem hem = closed_hem(work, cache.tree(stroke.line), at, open);
+    scene.moments.push_back(
+        {Angle::radians(turn), Angle(), Vec2::Zero(), hem.top, -work.thickness});
+    scene.across = stroke.direction * hem.middle;
+    scene.held = point_on(work.bodies[line.bodies[hem.left_folds ? 0 : 1]]);
+  }
+}
+
+}  // namespace
+
+StrokeScene scene(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
+  const StrokeInputs& inputs = cache.inputs();
+  const Setting stroke = setting(inputs, formed, choice);
+  const BrakeLine& line = inputs.work.lines[stroke.line];
+  StrokeScene scene;
+  scene.origin = line.origin;
+  scene.along = (line.up ? 1.0 : -1.0) * stroke.direction * line.along;
+  scene.pattern_up = line.up;
+  if (line.closes)
+    add_closing(cache, stroke, scene);
+  else
+    add_bending(inputs, stroke, scene);
+  const PressRows rows = rows_wanted(cache, stroke);
+  scene.punch = standing_segments(rows.punch, stroke.direction);
+  scene.die = standing_segments(rows.die, stroke.direction);
+  return scene;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,88 @@
+#include "stage_cache.hpp"
+
+namespace planish::brake_detail {
+
+StageCache::StageCache(const StrokeInputs& inputs, std::shared_ptr<ToolRoom> tools,
+                       std::size_t most_blocks)
+    : inputs_(inputs),
+      tools_(tools ? std::move(tools)
+                   : std::make_shared<ToolRoom>(inputs.tools, inputs.options.clearance)),
+      most_blocks_(most_blocks),
+      rooms_(inputs.work.lines.size()) {}
+
+StageCache::Room& StageCache::room(int line) {
+  const Workpiece& work = inputs_.work;
+  if (work.lines[line].closes) line = *work.lines[line].closes;
+  if (!rooms_[line]) {
+    rooms_[line] = std::make_unique<Room>(Room{PartTree(work, line)});
+    Room& made = *rooms_[line];
+    made.at_line.resize(made.tree.parts().size());
+    made.beyond.fill(no_lines(inputs_.lines()));
+    for (const PartTree::Part& part : made.tree.parts())
+      if (part.before >= 0) insert(made.beyond[part.left ? 1 : 0], part.over);
+  }
+  return *rooms_[line];
+}
+
+/// What was forgotten is found again where it is needed.
+void StageCache::forget_if_many() {
+  if (blocks_known_ < most_blocks_) return;
+  blocks_known_ = 0;
+  for (const auto& room : rooms_) {
+    if (!room) continue;
+    room->known.clear();
+    room->placed.clear();
+    for (auto& known : room->at_line)
+      known.reset();
+  }
+}
+
+/// A part's place follows from that of the body it hangs on and from how the line between is.
+StageCache::Known& StageCache::add_known(Room& room, int number, const Setting& stroke) {
+  const PartTree::Part& part = room.tree.parts()[number];
+  std::unique_ptr<Known>* known = &room.at_line[number];
+  PartTree::State over = PartTree::State::flat;
+  Known* before = part.before >= 0 ? room.known[part.before] : nullptr;
+  if (before) {
+    over = room.tree.state(part.over, *stroke.formed, stroke.pressed);
+    known = &before->hanging[part.slot][static_cast<std::size_t>(over)];
+  }
+  if (!*known) {
+    *known = std::make_unique<Known>(
+        Known{room.tree.placed(number, before ? &before->placed : nullptr, over)});
+    (*known)->hanging.resize(room.tree.hanging(number));
+    blocks_known_ += (*known)->placed.blocks.size() + (*known)->placed.strips.size();
+  }
+  return **known;
+}
+
+StageCache::Room& StageCache::entered(const Setting& stroke) {
+  Room& room = this->room(stroke.line);
+  if (!room.known.empty() && room.formed == *stroke.formed && room.pressed == stroke.pressed)
+    return room;
+  forget_if_many();
+  room.formed = *stroke.formed;
+  room.pressed = stroke.pressed;
+  room.known.clear();
+  room.placed.clear();
+  for (int part = 0; part < std::ssize(room.tree.parts()); ++part) {
+    room.known.push_back(&add_known(room, part, stroke));
+    room.placed.push_back(&room.known.back()->placed);
+  }
+  return room;
+}
+
+const std::vector<const PlacedPart*>& StageCache::parts(const Setting& stroke) {
+  return entered(stroke).placed;
+}
+
+const BlockedWay* StageCache::blocked_way(const LineSet& formed_pressed) const {
+  const auto known = blocked_ways_.find(formed_pressed);
+  return known == blocked_ways_.end() ? nullptr : &known->second;
+}
+
+void StageCache::keep(LineSet formed_pressed, const BlockedWay& way) {
+  blocked_ways_.emplace(std::move(formed_pressed), way);
+}
+
+}  // namespace planish::brake_detail

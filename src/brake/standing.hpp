@@ -1,0 +1,34 @@
+#pragma once
+
+#include "obstruction.hpp"
+
+namespace planish::brake_detail {
+
+/// Where punch and die stand in a stroke that bends, or what is in their way: the first part that
+/// hits a tool which cannot stand elsewhere, else that no segments fit between what is beside them.
+Standing standing(StageCache& cache, const Setting& stroke);
+
+/// All parts that are in the way of tools which cannot stand elsewhere.
+std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke);
+
+/// What is beside the rows: by row, where along x it stands, and the lines by which it does.
+struct RowWalls {
+  std::array<std::vector<Interval>, 2> walls;  ///< of the punch, of the die
+  std::array<LineSet, 2> because;
+};
+RowWalls no_walls(const StrokeInputs& inputs);
+void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& blocked,
+              const LineSet& because);
+
+/// Rows of punch and die of their segments between walls.
+Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls);
+
+/// Rows as the line needs them, whatever is in their way; empty where there are no such segments,
+/// and the die's where the punch's is.
+PressRows rows_without_walls(StageCache& cache, const Setting& stroke);
+
+/// How near a part may come to a tool: sides that are bent touch punch and die; what lies on the
+/// die may touch it.
+Nearness nearness(StageCache& cache, const Setting& stroke, int part, ToolKind kind);
+
+}  // namespace planish::brake_detail

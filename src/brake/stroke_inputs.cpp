@@ -1,0 +1,56 @@
+#include "stroke_inputs.hpp"
+
+#include "one_line.hpp"
+#include "tool_shape.hpp"
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kSameWay = 1e-3;  // of unit vectors: one direction of the gauge
+
+}  // namespace
+
+StrokeInputs stroke_inputs(Workpiece work, const BrakeTools& tools, const PlanOptions& options) {
+  StrokeInputs inputs{std::move(work), tools, options, {}, {}, {}, {}, {}};
+  for (const Punch& punch : tools.punches)
+    inputs.punch_segments.emplace_back(punch.segments);
+  for (const Die& die : tools.dies)
+    inputs.die_segments.emplace_back(die.segments);
+  const std::vector<BrakeLine>& lines = inputs.work.lines;
+  inputs.on_one_line.resize(lines.size());
+  for (int i = 0; i < std::ssize(lines); ++i) {
+    inputs.fitting.push_back(fitting_tools(lines[i], tools, options));
+    for (const Vec2& way : {lines[i].across(), Vec2(-lines[i].across())})
+      if (direction_number(inputs, way) < 0) inputs.directions.push_back(way);
+    for (int j = 0; j < std::ssize(lines); ++j)
+      if (i == j || lie_on_one_line(lines[i], lines[j])) inputs.on_one_line[i].push_back(j);
+  }
+  return inputs;
+}
+
+int direction_number(const StrokeInputs& inputs, const Vec2& direction) {
+  for (int i = 0; i < std::ssize(inputs.directions); ++i)
+    if ((inputs.directions[i] - direction).norm() < kSameWay) return i;
+  return -1;
+}
+
+double most_turn(const StrokeInputs& inputs, int line) {
+  return inputs.work.lines[line].angle.radians() + inputs.options.springback.radians();
+}
+
+double shortfall(const StrokeInputs& inputs) {
+  return inputs.options.shortfall.value_or(inputs.work.thickness);
+}
+
+Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeChoice& choice) {
+  Setting stroke{&formed, choice.lines, first_line(choice.lines), choice.punch, choice.die, 1};
+  const Vec2 left = inputs.work.lines[stroke.line].across();
+  if (inputs.directions[choice.direction].dot(left) < 0.0) stroke.direction = -1;
+  return stroke;
+}
+
+PressMotion motion(const StrokeInputs& inputs, const Setting& stroke) {
+  return {inputs.work.lines[stroke.line].bend, shoulder_of(inputs.tools.dies[stroke.die])};
+}
+
+}  // namespace planish::brake_detail

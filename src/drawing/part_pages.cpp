@@ -1,0 +1,256 @@
+
+#include <planish/base/assert.hpp>
+#include <planish/drawing/page_parts.hpp>
+#include <planish/drawing/part_pages.hpp>
+#include <planish/schema/units.hpp>
+#include <planish/sheet/pattern_facts.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace planish::drawing {
+using namespace schema;
+namespace {
+
+constexpr double kSheetWidth = 210.0, kSheetHeight = 297.0, kEdge = 12.0;
+constexpr double kInner = kSheetWidth - 2.0 * kEdge, kBelow = kSheetHeight - kEdge;
+constexpr double kLine = 4.8;                 // between lines of text, mm
+constexpr double kText = 3.2;                 // of letters, mm
+constexpr double kOutlineChord = 0.05;        // of curves on paper, mm
+constexpr double kDrawnAtMost = 20.0;         // scale: what is small is drawn larger
+constexpr double kUpright = 1e-6;             // sine
+const std::vector<double> kHidden{1.2, 0.6};  // dashes of outlines on the side that faces down
+
+Box2 box_of(const std::vector<std::vector<Vec2>>& lines) {
+  Box2 box;
+  for (const auto& line : lines)
+    for (const Vec2& p : line)
+      box.add(p);
+  return box;
+}
+
+/// A pattern within a rectangle; returns how it lies there.
+Fit drawn_flat(Page& page, const FlatPattern& flat, const Rectangle& into) {
+  const Fit fit(bounds(flat.outer.loop), into, kDrawnAtMost);
+  std::vector<std::vector<Vec2>> rings;
+  for (auto& ring : rings_of(flat, fit.scale()))
+    rings.push_back(fit(std::move(ring)));
+  page.area(std::move(rings), {.fill = kPageSheet, .width = 0.3});
+  const double chord = kOutlineChord / fit.scale();
+  for (const Curve2& slit : flat.slits)
+    page.lines({fit(sampled(slit, chord))}, {.width = 0.3});
+  for (const FlatFeature& feature : flat.features)
+    for (const Loop& outline : feature.outlines)
+      page.area({fit(sampled(outline, chord))},
+                {.stroke = kPageGrey,
+                 .width = 0.15,
+                 .dashes = feature.side == FormSide::down ? kHidden : std::vector<double>()});
+  for (const FlatBend& bend : flat.bends)
+    for (const Segment& line : bend.lines)
+      page.line(fit(line.a), fit(line.b),
+                {.stroke = bend.direction == BendDirection::up ? kPageUp : kPageDown,
+                 .width = 0.25,
+                 .dashes = {2.5, 1.2}});
+  return fit;
+}
+
+/// The ids of bends beside their lines, read from below or from the right.
+void name_bends(Page& page, const FlatPattern& flat, const Fit& fit) {
+  for (const FlatBend& bend : flat.bends) {
+    const auto line = longest_line(bend);
+    if (!line) continue;
+    const Vec2 a = fit(line->a), b = fit(line->b);
+    Vec2 along = b - a;
+    if (along.norm() <= 0.0) continue;
+    along.normalize();
+    // The page's y runs down.
+    if (along.x() < -kUpright || (along.x() < kUpright && along.y() > 0.0)) along = -along;
+    const Vec2 above(along.y(), -along.x());
+    page.text(0.5 * (a + b) + 0.9 * above, bend.id,
+              {.size = 2.8,
+               .bold = true,
+               .anchor = TextAnchor::middle,
+               .colour = bend.direction == BendDirection::up ? kPageUp : kPageDown,
+               .turned = std::atan2(-along.y(), along.x())});
+  }
+}
+
+/// Pages that are filled from above.
+class Filling {
+ public:
+  explicit Filling(const PartDrawing& drawing) : drawing_(drawing) { begin(); }
+
+  Page& page() { return pages_.back(); }
+  double top() const { return top_; }
+  void skip(double height) { top_ += height; }
+  /// Goes on on the next page where there is no room.
+  void need(double height) {
+    if (top_ + height > kBelow) begin();
+  }
+
+  void line(const std::string& text, const TextStyle& style = {.size = kText}) {
+    need(kLine);
+    page().text({kEdge, top_ + style.size}, text, style);
+    top_ += kLine;
+  }
+
+  std::vector<Page> take() && {
+    for (std::size_t p = 0; pages_.size() > 1 && p < pages_.size(); ++p)
+      pages_[p].text({kSheetWidth - kEdge, kEdge + 5.0},
+                     fmt::format("{} / {}", p + 1, pages_.size()),
+                     {.size = 3.5, .anchor = TextAnchor::end, .colour = kPageGrey});
+    return std::move(pages_);
+  }
+
+ private:
+  void begin() {
+    Page& page = pages_.emplace_back(kSheetWidth, kSheetHeight);
+    constexpr double kRoom = 165.0, kLargest = 6.5, kSmaller = 4.2;
+    page.text({kEdge, kEdge + 5.0}, drawing_.title,
+              {.size = fitting_size(drawing_.title, kRoom, kLargest), .bold = true});
+    page.text({kEdge, kEdge + 12.0}, drawing_.subtitle,
+              {.size = fitting_size(drawing_.subtitle, kInner, kSmaller)});
+    page.line({kEdge, kEdge + 15.0}, {kSheetWidth - kEdge, kEdge + 15.0}, {.width = 0.4});
+    top_ = kEdge + 19.0;
+  }
+
+  const PartDrawing& drawing_;
+  std::vector<Page> pages_;
+  double top_ = 0.0;
+};
+
+/// The folded part on the left, the facts on the right.
+void write_facts(Filling& filling, const PartDrawing& drawing) {
+  constexpr double kHeight = 82.0, kFacts = 72.0, kNames = 30.0;
+  Page& page = filling.page();
+  const Vec2 corner(kEdge, filling.top());
+  if (drawing.view && !drawing.view->edges.empty())
+    draw_view(page, *drawing.view, corner, {kInner - kFacts - 6.0, kHeight});
+  double y = filling.top() + 4.0;
+  const double x = kSheetWidth - kEdge - kFacts;
+  for (const auto& [name, value] : drawing.facts) {
+    page.text({x, y}, name, {.size = kText, .colour = kPageGrey});
+    page.text({x + kNames, y}, value, {.size = fitting_size(value, kFacts - kNames, kText)});
+    y += kLine;
+  }
+  filling.skip(kHeight + 3.0);
+}
+
+void write_flat(Filling& filling, const PartDrawing& drawing) {
+  constexpr double kHeight = 108.0, kRoom = 10.0;  // for the dimensions
+  Page& page = filling.page();
+  const Rectangle into{{kEdge + kRoom, filling.top() + kRoom},
+                       {kInner - 2.0 * kRoom, kHeight - 2.0 * kRoom}};
+  const Fit fit = drawn_flat(page, *drawing.flat, into);
+  name_bends(page, *drawing.flat, fit);
+  const Box2 box = bounds(drawing.flat->outer.loop);
+  const Vec2 low = fit(box.lo), high = fit(box.hi);
+  const Units units(drawing.units);
+  dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0},
+            units.short_text(box.size().x()));
+  dimension(page, {low.x(), low.y()}, {low.x(), high.y()}, {-6.0, 0.0},
+            units.short_text(box.size().y()));
+  const std::string scale = fit.scale() < 1.0 ? fmt::format("1 : {:.3g}", 1.0 / fit.scale())
+                                              : fmt::format("{:.3g} : 1", fit.scale());
+  page.text({kSheetWidth - kEdge, filling.top() + kHeight},
+            fmt::format("flat pattern, scale {}; blue bends up, red down, lengths in {}", scale,
+                        units.symbol()),
+            {.size = 2.8, .anchor = TextAnchor::end, .colour = kPageGrey});
+  filling.skip(kHeight + 4.0);
+}
+
+struct BendColumn {
+  std::string_view title;
+  double at;  ///< right edge, from the left edge of the table, mm
+};
+constexpr std::array kBendColumns{BendColumn{"bend", 12.0},          BendColumn{"stroke", 28.0},
+                                  BendColumn{"direction", 50.0},     BendColumn{"angle", 70.0},
+                                  BendColumn{"radius", 90.0},        BendColumn{"K", 108.0},
+                                  BendColumn{"allowance", 132.0},    BendColumn{"deduction", 158.0},
+                                  BendColumn{"length", kInner - 2.0}};
+
+std::array<std::string, kBendColumns.size()> bend_cells(const FlatBend& bend, const Units& units) {
+  return {bend.id,
+          bend.stroke ? std::to_string(*bend.stroke) : "–",
+          std::string(direction_name(bend.direction)),
+          trimmed_number(bend.angle.degrees(), 2) + "°",
+          units.short_text(bend.inside_radius),
+          trimmed_number(bend.allowance.k_factor, 3),
+          units.short_text(bend.allowance.allowance),
+          units.short_text(bend.allowance.deduction),
+          units.short_text(bend.length)};
+}
+
+void write_bends(Filling& filling, const PartDrawing& drawing) {
+  if (drawing.flat->bends.empty()) return;
+  const Units units(drawing.units);
+  const auto head = [&] {
+    for (const BendColumn& column : kBendColumns)
+      filling.page().text({kEdge + column.at, filling.top() + kText}, std::string(column.title),
+                          {.size = kText, .anchor = TextAnchor::end, .colour = kPageGrey});
+    filling.skip(kLine);
+    filling.page().line({kEdge, filling.top()}, {kSheetWidth - kEdge, filling.top()},
+                        {.stroke = kPageGrey, .width = 0.2});
+    filling.skip(1.0);
+  };
+  filling.need(3.0 * kLine);
+  head();
+  for (const FlatBend& bend : drawing.flat->bends) {
+    const double before = filling.top();
+    filling.need(kLine);
+    if (filling.top() < before) head();
+    const auto cells = bend_cells(bend, units);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      filling.page().text({kEdge + kBendColumns[i].at, filling.top() + kText}, cells[i],
+                          {.size = kText, .anchor = TextAnchor::end});
+    filling.skip(kLine);
+  }
+  filling.skip(2.0);
+}
+
+void write_sentences(Filling& filling, const std::vector<std::string>& sentences,
+                     const Colour& colour) {
+  constexpr std::size_t kLetters = 108;
+  for (const std::string& sentence : sentences)
+    for (const std::string& line : wrapped(sentence, kLetters))
+      filling.line(line, {.size = kText, .colour = colour});
+}
+
+}  // namespace
+
+void draw_view(Page& page, const PartView& view, const Vec2& corner, const Vec2& size) {
+  Box2 box = box_of(view.edges);
+  box.add(box_of(view.bends));
+  if (box.empty()) return;
+  const Fit fit(box, {corner, size}, kDrawnAtMost);
+  const auto drawn = [&](const std::vector<std::vector<Vec2>>& lines, const Ink& ink) {
+    std::vector<std::vector<Vec2>> there;
+    for (const auto& line : lines)
+      there.push_back(fit(line));
+    if (!there.empty()) page.lines(std::move(there), ink);
+  };
+  drawn(view.bends, {.stroke = kPageGrey, .width = 0.12});
+  drawn(view.edges, {.width = 0.22});
+}
+
+void draw_flat(Page& page, const FlatPattern& flat, const Vec2& corner, const Vec2& size) {
+  drawn_flat(page, flat, {corner, size});
+}
+
+std::vector<Page> part_pages(const PartDrawing& drawing) {
+  PLANISH_ASSERT(drawing.flat && !drawing.flat->outer.loop.empty());
+  Filling filling(drawing);
+  write_facts(filling, drawing);
+  write_flat(filling, drawing);
+  write_bends(filling, drawing);
+  write_sentences(filling, drawing.warnings, kPageAlert);
+  if (const std::string forms = forms_text(*drawing.flat); !forms.empty())
+    write_sentences(filling, {fmt::format("Forms: {}.", forms)}, kBlack);
+  write_sentences(filling, drawing.notes, kBlack);
+  return std::move(filling).take();
+}
+
+}  // namespace planish::drawing

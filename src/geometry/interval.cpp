@@ -1,0 +1,31 @@
+#include <planish/geometry/interval.hpp>
+
+#include <algorithm>
+
+namespace planish {
+
+std::vector<Interval> joined(std::vector<Interval> intervals, double touching) {
+  std::sort(intervals.begin(), intervals.end(),
+            [](const Interval& a, const Interval& b) { return a.lo < b.lo; });
+  std::vector<Interval> result;
+  for (const Interval& interval : intervals) {
+    if (!result.empty() && interval.lo <= result.back().hi + touching)
+      result.back().hi = std::max(result.back().hi, interval.hi);
+    else
+      result.push_back(interval);
+  }
+  return result;
+}
+
+double distance(const Interval& a, const Interval& b) {
+  return std::max({0.0, a.lo - b.hi, b.lo - a.hi});
+}
+
+double total(const std::vector<Interval>& intervals) {
+  double sum = 0.0;
+  for (const Interval& interval : intervals)
+    sum += interval.size();
+  return sum;
+}
+
+}  // namespace planish

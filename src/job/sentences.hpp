@@ -1,0 +1,63 @@
+#pragma once
+
+#include <planish/base/message.hpp>
+#include <planish/base/text.hpp>
+#include <planish/inspect/findings.hpp>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The findings of `job`, for `tell`: no full stop, since lists show them.
+namespace planish::say {
+
+constexpr std::string_view mended_corner =
+    "{@part} overlap by {area} in the flat pattern; a {shape} of {length:3} by {width:3} is cut "
+    "there: draw a relief at least {least_width:3} wide and {least_depth:3} deep";
+constexpr std::string_view
+    relief_cut_beside = "a {shape} of {length:3} by {width:3} is cut beside {@bend}";
+constexpr std::string_view reliefs_cut_beside =
+    "{count} are cut beside bends; the first, beside {@bend}, is {length:3} by {width:3}";
+
+constexpr std::string_view
+    volume_off = "flat area at K = ½ times thickness is {ratio:7} of the solid's volume";
+constexpr std::string_view length_off =
+    "an edge of the solid and its image in the pattern differ in length by {off}, more than "
+    "{allowed}";
+constexpr std::string_view
+    refold_off = "the refolded contour leaves the solid's edge by {off}, more than {allowed}";
+constexpr std::string_view
+    extra_openings = "the solid has {solid:opening}, the pattern {pattern}: {extra} too many";
+constexpr std::string_view
+    one_opening_lost = "the solid has {solid:opening}, the pattern {pattern}: one is lost";
+constexpr std::string_view
+    openings_lost = "the solid has {solid:opening}, the pattern {pattern}: {lost} are lost";
+
+constexpr std::string_view
+    runs_through_itself = "{@part} runs through itself when folded, {depth:3} deep";
+constexpr std::string_view
+    run_through_each_other = "{@part} run through each other when folded, {depth:3} deep";
+constexpr std::string_view solid_through_itself =
+    "the folded solid runs through itself, {depth:3} deep, between its faces {first} and {second}";
+constexpr std::string_view seam_edges =
+    "the seam lies in a fold, where square edges meet inside first, {depth:3} deep: bevel them, or "
+    "put the seam elsewhere";
+constexpr std::string_view no_gauge_edge =
+    "no straight edge lies parallel to the bend line for the fingers of the back gauge: {@bend}";
+
+}  // namespace planish::say
+
+namespace planish::job {
+
+/// A finding with its data.
+inline Finding finding_of(std::string code, Severity severity, std::string_view pattern,
+                          const Facts& facts, std::vector<Vec2> at) {
+  Told told = tell(pattern, facts);
+  Finding finding{std::move(code), severity, continued(std::move(told.sentence)), std::move(at)};
+  finding.about = std::move(told.places);
+  finding.numbers = std::move(told.numbers);
+  return finding;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,64 @@
+#include "taken_shop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace planish::job {
+using namespace shop;
+namespace {
+
+bool same_word(const std::string& a, const std::string& b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+void choose_material(Request& to, int material) {
+  to.shop->material = material;
+  const ShopMaterial& chosen = to.shop->chosen();
+  if (chosen.density && !to.shop->density_given) to.density = chosen.density;
+  if (chosen.tensile_strength && !to.shop->strength_given)
+    to.bending.plan.tensile_strength = *chosen.tensile_strength;
+}
+
+}  // namespace
+
+void take_shop(Request& to, Shop shop) {
+  if (shop.profile) to.dxf.profile = *shop.profile;
+  if (shop.bend_linetype) to.dxf.bend_linetype = *shop.bend_linetype;
+  if (shop.release) to.dxf.version = *shop.release;
+  to.dxf.layers = shop.layers;
+  for (const auto& [rule, value] : shop.rules)
+    to.rules.*rule = value;
+  if (shop.strict) to.rules.strict = *shop.strict;
+  if (shop.tools) to.bending.tools = shop.tools;
+  to.shop = ShopChoice{.shop = std::move(shop), .material = std::nullopt};
+  if (to.shop->shop.materials.size() == 1) choose_material(to, 0);
+}
+
+bool take_material(Request& to, const std::string& name) {
+  const auto& materials = to.shop->shop.materials;
+  const auto found = std::ranges::find_if(
+      materials, [&](const ShopMaterial& material) { return same_word(material.name, name); });
+  if (found == materials.end()) return false;
+  choose_material(to, static_cast<int>(found - materials.begin()));
+  return true;
+}
+
+std::optional<Error> unchosen(const Request& request, const std::string& material) {
+  if (!request.shop || request.shop->material) return std::nullopt;
+  const std::string known = material_names(request.shop->shop);
+  const std::string
+      sentence = material.empty()
+                     ? fmt::format(
+                           "the shop profile has the materials {}: choose one with `material`",
+                           known)
+                     : fmt::format(
+                           "the part is of {}, which the shop profile does not have; it has {}: "
+                           "choose "
+                           "one with `material`",
+                           material, known);
+  return Error{code::bad_option, sentence, "material"};
+}
+
+}  // namespace planish::job

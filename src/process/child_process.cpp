@@ -1,0 +1,172 @@
+#include "messages.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+namespace planish::process {
+namespace {
+
+using Cause = ChildEnd::Cause;
+
+std::string small_letters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// "assertion failed: …" of what a child said as it ended; empty where it says nothing of the kind.
+std::string assertion_in(const std::string& said) {
+  const std::size_t at = said.rfind("assertion failed: ");
+  if (at == std::string::npos) return {};
+  return said.substr(at, said.find('\n', at) - at);
+}
+
+/// How a process ended that was waited for: cause and reason.
+ChildEnd end_of(const siginfo_t& info, const std::string& said) {
+  ChildEnd end;
+  end.reason = assertion_in(said);
+  if (!end.reason.empty()) return end;
+  if (info.si_code == CLD_EXITED) {
+    end.reason = fmt::format("exit status {}", info.si_status);
+    return end;
+  }
+  const int signal = info.si_status;
+  end.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP;
+  // Mostly it is the system that ends it so, where its own memory runs short.
+  if (signal == SIGKILL) end.cause = Cause::out_of_memory;
+  end.reason = small_letters(strsignal(signal));
+  return end;
+}
+
+/// How a process ended whose socket is closed; empty where it lives on.
+std::optional<siginfo_t> waited_for(pid_t process) {
+  constexpr std::chrono::milliseconds kPace(1), kPatience(1000);
+  for (auto waited = kPace; waited < kPatience; waited += kPace) {
+    siginfo_t info{};
+    if (waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        info.si_pid != 0)
+      return info;
+    std::this_thread::sleep_for(kPace);
+  }
+  return std::nullopt;
+}
+
+/// Tells a parent what its child tells it.
+void pass_on(const Message& message, const Parent& parent, std::string& stage) {
+  if (message.kind == MessageKind::note && parent.note) parent.note(message.texts);
+  if (message.kind != MessageKind::stage || message.texts.size() != 2) return;
+  const std::string& share = message.texts[1];
+  double value = 0.0;
+  const auto read = std::from_chars(share.data(), share.data() + share.size(), value);
+  if (read.ec != std::errc()) return;
+  stage = message.texts[0];
+  parent.progress.at(stage, value);
+}
+
+std::string words_of(std::chrono::milliseconds time) {
+  return fmt::format("{} s", std::chrono::duration<double>(time).count());
+}
+
+std::string words_of(std::uint64_t bytes) {
+  constexpr double kMebi = 1U << 20U;
+  return fmt::format("{:.0f} MiB", static_cast<double>(bytes) / kMebi);
+}
+
+}  // namespace
+
+ChildProcess::~ChildProcess() {
+  kill();
+  close(socket_);
+  if (errors_ >= 0) close(errors_);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+bool ChildProcess::is_alive() const {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         info.si_pid == 0;
+}
+
+void ChildProcess::kill() { ::kill(process_, SIGKILL); }
+
+tl::expected<Texts, ChildEnd> ChildProcess::ask(const Texts& question,
+                                                std::chrono::milliseconds limit,
+                                                const Parent& parent) {
+  Waiting waiting;
+  waiting.until = std::chrono::steady_clock::now() + limit;
+  waiting.cancelled = parent.progress.cancelled;
+  waiting.errors = errors_;
+  std::string stage;
+  const auto ended = [&](ChildEnd end) {
+    kill();
+    end.stage = stage;
+    end.said = waiting.heard;
+    return tl::unexpected(std::move(end));
+  };
+  const auto lost = [&](MessageFailure failure) {
+    if (failure == MessageFailure::late) return ended({Cause::out_of_time});
+    if (failure == MessageFailure::cancelled) return ended({Cause::cancelled});
+    if (failure == MessageFailure::garbled) return ended({Cause::crashed, kDamagedAnswer});
+    const auto info = waited_for(process_);
+    if (!info) return ended({Cause::crashed, "it closed its socket"});
+    for (std::size_t before = 1; before != waiting.heard.size();) {
+      before = waiting.heard.size();
+      listen(waiting);
+    }
+    return ended(end_of(*info, waiting.heard));
+  };
+  if (const auto sent = send_message(socket_, {MessageKind::question, question}, waiting); !sent)
+    return lost(sent.error());
+  for (;;) {
+    auto message = receive_message(socket_, waiting);
+    if (!message) return lost(message.error());
+    if (message->kind == MessageKind::answer) return std::move(message->texts);
+    if (message->kind == MessageKind::question) return lost(MessageFailure::garbled);
+    if (message->kind == MessageKind::failed) {
+      if (message->texts.empty()) return ended({Cause::out_of_memory});
+      return ended({Cause::crashed, message->texts.front()});
+    }
+    pass_on(*message, parent, stage);
+  }
+}
+
+Error error_of(const ChildEnd& end, const std::string& input, const Limits& limits) {
+  const std::string during = end.stage.empty() ? "" : fmt::format(" at \"{}\"", end.stage);
+  switch (end.cause) {
+    case Cause::cancelled:
+      return {code::cancelled, "cancelled", {}};
+    case Cause::out_of_time:
+      return {code::out_of_time,
+              fmt::format("{} was given up after {}{}: allow a longer time, or take a part of it",
+                          input, words_of(limits.time), during),
+              input};
+    case Cause::out_of_memory:
+      return {code::out_of_memory,
+              fmt::format(
+                  "{} needs more memory than {}{}: allow more, or take a part of it", input,
+                  limits.memory > 0 ? "the " + words_of(limits.memory) + " allowed" : "there is",
+                  during),
+              input};
+    case Cause::crashed:
+      break;
+  }
+  const bool ours = end.reason.starts_with("assertion failed");
+  return {code::crashed,
+          fmt::format("the work on {} crashed{} ({}): {}", input, during, end.reason,
+                      ours ? "a defect of Planish, please report it with the file"
+                           : "damaged files make the CAD kernel do that, so check the file in a "
+                             "CAD program and export it again"),
+          input};
+}
+
+}  // namespace planish::process

@@ -1,0 +1,42 @@
+#include <planish/schema/text_file.hpp>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <vector>
+
+namespace planish::schema {
+namespace {
+
+// In blocks: reading character by character would take longer than parsing.
+std::string all_of(std::istream& stream) {
+  std::string text;
+  std::vector<char> piece(1 << 16);
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
+         stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> read_text(const std::filesystem::path& name, const std::string& what) {
+  if (name == "-") return all_of(std::cin);
+  std::error_code ignored;
+  const auto refuse = [&](const std::string& why) {
+    return fail(code::cannot_read,
+                fmt::format("cannot read the {} {}: {}", what, name.string(), why), name.string());
+  };
+  if (std::filesystem::is_directory(name, ignored)) return refuse("it is a folder");
+  std::ifstream file(name, std::ios::binary);
+  if (!file) return refuse(std::generic_category().message(errno));
+  std::string text = all_of(file);
+  if (file.bad()) return refuse("reading it failed");
+  return text;
+}
+
+}  // namespace planish::schema

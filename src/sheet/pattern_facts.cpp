@@ -1,0 +1,68 @@
+#include <planish/base/text.hpp>
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/pattern_facts.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace planish {
+namespace {
+
+double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
+
+}  // namespace
+
+std::string_view kind_name(BendKind kind) {
+  switch (kind) {
+    case BendKind::cylinder:
+      return "cylinder";
+    case BendKind::cone:
+      return "cone";
+    case BendKind::general:
+      return "general";
+    case BendKind::sharp:
+      break;
+  }
+  return "sharp";
+}
+
+std::string_view direction_name(BendDirection direction) {
+  return direction == BendDirection::up ? "up" : "down";
+}
+
+double outer_cutting_length(const FlatPattern& flat) { return length(flat.outer.loop); }
+
+double inner_cutting_length(const FlatPattern& flat) {
+  double sum = 0.0;
+  for (const Contour& opening : flat.openings)
+    sum += length(opening.loop);
+  return sum + length(flat.slits);
+}
+
+std::optional<Segment> longest_line(const FlatBend& bend) {
+  const auto longest = std::max_element(
+      bend.lines.begin(), bend.lines.end(),
+      [](const Segment& a, const Segment& b) { return length_of(a) < length_of(b); });
+  if (longest == bend.lines.end()) return std::nullopt;
+  return *longest;
+}
+
+std::string forms_text(const FlatPattern& flat) {
+  std::map<std::pair<std::string, FormSide>, int> count;
+  for (const FlatFeature& feature : flat.features)
+    if (feature.kind != "contact") ++count[{feature.kind, feature.side}];
+  std::vector<std::string> words;
+  for (const auto& [form, n] : count) {
+    const auto& [kind, side] = form;
+    words.push_back(counted(n, kind == "formed" ? "formed feature" : kind));
+    if (side != FormSide::both) words.back() += fmt::format(" {}", side_name(side));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace planish

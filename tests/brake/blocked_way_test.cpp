@@ -1,0 +1,87 @@
+#include "blocked_way.hpp"
+
+#include "brake/stroke_room.hpp"
+#include "one_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+using namespace brake_detail;
+
+const double s = std::numbers::sqrt2 / 2.0;
+const Turn kUp{Angle::degrees(90), 2.0, BendDirection::up};
+
+Sheet channel(double leg) {
+  return strip({Straight{leg}, kUp, Straight{60}, kUp, Straight{40}}, 80, 1.5);
+}
+
+/// check_test.cpp: a leg `beyond` the longest comes s · beyond deeper than the ε that may be
+/// penetrated. So it is for every punch, and the one that is hit least counts.
+TEST(BlockedWay, TellsHowDeepTheLegIsInTheThinnestPunch) {
+  BrakeTools tools = plain_tools();
+  for (const double half_width : {14.0, 8.0, 11.0}) {
+    tools.punches.push_back(punch({Angle::degrees(80), half_width}));
+    tools.punches.back().id = std::to_string(static_cast<int>(half_width));
+  }
+  const double longest = 60.0 + 2.0 - (8.0 - 0.05) / s;
+  for (const double beyond : {1.0, 2.5}) {
+    Room room(channel(longest + beyond), tools);
+    const BlockedWay way = blocked_way(room.cache(), room.lines({1}), room.lines({2}));
+    EXPECT_EQ(way.bend.hits, "punch 8");
+    EXPECT_NEAR(way.bend.depth, 0.05 + beyond * s, 0.01);
+    EXPECT_EQ(way.bend.with, FlangeId(0));
+    EXPECT_EQ(way.bend.bend, BendId(1));
+    ASSERT_TRUE(way.bend.at_turn);
+    EXPECT_NEAR(way.bend.at_turn->degrees(), 90.0, 0.5);
+    EXPECT_EQ(way.choice.punch, 2);
+    EXPECT_EQ(way.choice.lines, room.lines({2}));
+    EXPECT_FALSE(check(room.cache(), room.lines({1}), way.choice).feasible);
+    // The same again, and of the line alone.
+    EXPECT_EQ(blocked(room.cache(), room.lines({1}), room.line_of(2)).depth, way.bend.depth);
+  }
+}
+
+/// A leg that rises into the upper beam: by how much its highest corner is above the beam's edge.
+TEST(BlockedWay, TellsHowDeepALegIsInTheUpperBeam) {
+  PlainPunch plain;
+  plain.height = 100.0;
+  BrakeTools tools = plain_tools(plain);
+  tools.machine.upper_beam = {{-200, 100}, {200, 100}, {200, 300}, {-200, 300}};
+  const double lower = plain.tip_radius / std::sin(0.5 * plain.angle.radians()) - plain.tip_radius;
+  const double leg = 60.0;
+  Room room(strip({Straight{leg}, kUp, Straight{90}, kUp, Straight{40}}, 80, 1.5), tools);
+  const double height = 2.0 * (1.0 - s) + s * (90.0 + 2.0 + 1.5) + s * (2.0 + leg);
+  const BlockedBend told = blocked(room.cache(), room.lines({1}), room.line_of(2));
+  EXPECT_EQ(told.hits, "upper beam");
+  EXPECT_NEAR(told.depth, height - (100.0 - lower), 0.02);
+}
+
+/// Where a side is too short nothing is hit, and the reason is told.
+TEST(BlockedWay, TellsThatASideIsTooShort) {
+  Room room(strip({Straight{60}, kUp, Straight{3}}, 50, 1.5), plain_tools());
+  const BlockedBend told = blocked(room.cache(), room.lines({}), room.line_of(1));
+  EXPECT_TRUE(told.hits.empty());
+  EXPECT_EQ(told.depth, 0.0);
+  EXPECT_FALSE(told.at_turn);
+  EXPECT_NE(told.why.find("from the bend line"), std::string::npos) << told.why;
+}
+
+/// A time that is over leaves the first way at least, and is not remembered.
+TEST(BlockedWay, LooksAtOneWayEvenIfTheTimeIsOver) {
+  BrakeTools tools = plain_tools();
+  tools.punches.push_back(punch({Angle::degrees(80), 8.0}));
+  tools.punches.back().id = "thin";
+  Room room(channel(60.0), tools);
+  const BlockedWay hasty = blocked_way(room.cache(), room.lines({1}), room.lines({2}),
+                                       Clock::time_point::min());
+  EXPECT_EQ(hasty.bend.hits, "punch P");
+  EXPECT_EQ(blocked_way(room.cache(), room.lines({1}), room.lines({2})).bend.hits, "punch thin");
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,84 @@
+#include "describe.hpp"
+
+#include "brake/stroke_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace planish::test {
+namespace {
+
+using namespace brake_detail;
+
+/// Seen from the other side of the machine, segments stand the other way round.
+TEST(Describe, TellsRowsAsTheOperatorSeesThem) {
+  BoxSize size;
+  size.length = 120.0;
+  const BrakeTools tools = plain_tools(PlainPunch{.segments = {40, 50, 20, 10}});
+  Room room(box(size), tools);
+  const LineSet flat = room.lines({});
+  std::vector<Stroke> both;
+  for (const StrokeChoice& choice : room.ways(1, {}))
+    both.push_back(describe(room.cache(), flat, choice));
+  ASSERT_EQ(both.size(), 2u);
+  ASSERT_EQ(both[0].punch_rows.size(), 1u);
+  ASSERT_EQ(both[1].punch_rows.size(), 1u);
+  std::vector<double> turned = both[1].punch_rows.front().segments;
+  std::ranges::reverse(turned);
+  EXPECT_EQ(both[0].punch_rows.front().segments, turned);
+  ASSERT_GT(turned.size(), 1u);
+  EXPECT_NE(turned.front(), turned.back());
+}
+
+/// What is told of an L in closed form, towards both sides.
+TEST(Describe, TellsAnL) {
+  PlanOptions options;
+  options.tensile_strength = 400.0;
+  Room room(l_bracket(), plain_tools(), options);  // 40 wide, t 2
+  const std::vector<StrokeChoice> ways = choices(room.cache(), room.lines({}));
+  ASSERT_EQ(ways.size(), 2u);
+  std::vector<FlangeId> to_gauge;
+  for (const StrokeChoice& choice : ways) {
+    const Stroke stroke = describe(room.cache(), room.lines({}), choice);
+    EXPECT_EQ(stroke.bends, std::vector<BendId>{BendId(0)});
+    EXPECT_FALSE(stroke.press_line || stroke.flattening || stroke.gauge);
+    EXPECT_NEAR(stroke.angle.degrees(), 90.0, 1e-9);
+    EXPECT_EQ(stroke.punch, "P");
+    EXPECT_EQ(stroke.die, "D");
+    EXPECT_NEAR(stroke.force, 40.0 * 1.42 * 400.0 * 4.0 / 12.0 / 1000.0, 1e-9);
+    EXPECT_NEAR(stroke.gauge_direction.dot(room.inputs().directions[choice.direction]), 1.0, 1e-6);
+    ASSERT_TRUE(stroke.to_gauge);
+    to_gauge.push_back(*stroke.to_gauge);
+    // 40 mm less a shortfall of 2 at each end: 40 in one segment, over the whole line.
+    ASSERT_EQ(stroke.punch_rows.size(), 1u);
+    EXPECT_EQ(stroke.punch_rows.front().segments, std::vector<double>{40.0});
+    EXPECT_NEAR(stroke.punch_rows.front().from, 0.0, 1e-9);
+    EXPECT_EQ(stroke.die_rows.front().segments, std::vector<double>{40.0});
+  }
+  EXPECT_NE(to_gauge[0], to_gauge[1]);
+}
+
+/// Where no segments stand the stroke is told without them, and without a clearance.
+TEST(Describe, LeavesOutTheRowsOfAStrokeThatCannotBeMade) {
+  for (const bool punch_too : {false, true}) {
+    BrakeTools tools = plain_tools();
+    tools.dies[0].segments = {10};
+    if (punch_too) tools.punches[0].segments = {10};
+    Room room(l_bracket(), tools);
+    const StrokeChoice choice = choices(room.cache(), room.lines({})).front();
+    EXPECT_FALSE(check(room.cache(), room.lines({}), choice).feasible);
+    const Stroke stroke = describe(room.cache(), room.lines({}), choice);
+    EXPECT_TRUE(stroke.punch_rows.empty());
+    EXPECT_TRUE(stroke.die_rows.empty());
+    EXPECT_EQ(stroke.clearance, 0.0);
+    // The scene shows a row as long as the line where there are no segments for it.
+    const StrokeScene shown = scene(room.cache(), room.lines({}), choice);
+    ASSERT_EQ(shown.die.size(), 1u);
+    EXPECT_NEAR(shown.die.front().length, 40.0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,141 @@
+#include "gauge.hpp"
+
+#include "brake/stroke_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+using namespace brake_detail;
+
+BrakeTools gauged_tools() {
+  BrakeTools tools = plain_tools();
+  tools.machine.gauge = BackGauge{10, 300, 30, {{0, 0}, {0, -20}, {80, -20}, {80, 0}}};
+  return tools;
+}
+
+/// The gauge reaches the border of the flange at L + BA/2 from the bend line.
+TEST(Gauge, TouchesTheBorderBehindTheBend) {
+  const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+  const Sheet sheet = strip(
+      {Straight{60}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{45}}, 80, 1.5);
+  Room room(sheet, gauged_tools());
+  const LineSet flat = room.lines({});
+  std::vector<double> distances;
+  for (const StrokeChoice& choice : choices(room.cache(), flat)) {
+    EXPECT_TRUE(choice.gauged);
+    const Stroke stroke = describe(room.cache(), flat, choice);
+    ASSERT_TRUE(stroke.gauge);
+    distances.push_back(stroke.gauge->distance);
+    // The edge lies that far from the bend line in the direction of the gauge.
+    const BrakeLine& line = room.work().lines[0];
+    for (const Vec2& p : {stroke.gauge->edge.a, stroke.gauge->edge.b})
+      EXPECT_NEAR(stroke.gauge_direction.dot(p - line.origin), stroke.gauge->distance, 1e-9);
+    EXPECT_NEAR((stroke.gauge->edge.b - stroke.gauge->edge.a).norm(), 80.0, 1e-9);
+  }
+  std::sort(distances.begin(), distances.end());
+  ASSERT_EQ(distances.size(), 2u);
+  EXPECT_NEAR(distances[0], 45.0 + half_zone, 1e-9);
+  EXPECT_NEAR(distances[1], 60.0 + half_zone, 1e-9);
+}
+
+TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
+  const auto gauged = [](double width, double flange) {
+    Room room(
+        strip({Straight{50}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{flange}},
+              width, 1.5),
+        gauged_tools());
+    int ways = 0;
+    for (const StrokeChoice& choice : choices(room.cache(), room.lines({})))
+      ways += choice.gauged;
+    return ways;
+  };
+  EXPECT_EQ(gauged(30.1, 50), 2);
+  EXPECT_EQ(gauged(29.9, 50), 0);
+  const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+  EXPECT_EQ(gauged(60, 300 - half_zone - 0.1), 2);
+  EXPECT_EQ(gauged(60, 300 - half_zone + 0.1), 1);
+}
+
+/// A flange that was bent is no edge in the plane of the sheet any more: the finger finds nothing
+/// to touch. Bent down, it is not in the plane either.
+TEST(Gauge, TouchesOnlyWhatLiesInThePlane) {
+  for (const BendDirection second : {BendDirection::up, BendDirection::down}) {
+    Room room(strip({Straight{60}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{90},
+                     Turn{Angle::degrees(90), 2, second}, Straight{25}},
+                    80, 1.5),
+              gauged_tools());
+    int gauged = 0, ways = 0;
+    for (const StrokeChoice& choice : choices(room.cache(), room.lines({2}))) {
+      ++ways;
+      gauged += choice.gauged;
+    }
+    EXPECT_EQ(ways, 2);
+    EXPECT_EQ(gauged, 1);  // by the first flange, on the other side
+  }
+}
+
+/// Of edges in reach the longest is taken, not the nearest; of what a wall hides another.
+TEST(Gauge, TakesTheLongestEdge) {
+  for (const double wide : {45.0, 35.0}) {
+    SheetBuilder builder(1.5);
+    const FaceId base = builder.flange(Frame{}, {rectangle(80, 60)});
+    const Rim rim = builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up});
+    builder.flange_behind(
+        rim, {polygon({{0, 0}, {80, 0}, {80, 50}, {80 - wide, 50}, {80 - wide, 40}, {0, 40}})});
+    Room room(builder.finish(), gauged_tools());
+    const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+    std::vector<double> distances;
+    for (const StrokeChoice& choice : choices(room.cache(), room.lines({})))
+      distances.push_back(describe(room.cache(), room.lines({}), choice).gauge->distance);
+    std::ranges::sort(distances);
+    ASSERT_EQ(distances.size(), 2u);
+    EXPECT_NEAR(distances[0], (wide > 40.0 ? 50.0 : 40.0) + half_zone, 1e-9);
+    EXPECT_NEAR(distances[1], 60.0 + half_zone, 1e-9);
+  }
+}
+
+/// Edges that go on, here on both sides of a seam, are one: neither is as wide as the finger.
+TEST(Gauge, TakesNeighbouringEdgesForOne) {
+  SheetBuilder builder(1.5);
+  const FaceId base = builder.flange(Frame{}, {rectangle(50, 60)});
+  const Rim rim = builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up});
+  builder.flange_behind(rim, {polygon({{0, 0}, {50, 0}, {50, 40}, {25, 40}, {0, 40}})});
+  Room room(builder.finish(), gauged_tools());  // fingers are 30 wide
+  for (const StrokeChoice& choice : choices(room.cache(), room.lines({})))
+    EXPECT_TRUE(choice.gauged);
+}
+
+/// A flap that hangs down beside the edge, and leaves less than a finger's width, takes it away.
+TEST(Gauge, NeedsRoomForAFinger) {
+  for (const double free : {29.0, 31.0}) {
+    SheetBuilder builder(1.5);
+    const FaceId base = builder.flange(Frame{}, {polygon({{0, 0},
+                                                          {80, 0},
+                                                          {80, 60},
+                                                          {free + 2, 60},
+                                                          {free + 2, 58},
+                                                          {free, 58},
+                                                          {free, 60},
+                                                          {0, 60}})});
+    builder.flange_behind(
+        builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up}),
+        {rectangle(80, 50)});
+    const Rim flap = builder.bend(builder.rim(base, 2),
+                                  {Angle::degrees(90), 2, BendDirection::down});
+    builder.flange_behind(flap, {rectangle(flap.length, 20)});
+    Room room(builder.finish(), gauged_tools());
+    int gauged = 0;
+    for (const StrokeChoice& choice : room.ways(1, {2}))
+      if (choice.gauged && describe(room.cache(), room.lines({2}), choice).gauge->distance > 60.0)
+        ++gauged;
+    EXPECT_EQ(gauged > 0, free > 30.0) << free;
+  }
+}
+
+}  // namespace
+}  // namespace planish::test
