@@ -98,8 +98,9 @@ def unfilled(root):
             text = path.read_text("utf-8")
             for match in re.finditer(r"\bfail\(\s*refuse::(\w+)\s*,\s*\{", text):
                 facts = text[match.end() - 1:balanced(text, match.end() - 1)]
-                if re.search(r"\{\s*[a-z]\w*\s*,", facts):
-                    continue  # names that are not known here
+                each = [one.strip() for one in parts(facts[1:-1]) if one.strip()]
+                if any(not re.match(r'\{\s*"', one) for one in each):
+                    continue  # a fact made elsewhere
                 names = set(re.findall(r"\{\s*\"(\w+)\"", facts))
                 wanted = {slot[1] for string in rows.get(match[1], []) for slot in SLOT.findall(string)}
                 if match[1] not in rows:
