@@ -173,7 +173,7 @@ Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& c
   for (std::size_t i = 1; i < rips.size(); ++i)
     facts.emplace_back("next", edge_at(sheet, joint_at(sheet, rips[i]), rips[i]));
   Error refusal = error_of(rips.size() == 1 ? refuse::one_rip : refuse::many_rips, facts,
-                           text_of(edge_at(sheet, first, rips.front())));
+                           text_of(place::edge(rips.front())) + " " + between_faces(sheet, first));
   refusal.message = closed.message + refusal.message;
   refusal.numbers.insert(refusal.numbers.begin(), closed.numbers.begin(), closed.numbers.end());
   return refusal;

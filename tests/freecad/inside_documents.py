@@ -95,11 +95,11 @@ class Unfold(Document):
     def test_a_closed_tray_is_cut_open_along_the_edges_that_its_refusals_name(self):
         shape, area = inside.tray()
         source, edges = self.solid(shape), []
-        for _ in range(4):
-            with self.assertRaises(planish.Error) as refused:
-                planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
-            self.assertEqual(refused.exception.code, "closed_loop")
-            edges += places.named(refused.exception.places, "edge")
+        with self.assertRaises(planish.Error) as refused:
+            planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
+        self.assertEqual(refused.exception.code, "closed_loop")
+        edges += places.named(refused.exception.places, "edge")
+        self.assertEqual(len(edges), 4)
         flat = planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
         self.assert_near(flat.Shape.Area, area(0.5))
         self.assertEqual(flat.RipEdges, ",".join(map(str, edges)))

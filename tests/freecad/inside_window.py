@@ -150,13 +150,12 @@ class Window(unittest.TestCase):
         shape, area = inside.tray()
         self.solid(shape)
         self.choose("Bracket")
-        for corners in range(1, 5):
-            Gui.runCommand("Planish_Unfold")
-            self.assertEqual(len(self.said), corners)
-            chosen, = Gui.Selection.getSelectionEx()
-            self.assertEqual([name[:4] for name in chosen.SubElementNames], corners * ["Edge"])
         Gui.runCommand("Planish_Unfold")
-        self.assertEqual(len(self.said), 4)
+        self.assertEqual(len(self.said), 1)
+        chosen, = Gui.Selection.getSelectionEx()
+        self.assertEqual([name[:4] for name in chosen.SubElementNames], 4 * ["Edge"])
+        Gui.runCommand("Planish_Unfold")
+        self.assertEqual(len(self.said), 1)
         self.panel().fields["KFactor"].setValue(0.5)
         wait(1500)
         flat = self.document.Unfold

@@ -1,3 +1,6 @@
+import type { Numbers, Place, Remedy } from './said.ts';
+export type { Numbers, Place, Remedy };
+
 // The types of docs/studio-api.md and of the files and reports of the program.
 
 import type { BrakeOptions, OrderedStroke } from './order-types.ts';
@@ -20,36 +23,6 @@ export interface ApiProblem {
   numbers?: Numbers;
   remedy?: Remedy;
   remedies?: Remedy[]; // if there are several
-}
-
-/** What a message states, by name. */
-export type Numbers = Record<string, { value: number | null; unit: string }>;
-
-/** What a message names, as data: docs/formats.md#places. */
-export interface Place {
-  kind:
-    | 'face'
-    | 'edge'
-    | 'body'
-    | 'flange'
-    | 'bend'
-    | 'plate'
-    | 'strip'
-    | 'ridge'
-    | 'stroke'
-    | 'point'
-    | 'pointer'
-    | 'line';
-  id?: number | string;
-  faces?: number[]; // that meet at an edge
-  at?: number[];
-}
-
-/** An option that does away with a finding or a refusal, and what it does; or what to change in the input. */
-export interface Remedy {
-  option?: string; // as on the command line: "--rip-edges"
-  value?: string;
-  change?: string;
 }
 
 export interface Example {
