@@ -53,19 +53,19 @@ struct Narrower {
   bool operator()(const Node& a, const Node& b) const { return a.widest < b.widest; }
 };
 
-Interval left_range(const Problem& problem, const RunSets& sides, int side) {
+planish::Interval left_range(const Problem& problem, const RunSets& sides, int side) {
   const RunSet& set = sides[side];
   return {problem.left(side, set.first.low), problem.left(side, set.first.high)};
 }
 
-Interval mirrored_right_range(const Problem& problem, const RunSets& sides, int side) {
+planish::Interval mirrored_right_range(const Problem& problem, const RunSets& sides, int side) {
   const RunSet& set = sides[side];
   return {-problem.right(side, set.last.high), -problem.right(side, set.last.low)};
 }
 
 // The shift of the left ends plus the cost of the width that they give up: the least of
 // |a − b| + w (a + b) over both ranges. Right ends are mirrored.
-double least_shift(const Interval& a, const Interval& b, double weight) {
+double least_shift(const planish::Interval& a, const planish::Interval& b, double weight) {
   const auto at = [&](double p, double q) { return std::abs(p - q) + weight * (p + q); };
   const double follow_a = std::clamp(b.lo, a.lo, a.hi), follow_b = std::clamp(a.lo, b.lo, b.hi);
   return std::min({at(a.lo, b.lo), at(follow_a, b.lo), at(a.lo, follow_b)});

@@ -278,10 +278,12 @@ TEST_F(PlanInvariants, MorePunchesAreNeverWorse) {
 }
 
 TEST_F(PlanInvariants, ClearanceNeverHelps) {
+  std::size_t number = 0;
   for (const Case& asked : cases()) {
-    bool was_infeasible = false;
-    double cost = 0.0;
-    for (const double clearance : {0.0, 0.5, 2.0}) {
+    const Answer without = answers()[number++];
+    bool was_infeasible = without.status == PlanStatus::infeasible;
+    double cost = without.cost;
+    for (const double clearance : {0.5, 2.0}) {
       PlanOptions options;
       options.clearance = clearance;
       const Answer now = answer(asked, options);
@@ -334,6 +336,8 @@ TEST_F(PlanInvariants, APartThatIsMovedMirroredOrRenumberedHasTheSamePlan) {
   int planned = 0, infeasible = 0;
   for (const Case& asked : cases(7)) {
     const Answer first = answer(asked);
+    // Impossible parts take the longest, and a few of them tell enough.
+    if (first.status == PlanStatus::infeasible && infeasible > 3) continue;
     for (const Sheet& same :
          {moved(asked.sheet, motion), mirror_image(asked.sheet), renumbered(asked.sheet)})
       EXPECT_EQ(first, answer({same, asked.tools}));

@@ -19,7 +19,7 @@ TEST(Sweep, FindsWhatADenseLookFinds) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   int hits = 0, clear = 0;
-  for (int i = 0; i < 800; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const PressMotion motion = random_motion(random);
     const double most = 0.8 + 0.8 * share(random);
     const Vec2 corner(5.0 + 60.0 * share(random), 60.0 * share(random) - 20.0);
@@ -59,8 +59,8 @@ TEST(Sweep, FindsWhatADenseLookFinds) {
     EXPECT_LE(near.distance, least + 1e-9);
     EXPECT_GT(near.distance, least - 0.1);  // of 100 mm · 0.8 rad / 1000 between two looks
   }
-  EXPECT_GT(hits, 100);
-  EXPECT_GT(clear, 200);
+  EXPECT_GT(hits, 50);
+  EXPECT_GT(clear, 100);
 }
 
 /// A flange cut off aslant meets the punch from where it is long enough on: the blocked stretch
