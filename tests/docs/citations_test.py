@@ -11,7 +11,8 @@ import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
-FOLDERS = ["src", "include", "apps", "tests", "bench", "tools", "web", "docs", "examples", "cmake"]
+FOLDERS = ["src", "include", "apps", "tests", "bench", "tools", "web", "docs", "examples", "cmake",
+           "integrations", "packaging"]
 SUFFIXES = {".cpp", ".hpp", ".in", ".py", ".ts", ".mjs", ".css", ".cmake", ".txt", ".sh", ".md"}
 CODE = {".cpp", ".hpp", ".in", ".ts", ".mjs"}
 BUILT = {"node_modules", "dist", "build", "__pycache__"}
@@ -22,9 +23,10 @@ LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)|<img[^>]*\ssrc=\"([^\"]+)\"")
 # An equation number without its source: "[99, 114]" after a blank. Intervals such as [0, 1] begin
 # with 0 or 1 and are no citations.
 BARE_EQUATION = re.compile(r"(?<=[\s(])\[((?:[2-9]|\d{2,3})(?:(?:–|, ?)(?:[2-9]|\d{2,3}))*)\]")
-# Pages that are not in the repository, and paths that lead out of it.
-OUTSIDE = re.compile(r"\bMATH[\s/*#]+\d|\bSHOPFLOOR\b|(?<![\"_])\bFORMATS\b|shared/" + r"design|"
-                     r"\b(?:MATH|FORMATS|SHOPFLOOR|HOUSE|STYLE)\.md\b")
+# Pages that are not in the repository, and paths that lead out of it. This file is checked too, so it
+# spells them, and the faults that it plants below, in two parts.
+OUTSIDE = re.compile(r"\bMATH[\s/*#]+\d|\bSHOP" r"FLOOR\b|(?<![\"_])\bFORMATS\b|shared/" r"design|"
+                     r"\b(?:MATH|FORMATS|SHOP" r"FLOOR|HOUSE|STYLE)\.md\b")
 
 
 def files(root):
@@ -87,9 +89,8 @@ class Checker:
     def run(self):
         for path in files(self.root):
             text = path.read_text(encoding="utf-8")
-            if path.name != pathlib.Path(__file__).name:
-                self.check_left_over(path, text)
-                self.check_citations(path, text)
+            self.check_left_over(path, text)
+            self.check_citations(path, text)
             if path.suffix == ".md":
                 self.check_links(path, without_fences(text))
                 for name in repeated_anchors(path):
@@ -155,6 +156,12 @@ class Citations(unittest.TestCase):
         problems = Checker(SOURCE).run()
         self.assertEqual(problems, [], "\n" + "\n".join(problems))
 
+    def test_the_index_leads_to_every_page(self):
+        index = (SOURCE / "docs" / "README.md").read_text(encoding="utf-8")
+        linked = {link.partition("#")[0] for pair in LINK.findall(index) for link in pair}
+        pages = {path.name for path in (SOURCE / "docs").glob("*.md")} - {"README.md"}
+        self.assertEqual(pages - linked, set())
+
     def test_the_repository_cites_its_mathematics(self):
         """So that the test above cannot pass because nothing was found."""
         cited = sum(len(re.findall(r"\bmath\.md#[\w-]+", path.read_text(encoding="utf-8")))
@@ -162,12 +169,15 @@ class Citations(unittest.TestCase):
         self.assertGreater(cited, 50)
 
 
+MD = ".md"  # the pages of the small trees below are not cited by this file
+
+
 class Faults(unittest.TestCase):
     """Faults planted in a small tree are found where they are."""
 
     def problems(self, **planted):
-        pages = {"docs/math.md": '<a id="neutral-surface"></a>\n## Neutral surface\n\n## How fast?\n',
-                 "docs/bibliography.md": "## `thesis`: a thesis\n\nEquations 1–114.\n\n## `part 4`: an article\n"}
+        pages = {f"docs/math{MD}": '<a id="neutral-surface"></a>\n## Neutral surface\n\n## How fast?\n',
+                 f"docs/bibliography{MD}": "## `thesis`: a thesis\n\nEquations 1–114.\n\n## `part 4`: an article\n"}
         with tempfile.TemporaryDirectory() as folder:
             for name, text in {**pages, **planted.get("files", {})}.items():
                 path = pathlib.Path(folder) / name
@@ -183,19 +193,19 @@ class Faults(unittest.TestCase):
             self.assertIn(what, problem)
 
     def test_a_tree_without_faults_has_none(self):
-        self.check("src/a.cpp", "/// Offset first (math.md#neutral-surface, docs/math.md#how-fast), [thesis 94],\n"
+        self.check("src/a.cpp", f"/// Offset first (math{MD}#neutral-surface, docs/math{MD}#how-fast), [thesis 94],\n"
                                 "/// [thesis 99, 114] and [part 4]; u in [0, 1], in [-2, 2], by face[3].\n")
-        self.check("docs/a.md", "[the surface](math.md#neutral-surface), ![](math.md), `math.md#how-fast`\n"
-                                "```\n[no link](nowhere.md)\n```\n")
+        self.check(f"docs/a{MD}", f"[the surface](math{MD}#neutral-surface), ![](math{MD}), `math{MD}#how-fast`\n"
+                                f"```\n[no link](nowhere{MD})\n```\n")
 
     def test_an_anchor_that_is_missing(self):
-        self.check("src/a.cpp", "\n/// See math.md#neutral-axis.\n", ("src/a.cpp:2", "no anchor neutral-axis"))
-        self.check("docs/a.md", "[x](math.md#neutral-axis)\n", ("docs/a.md:1", "no anchor"), ("docs/a.md:1", "no such anchor"))
+        self.check("src/a.cpp", f"\n/// See math{MD}#neutral-axis.\n", ("src/a.cpp:2", "no anchor neutral-axis"))
+        self.check(f"docs/a{MD}", f"[x](math{MD}#neutral-axis)\n", (f"docs/a{MD}:1", "no anchor"), (f"docs/a{MD}:1", "no such anchor"))
 
     def test_a_page_or_picture_that_is_missing(self):
-        self.check("include/a.hpp", "// docs/maths.md\n", ("include/a.hpp:1", "no page"))
-        self.check("docs/a.md", "text\n![](math/cone.svg)\n", ("docs/a.md:2", "does not exist"))
-        self.check("docs/b.md", "[x](../src/none.cpp)\n", ("docs/b.md:1", "does not exist"))
+        self.check("include/a.hpp", f"// docs/maths{MD}\n", ("include/a.hpp:1", "no page"))
+        self.check(f"docs/a{MD}", "text\n![](math/cone.svg)\n", (f"docs/a{MD}:2", "does not exist"))
+        self.check(f"docs/b{MD}", "[x](../src/none.cpp)\n", (f"docs/b{MD}:1", "does not exist"))
 
     def test_citations_of_pages_outside(self):
         self.check("src/a.cpp", "/// (MATH " + "4.2)\n", ("src/a.cpp:1", "not in the repository"))
@@ -206,11 +216,11 @@ class Faults(unittest.TestCase):
 
     def test_equations_without_source_or_beyond_it(self):
         self.check("src/a.cpp", "// Ψ is linear [94].\n", ("src/a.cpp:1", "of which source"))
-        self.check("src/a.cpp", "// Ψ is linear [thesis 940].\n", ("src/a.cpp:1", "no equation"))
+        self.check("src/a.cpp", "// Ψ is linear [" "thesis 940].\n", ("src/a.cpp:1", "no equation"))
         self.check("src/a.cpp", "// Smooth [slits 3].\n", ("src/a.cpp:1", "no source"))
 
     def test_an_anchor_given_twice(self):
-        self.check("docs/a.md", '<a id="x"></a>\n\n<a id="x"></a>\n', ("docs/a.md:1", "twice"))
+        self.check(f"docs/a{MD}", '<a id="x"></a>\n\n<a id="x"></a>\n', (f"docs/a{MD}:1", "twice"))
 
 
 if __name__ == "__main__":
