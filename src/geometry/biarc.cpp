@@ -1,3 +1,7 @@
+// A smooth spline as arcs within a tolerance: biarcs, two arcs with a common tangent that match the
+// tangents at both ends. Each is made as long as the tolerance allows, by halving from the length
+// of the one before. Corners are kept; an arc that is nearly straight becomes its chord.
+
 #include "planar.hpp"
 #include "recognition.hpp"
 

@@ -1,3 +1,7 @@
+// Boxes in a balanced tree, halved along the longer side of their centres, so that what meets a box
+// is found without a look at the others. The tree is full except in its last level and needs no
+// pointers.
+
 #include <planish/geometry/box_tree.hpp>
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Lengths, areas and nearest points of curves. A spline's length is integrated by Gauss's rule,
+// halved until halves agree; its area is exact in terms of its poles. The nearest point is sought
+// by subdivision: a part whose smallest coefficient of |B|² exceeds the best is left out, and a
+// single minimum is found by Newton.
+
 #include "planar.hpp"
 
 #include <numbers>

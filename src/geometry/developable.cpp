@@ -1,3 +1,7 @@
+// Cylinders, right cones and general developables as one: points, normals and rulings in (u, v),
+// their development into the plane and back (math.md#development). What is developed is the surface
+// at an offset, the neutral one; lengths along it are kept exactly.
+
 #include "planar.hpp"
 #include "ruled.hpp"
 

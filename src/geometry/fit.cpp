@@ -1,3 +1,7 @@
+// A function as a chain of cubic Hermite spans within a tolerance: halved, level by level, where
+// the distance at equal parameters, and if need be the true one, is too large. Its error behaves as
+// t²(1−t)²(a + bt), which says where to look.
+
 #include "planar.hpp"
 
 #include <planish/geometry/fit.hpp>

@@ -1,3 +1,6 @@
+// A cone over a conic arc (math.md#general-cone): the arc as the image of a circular one, so that
+// the tangents of its ends meet in the given point.
+
 #include <planish/base/assert.hpp>
 #include <planish/geometry/general_cone.hpp>
 #include <planish/geometry/ruled_fit.hpp>

@@ -1,3 +1,7 @@
+// Triangles of a polygon shrunk by an inset, without others: GEOS overlays and triangulates. Where
+// it fails, which it does for many corners in line, the plane is turned and it tries again; the
+// hull is the last answer.
+
 #include "geos.hpp"
 
 #include <planish/geometry/plane.hpp>

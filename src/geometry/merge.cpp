@@ -1,3 +1,8 @@
+// Joins neighbouring curves of a loop that are one line or circle within a tolerance, and removes
+// those too short to matter. The longest group that one curve replaces is found by doubling and
+// halving; where curves go, their neighbours are extended to where they cross. Each result knows
+// its first input.
+
 #include "planar.hpp"
 #include "recognition.hpp"
 

@@ -1,3 +1,6 @@
+// Pairs of polygons that share area: boxes swept along the longer side of all, then GEOS for what
+// is left. Each is shrunk by the clearance first, so that neighbours that touch share nothing.
+
 #include "geos.hpp"
 
 #include <planish/geometry/region.hpp>

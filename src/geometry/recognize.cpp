@@ -1,3 +1,7 @@
+// Whether a path is a line or an arc within a tolerance: candidates by least squares through its
+// ends, then the worst distance where it can be: for splines at every extreme of the deviation,
+// which are roots of polynomials. Nothing is decided by samples alone.
+
 #include "recognition.hpp"
 
 #include <planish/geometry/fit.hpp>

@@ -1,3 +1,6 @@
+// Areas, insides and the smallest rectangle of rings. A smallest rectangle has a side on an edge of
+// the convex hull: three calipers advance as the edges turn, once around (O(n) after the hull).
+
 #include "planar.hpp"
 
 #include <planish/geometry/region.hpp>

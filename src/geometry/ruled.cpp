@@ -1,3 +1,8 @@
+// General developables by knots along two borders (math.md#general-developable): between knots
+// Hermite cubics for the points and rulings. The development integrates along the directrix, each
+// ruling keeping its angle; its inverse looks for the ruling through a point by Newton in a
+// bracket, on the sheet's side of the edge of regression.
+
 #include "ruled.hpp"
 
 #include "planar.hpp"

@@ -1,3 +1,6 @@
+// Knots for a general developable: an interval is halved until the Hermite span between its ends is
+// within the tolerance, in points and in slopes, where their errors are largest.
+
 #include "ruled.hpp"
 
 #include <planish/base/assert.hpp>

@@ -1,3 +1,7 @@
+// Where a ring crosses itself: boxes of runs of edges, halved down to single ones, so that runs far
+// apart along the ring are separated at once. Sides within rounding count as touching, not as
+// crossing.
+
 #include "planar.hpp"
 
 #include <planish/geometry/region.hpp>

@@ -1,3 +1,9 @@
+// Reliefs at the ends of bends (math.md#reliefs): at each corner of a bend zone rays look for sheet
+// beside the bend that belongs to its flange. A path from the bend into the flange and then aside
+// that crosses no cut says that the flange goes on; width and depth of the air beside the corner
+// are measured from there. Free ends, sides of tabs and cut-outs deeper than 5 (R + T) have nothing
+// to relieve.
+
 #include "rule_checks.hpp"
 
 #include <planish/inspect/missing_relief.hpp>

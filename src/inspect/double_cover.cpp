@@ -1,3 +1,7 @@
+// Places that two parts of a sheet cover when it lies flat (math.md#overlap), each by itself:
+// overlaps whose boxes come within reach of each other become one place, until none do. And the
+// area of faces within a loop, to check what is cut there without using contours.
+
 #include "regions.hpp"
 
 #include <planish/base/assert.hpp>

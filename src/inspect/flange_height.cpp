@@ -1,3 +1,8 @@
+// The flat length beside a bend, by rays across it at nine stations: to an edge, a window at which
+// the bend ends, or another bend's tangent line. The least counts. A die needs as much flat at any
+// angle, so the height from the outside that guidelines give at 90° is turned into a flat length
+// (shop-floor.md#rules-of-manufacture).
+
 #include "rule_checks.hpp"
 
 #include <cmath>

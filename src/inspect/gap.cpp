@@ -1,3 +1,7 @@
+// Nearest points of two curves or loops. Exact for segments and for full circles outside the other
+// curve; others are sampled on the rounder one and refined by golden section. Boxes leave out what
+// cannot be nearer.
+
 #include "gap.hpp"
 
 #include <planish/base/tolerance.hpp>

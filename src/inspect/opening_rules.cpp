@@ -1,3 +1,7 @@
+// How far openings lie from bends, edges and each other. A distance counts only if the line between
+// the nearest points is all material: what is behind another cut is no web. Each opening is
+// compared with its nearest neighbour, and a pair is named once.
+
 #include "rule_checks.hpp"
 
 // Openings by bends, by edges and by each other. Distances are measured through material only,

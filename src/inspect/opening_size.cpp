@@ -1,3 +1,7 @@
+// The largest circle that fits into an opening touches it: from places along its curves the circle
+// that touches there is shrunk until it touches a second time; the best place is refined by halving
+// steps. The search ends once a circle is as large as the rule wants.
+
 #include "rule_checks.hpp"
 
 #include <planish/base/tolerance.hpp>

@@ -1,3 +1,8 @@
+// Where the flat pattern covers itself (math.md#overlap). Regions of faces and sharp bends are
+// intersected in pairs, shrunk by the contact depth so that touching is none; then contours that
+// cross themselves, where a probe that is deeper than the contact depth is enclosed twice or the
+// wrong way round.
+
 #include "observation.hpp"
 #include "regions.hpp"
 #include "ring_index.hpp"

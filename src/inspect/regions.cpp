@@ -1,3 +1,8 @@
+// What takes area in a pattern: the images of faces, and of each sharp bend the band between the
+// borders that it joins. With the reference skin outside the band is negative, since its faces
+// reach over each other: then they may share its area. A band's sign is that of its ring against
+// that of the face beside it, so it holds for patterns seen from either side.
+
 #include "regions.hpp"
 
 #include <planish/inspect/findings.hpp>

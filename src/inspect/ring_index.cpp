@@ -1,3 +1,6 @@
+// Edges of rings in a tree of boxes: winding numbers and the first hit of a ray without a look at
+// every edge. Each edge holds its lower end alone, so that a ray through a corner counts it once.
+
 #include "ring_index.hpp"
 
 #include <planish/geometry/plane.hpp>

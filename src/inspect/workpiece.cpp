@@ -1,3 +1,7 @@
+// What the rules look at, found once: the two limits of each bend zone with the direction away from
+// it, openings with their sizes and the bends that they end or reach into, rings for rays. A limit
+// is on the side on which it lies of the bend line, not of the order in which lines are written.
+
 #include "workpiece.hpp"
 
 #include "observation.hpp"

@@ -1,3 +1,9 @@
+// Bend allowance by rule or by table (math.md#bend-allowance). Every row of a table becomes a
+// K-factor with its own radius, thickness and angle, and K alone is interpolated: one dimension
+// after the other, between the nearest coordinate below and above. So tables of K, BA and BD are
+// read by the same code, and outside a table K stays as it is at its rim. Whatever the rule, 0 ≤ K
+// ≤ 1 holds, or it is refused.
+
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>

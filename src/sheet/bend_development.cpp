@@ -1,3 +1,9 @@
+// Where a bend's neutral surface lies and how that is developed (math.md#neutral-surface): K T from
+// the inside, so on the reference skin's side of it by the difference of both depths. A sharp bend
+// has no surface; its allowance is the strip that is left between its faces, measured at the hinge
+// if the reference surface lies between the skins. The neutral surface must have a radius
+// everywhere.
+
 #include "bend_development.hpp"
 
 #include "refusals.hpp"

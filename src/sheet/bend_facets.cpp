@@ -1,3 +1,9 @@
+// Cuts a bend along rulings into strips that are nearly flat, by equal turns of the normal: as many
+// as the allowed turn and the allowed chord error take. Borders are sampled where they cross a
+// ruling and between, so that a strip's material is what lies between pairs of sides (even-odd),
+// trapezoid by trapezoid. The strips cover the bend and share their rulings exactly; one isometry
+// for each puts it into space.
+
 #include "bend_facets.hpp"
 
 #include "feature_borders.hpp"

@@ -1,3 +1,9 @@
+// Bend lines, press lines and tangent lines of a layout, interrupted where there is no material: a
+// ruling is cut with the borders of all faces of its bend (even-odd), intervals that touch at a
+// seam are joined, and their ends developed. Borders often run exactly along the rulings at the
+// ends of a bend; so material is looked up a little aside and, where both agree, measured on the
+// ruling itself.
+
 #include "bend_lines.hpp"
 
 #include <planish/base/tolerance.hpp>

@@ -1,3 +1,7 @@
+// The smallest rectangle around a pattern at any angle, and the motion that lays the pattern along
+// it. A blank that lies along an axis except for rounding is turned by whole quarters, so that its
+// coordinates stay as they are, digit by digit.
+
 #include <planish/base/assert.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/flat_pattern.hpp>

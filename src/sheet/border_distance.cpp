@@ -1,3 +1,6 @@
+// Distance of a point in space from a border on its surface: samples along the border, then golden
+// section about the nearest. It can only miss a second place that is equally near.
+
 #include <planish/sheet/certificate.hpp>
 
 #include <algorithm>

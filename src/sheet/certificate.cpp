@@ -1,3 +1,9 @@
+// Measures a pattern against the sheet that it was made from, sharing nothing with the layout that
+// made it (math.md#certificate, math.md#certificate-independence): the sheet is laid out again
+// (relaid.cpp), borders are sought in the pattern and contours among the borders, both ways;
+// lengths, the area at K = ½ times the thickness (math.md#volume-identity) and the number of
+// openings are compared with those of the solid.
+
 #include "curve_index.hpp"
 #include "opening_count.hpp"
 #include "refusals.hpp"

@@ -1,3 +1,7 @@
+// The rules that every function of a sheet relies on, row by row, so that an error names the first
+// row that breaks one. Nothing is mended here: what a file rounds is within the stated slack, or
+// the sheet is refused.
+
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/codes.hpp>

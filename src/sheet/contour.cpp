@@ -1,3 +1,9 @@
+// Chains the free borders of a laid-out sheet to closed contours. The next border is found by
+// topology, by going round the corner across joints, never by nearness: a contour closes even where
+// the layout misses by a little. Across a sharp bend a segment is put in. The contour of largest
+// area is the outer one; each curve keeps the borders that it came from through the joining of
+// collinear neighbours.
+
 #include "contour.hpp"
 
 #include "refusals.hpp"

@@ -1,3 +1,7 @@
+// Comma-separated values as spreadsheets write them (RFC 4180, with semicolons, tabs and comments):
+// one walk through the text, which counts lines in whatever way they end, quoted ones too, so that
+// an error has the line that an editor shows.
+
 #include "refusals.hpp"
 
 #include <planish/sheet/csv.hpp>

@@ -1,3 +1,7 @@
+// Nearest curve of many to a point: a grid of squares that lists the curves whose boxes meet each.
+// The search walks outwards in rings of squares and stops once the best distance is less than the
+// next ring's.
+
 #include "curve_index.hpp"
 
 #include <algorithm>

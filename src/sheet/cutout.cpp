@@ -1,3 +1,8 @@
+// Takes a closed outline out of a pattern: the contours are cut where they cross it, and what stays
+// outside is joined by stretches of the outline, run clockwise, from where one path enters it to
+// where the next leaves. Paths must alternate between entering and leaving around the outline, or
+// nothing is cut. Bend lines lose what lies within. Area and perimeter are measured anew.
+
 #include "contour.hpp"
 #include "measure.hpp"
 #include "refusals.hpp"

@@ -1,3 +1,8 @@
+// The sheet as flat polygons in the pattern, each with the motion that puts it into space: a flange
+// is one, a bend its strips (bend_facets.cpp). Walking the tree of hinges from the root folds any
+// share of every bend. A border has one number through all its facets, so that an edge can be drawn
+// and named as a whole.
+
 #include "bend_facets.hpp"
 #include "feature_borders.hpp"
 

@@ -1,3 +1,8 @@
+// From sheet to flat pattern: set back sharp corners, lay out (math.md#unfolding), chain contours,
+// add bend lines and features, then turn the whole so that the longest bend line lies along x and
+// the chosen side faces up. The pattern and the layout move together: whatever reads either finds
+// them in the same place.
+
 #include "bend_lines.hpp"
 #include "contour.hpp"
 #include "feature_borders.hpp"

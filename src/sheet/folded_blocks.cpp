@@ -1,3 +1,8 @@
+// Convex blocks that lie within the material of a folded sheet: flanges between their skins, bends
+// between rulings that turn little. A block never leaves the material: outlines are taken at their
+// outermost samples and shortened by the inset, and flanges end at the mitre where two of them meet
+// sharply.
+
 #include <planish/base/assert.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/folded_blocks.hpp>

@@ -1,3 +1,8 @@
+// Lays a sheet in the plane (math.md#unfolding-tree): one development for each bend, then a tree of
+// joints from the root, which places each face beside its parent. Joints outside the tree are
+// measured afterwards: a cycle that does not close within the tolerance is refused
+// (math.md#cycles), never spread over its joints.
+
 #include "bend_development.hpp"
 #include "placement.hpp"
 #include "refusals.hpp"

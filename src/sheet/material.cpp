@@ -1,3 +1,7 @@
+// The neutral surface of plastic bending (math.md#plastic-bending, [thesis 1]): K is where the
+// forces of tension and compression over the thickness cancel. Their difference falls all the way
+// from K = 0 to K = 1, so it is found by halving.
+
 #include "refusals.hpp"
 
 #include <planish/base/assert.hpp>

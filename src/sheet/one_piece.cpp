@@ -1,3 +1,7 @@
+// Whether slits part the material: contours and slits that touch are united, point by point; a slit
+// that joins two that are united already closes a ring, and what is inside falls out. Each place
+// where several slits end counts once.
+
 #include <planish/base/union_find.hpp>
 #include <planish/sheet/one_piece.hpp>
 

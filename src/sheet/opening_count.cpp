@@ -1,3 +1,7 @@
+// Compares the number of openings in a pattern with that of its solid (math.md#openings-and-genus):
+// by Euler's formula the sheet's genus, handles and contours say how many holes a cut may leave;
+// those that are missing or too many are then sought one by one to name their places.
+
 #include "opening_count.hpp"
 
 #include "curve_index.hpp"

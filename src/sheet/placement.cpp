@@ -1,3 +1,9 @@
+// Places the faces of a sheet side by side in the plane: a child's border trihedron goes onto its
+// parent's, turned round (math.md#border-trihedron), with the allowance of a sharp bend between
+// them and a shift along the fold line where trimmed borders differ in length. Grown by Prim's
+// algorithm over the joints of highest rank, so that placements rest on long borders; directions
+// come from surfaces, not from short borders.
+
 #include "placement.hpp"
 
 #include "refusals.hpp"

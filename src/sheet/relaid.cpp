@@ -1,3 +1,9 @@
+// The certificate's own layout (math.md#certificate-independence): the same geometry as
+// placement.cpp, found in another way so that a mistake in either shows. Joints are taken longest
+// first into a tree (Kruskal) that is walked from the root; each development is at the K that the
+// pattern states; corners are not set back but laid over each other, 2 setbacks less one allowance
+// apart.
+
 #include "relaid.hpp"
 
 #include "refusals.hpp"

@@ -1,3 +1,8 @@
+// Cuts a sheet open along edges (math.md#rips): the joints there are dropped, and with them what
+// the solid had between the walls, the prism along the corner and, where three walls meet, the
+// block T³ / |det of normals|. The genus follows Euler's formula from the corners that a rip parts.
+// The sheet must stay in one part.
+
 #include "refusals.hpp"
 #include "rip_joint.hpp"
 

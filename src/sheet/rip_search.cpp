@@ -1,3 +1,9 @@
+// Finds rips that open a closed sheet (math.md#rips): a largest spanning tree places the faces, and
+// the joints that do not fit there are ripped. What the tree takes first is the choice, tried in
+// three ways. Ripped corners are set back less, which can make others fit worse: so the search
+// repeats with what is open, a few rounds at most. A rip is only named if what it opens passes the
+// caller's check.
+
 #include "placement.hpp"
 #include "refusals.hpp"
 #include "rip_joint.hpp"

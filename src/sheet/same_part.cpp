@@ -1,3 +1,8 @@
+// Whether two patterns are one part: centres of gravity and the farthest corner fix the few motions
+// that can take one onto the other; each is tried, curve by curve, bend by bend. Turned over, bends
+// up must be bends down, so mirror images are different parts. Groups are searched by area first:
+// equal parts have equal areas.
+
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/sheet/same_part.hpp>

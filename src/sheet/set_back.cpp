@@ -1,3 +1,8 @@
+// Moves the borders of sharp bends that are seen from outside back to where the bend begins, T
+// tan(α/2) from the corner (math.md#setback with r = 0), and cuts their neighbours at the moved
+// line: the first that crosses it is trimmed, those passed shrink to points, so that every border
+// keeps its index.
+
 #include "set_back.hpp"
 
 #include "refusals.hpp"

@@ -1,3 +1,8 @@
+// The outline of a slit that is cut with a width: its two banks, and a round end or a stop hole at
+// each end in the material. Where a slit leaves the sheet, the banks end on the contour's lines or,
+// where a line falls away behind the mouth, in the round end about it; then contour and slot become
+// one loop.
+
 #include "slot_shape.hpp"
 
 #include "refusals.hpp"

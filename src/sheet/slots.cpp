@@ -1,3 +1,8 @@
+// Cuts the slits of a pattern with the width of the cut and stop holes: slits, which lie in
+// contours as stretches run there and back, are taken out (spurs.cpp), their slots checked against
+// each other and the contours, and put back as openings or as part of the contour in which they
+// end.
+
 #include "contour.hpp"
 #include "measure.hpp"
 #include "refusals.hpp"

@@ -1,3 +1,8 @@
+// Takes stretches that a contour runs there and back out of it, as a stack: a curve that comes back
+// along the one before removes it, or what both share, and may then meet the one before that. The
+// last and the first follow each other too. What was removed are slits; collinear ones that touch
+// become one.
+
 #include "spurs.hpp"
 
 #include <planish/geometry/plane.hpp>

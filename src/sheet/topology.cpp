@@ -1,3 +1,7 @@
+// Who is whose neighbour in a sheet: borders numbered in a row with their successors and twins. The
+// free border that follows another is found by turning about the corner they share, over each joint
+// to the next face, as in a half-edge structure.
+
 #include <planish/base/assert.hpp>
 #include <planish/base/union_find.hpp>
 #include <planish/sheet/topology.hpp>

@@ -1,3 +1,7 @@
+// A closed convex boundary in space as elements with their tangents: where it can be touched by a
+// plane. A corner is a point that stands still while its tangent turns (math.md#lateral-hull), so
+// polygons and curves are one case. Places continue past the end, round after round.
+
 #include "convex_boundary.hpp"
 
 #include "plane_profile.hpp"

@@ -1,3 +1,9 @@
+// The lateral hull of two convex profiles (math.md#lateral-hull): a plane that rolls around both,
+// found by its events. At the tangent line at each end of an element, the plane through it that
+// leaves the other profile inside touches where the slope over the line is largest; det(T₁, T₂, q −
+// p) = 0 holds there. Events of both profiles, merged in order, bound the patches: planes, cones,
+// general developables. Order must be kept.
+
 #include "hull.hpp"
 
 #include "refusals.hpp"

@@ -1,5 +1,10 @@
 #pragma once
 
+// Integrals by Gauss's rule with halving, and their inverse: the place up to which an integral is a
+// given amount. Parts are halved until both halves agree with the whole; the inverse reads
+// polynomials through Gauss's points, so that a length along a curve is found without integrating
+// again.
+
 #include "roots.hpp"
 
 #include <array>

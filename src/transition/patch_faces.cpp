@@ -1,3 +1,7 @@
+// A part of a patch as a face of the sheet: plane, right cone or cylinder where its sides are
+// coaxial circles, else a general developable with rulings as knots. Borders are the profile's
+// stretches and the end rulings, tips cut off along them; a side that stands still is a point.
+
 #include "ruled_patch.hpp"
 
 #include <planish/geometry/fit.hpp>

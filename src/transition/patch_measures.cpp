@@ -1,3 +1,6 @@
+// Turn, radii and lengths of a patch, sampled over its rulings: the normal's turn by the long way
+// round if it turns that far, the smallest radius at mid-length and at the tighter end.
+
 #include "integral.hpp"
 #include "ruled_patch.hpp"
 

@@ -1,3 +1,6 @@
+// The closed cubic spline through points with equal steps of the parameter: its second derivatives
+// are those of a cyclic tridiagonal system, so it is curvature-continuous all around.
+
 #include "periodic_spline.hpp"
 
 #include <Eigen/LU>

@@ -1,3 +1,7 @@
+// Profiles as rings of elements in their own plane, moved outwards by the distance of the neutral
+// surface (math.md#neutral-profiles): edges in parallel, corners to where they meet, curves by
+// their normals. A profile must stay convex and turn once.
+
 #include "plane_profile.hpp"
 
 #include "profile_check.hpp"

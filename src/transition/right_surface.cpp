@@ -1,3 +1,7 @@
+// Recognises a patch between two coaxial circles as part of a right cone or cylinder, which a press
+// brake's and a roll's drawings want by name: the circles must be parallel, their centres on one
+// axis, and begin beside each other. All comparisons are shares of the sizes at hand.
+
 #include "right_surface.hpp"
 
 #include <planish/base/tolerance.hpp>

@@ -1,3 +1,8 @@
+// A patch of the hull by its rulings, numbered from 0 to 1: a ruling joins points whose tangents
+// lie in one plane (math.md#lateral-hull). Between the known ends the partner of a place is the
+// root of that determinant, kept in a bracket. Where neither side moves, the tangent condition is
+// taken in the limit.
+
 #include "ruled_patch.hpp"
 
 #include "integral.hpp"

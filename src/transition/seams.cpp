@@ -1,3 +1,7 @@
+// Where the ring of patches is cut into pieces that can be made: at a corner, in the middle of an
+// edge, where the weld is shortest (golden section over rulings), or in parts of equal length. A
+// cut that would leave a sliver of a patch moves to its end.
+
 #include "seams.hpp"
 
 #include "refusals.hpp"

@@ -1,3 +1,8 @@
+// How much is cut off where several folds or a cone end in one corner: on its inside a sheet of
+// real thickness has no room there. A fold of angle φ moves into a panel by inside · tan(φ/2);
+// panels that meet in a point stay clear of each other's insides. The most that anything at a
+// corner asks for is cut, along rulings.
+
 #include "tip_cuts.hpp"
 
 #include "refusals.hpp"
