@@ -31,17 +31,17 @@ TEST(PlacesJson, KeepTheUnitThatANumberStates) {
 }
 
 TEST(PlacesJson, SpellRemediesAsTheProgramTakesThem) {
-  Json json = Json::object();
-  add_remedies(json, {});
-  EXPECT_TRUE(json.empty());
+  Json doc = Json::object();
+  add_remedies(doc, {});
+  EXPECT_TRUE(doc.empty());
   const Remedy rip{"rip_edges", "21,25", ""}, drawn{"", "", "Draw a gap."};
-  add_remedies(json, {rip});
-  EXPECT_EQ(json, Json::parse(R"({"remedy": {"option": "--rip-edges", "value": "21,25"}})"));
-  json = Json::object();
-  add_remedies(json, {rip, drawn});
-  EXPECT_EQ(json["remedy"], json["remedies"][0]);
-  EXPECT_EQ(json["remedies"][1], Json::parse(R"({"change": "Draw a gap."})"));
-  EXPECT_EQ(json["remedies"].size(), 2u);
+  add_remedies(doc, {rip});
+  EXPECT_EQ(doc, Json::parse(R"({"remedy": {"option": "--rip-edges", "value": "21,25"}})"));
+  doc = Json::object();
+  add_remedies(doc, {rip, drawn});
+  EXPECT_EQ(doc["remedy"], doc["remedies"][0]);
+  EXPECT_EQ(doc["remedies"][1], Json::parse(R"({"change": "Draw a gap."})"));
+  EXPECT_EQ(doc["remedies"].size(), 2u);
 }
 
 Finding flange_finding() {
@@ -50,20 +50,20 @@ Finding flange_finding() {
 
 TEST(PlacesJson, OfAFindingAreWhatItIsAboutElseItsPoints) {
   Finding finding = flange_finding();
-  Json json = check_json(finding, kInInches);
-  EXPECT_EQ(json["code"], "flange_height");
-  EXPECT_EQ(json["severity"], "warning");
-  EXPECT_EQ(json["at"], Json::parse("[[1.0, 2.0], [0.0, 1.0]]"));
-  EXPECT_EQ(json["places"], Json::parse(R"([{"kind": "point", "at": [1.0, 2.0]},
+  Json doc = check_json(finding, kInInches);
+  EXPECT_EQ(doc["code"], "flange_height");
+  EXPECT_EQ(doc["severity"], "warning");
+  EXPECT_EQ(doc["at"], Json::parse("[[1.0, 2.0], [0.0, 1.0]]"));
+  EXPECT_EQ(doc["places"], Json::parse(R"([{"kind": "point", "at": [1.0, 2.0]},
                                             {"kind": "point", "at": [0.0, 1.0]}])"));
-  EXPECT_FALSE(json.contains("count"));
+  EXPECT_FALSE(doc.contains("count"));
   finding.about = {place::flange(3)};
   finding.numbers = {{"height", {12.7, unit::mm}}};
   finding.remedies = {{"relief", "rip", ""}};
-  json = check_json(finding, kInInches);
-  EXPECT_EQ(json["places"], Json::parse(R"([{"kind": "flange", "id": 3}])"));
-  EXPECT_EQ(json["numbers"]["height"]["value"], 12.7);
-  EXPECT_EQ(json["remedy"]["option"], "--relief");
+  doc = check_json(finding, kInInches);
+  EXPECT_EQ(doc["places"], Json::parse(R"([{"kind": "flange", "id": 3}])"));
+  EXPECT_EQ(doc["numbers"]["height"]["value"], 12.7);
+  EXPECT_EQ(doc["remedy"]["option"], "--relief");
 }
 
 TEST(PlacesJson, OfARuleAreAllItsBreaches) {
@@ -75,13 +75,13 @@ TEST(PlacesJson, OfARuleAreAllItsBreaches) {
                      {place::bend("B1")},
                      {{"left", {1.0, unit::mm}}}},
                     {Severity::error, "much", {}, {}, {}}};
-  const Json json = check_json(finding, kInInches);
-  EXPECT_EQ(json["count"], 2);
-  EXPECT_EQ(json["places"][0],
+  const Json doc = check_json(finding, kInInches);
+  EXPECT_EQ(doc["count"], 2);
+  EXPECT_EQ(doc["places"][0],
             Json::parse(R"({"kind": "bend", "id": "B1", "at": [1.0, 0.0], "severity": "info",
                             "message": "a little", "points": [[1.0, 0.0], [2.0, 0.0]],
                             "numbers": {"left": {"value": 1.0, "unit": "mm"}}})"));
-  EXPECT_EQ(json["places"][1], Json::parse(R"({"kind": "point", "severity": "error",
+  EXPECT_EQ(doc["places"][1], Json::parse(R"({"kind": "point", "severity": "error",
                                                "message": "much", "points": []})"));
 }
 

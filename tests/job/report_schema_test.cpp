@@ -52,13 +52,13 @@ TEST(ReportSchema, TakesReportsOfEveryMaker) {
 }
 
 /// Every pointer to a number, a text, a list or an object in a document.
-void pointers_of(const Json& json, const Json::json_pointer& at,
+void pointers_of(const Json& doc, const Json::json_pointer& at,
                  std::vector<Json::json_pointer>& all) {
   if (!at.empty()) all.push_back(at);
-  for (const auto& item : json.items())
-    if (json.is_object())
+  for (const auto& item : doc.items())
+    if (doc.is_object())
       pointers_of(item.value(), at / item.key(), all);
-    else if (json.is_array())
+    else if (doc.is_array())
       pointers_of(item.value(), at / std::stoul(item.key()), all);
 }
 
