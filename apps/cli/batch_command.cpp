@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "many_parts.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/batch/batch.hpp>
@@ -47,9 +48,7 @@ std::optional<Error> unknown_format(const std::vector<std::string>& formats,
                            return catalogue.artifact(maker, format) != nullptr;
                          });
     if (!written)
-      return Error{code::bad_option,
-                   fmt::format("--format {}: what can be written is {}", format, listed(known)),
-                   "format"};
+      return error_of(refuse::bad_format, {{"format", format}, {"known", listed(known)}}, "format");
   }
   return std::nullopt;
 }
@@ -95,8 +94,7 @@ Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
   if (const auto error = unknown_format(options.formats, catalogue)) return tl::unexpected(*error);
   if (!arguments.shard.empty()) {
     const auto shard = shard_in(arguments.shard);
-    if (!shard)
-      return fail(code::bad_option, "--shard must be like 3/64: which one, of how many", "shard");
+    if (!shard) return fail(refuse::bad_shard, {}, "shard");
     options.shard = *shard;
   }
   job::Request tried;
@@ -148,7 +146,7 @@ CLI::App* add_batch(const Program& program, BatchArguments& arguments) {
 
 int run_batch(const Program& program, const BatchArguments& arguments) {
   const auto result = result_of(program.catalogue, arguments);
-  if (!result) return complain(result.error());
+  if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result));
   return 0;
 }

@@ -1,6 +1,7 @@
 #include "apart.hpp"
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/job/run.hpp>
@@ -55,16 +56,11 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
   options.rates = std::move(*rates);
   if (!arguments.stock.empty()) {
     options.stock = stock_in(arguments.stock);
-    if (!options.stock)
-      return fail(code::bad_option,
-                  fmt::format("--nest must be like 3000x1500, length and width of a sheet in mm, "
-                              "not \"{}\"",
-                              arguments.stock),
-                  "nest");
+    if (!options.stock) return fail(refuse::bad_stock, {{"text", arguments.stock}}, "nest");
     options.stock->gap = arguments.gap.value_or(options.stock->gap);
     options.stock->grain = arguments.grain;
   } else if (arguments.gap || arguments.grain) {
-    return fail(code::bad_option, "--gap and --grain belong to --nest, which is not given", "nest");
+    return fail(refuse::stock_unsaid, {}, "nest");
   }
   job::Request tried;
   if (const auto entered = arguments.options.enter(tried); !entered) return pass_on(entered);
@@ -123,13 +119,13 @@ CLI::App* add_pack(const Program& program, PackArguments& arguments) {
 
 int run_pack(const Program& program, const PackArguments& arguments) {
   const auto options = options_of_pack(arguments);
-  if (!options) return complain(options.error());
+  if (!options) return complain(options.error(), arguments.how);
   std::optional<Telling> telling(std::in_place, arguments.how);
   const auto result = pack::make_pack(
       arguments.inputs, arguments.output, *options, program.catalogue,
       [&](const batch::BatchProgress& at) { (*telling)(at); }, interrupted);
   telling.reset();
-  if (!result) return complain(result.error());
+  if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result, arguments.output));
   return 0;
 }

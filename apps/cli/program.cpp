@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "help_format.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
 
@@ -85,7 +86,7 @@ int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
 // Output that could not be written (a full disk behind `>`) must not end as success.
 int flushed(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  const int failed = complain({code::cannot_write, "cannot write to standard output", {}});
+  const int failed = complain(error_of(refuse::no_standard_output, {}));
   return status == 0 ? failed : status;
 }
 
@@ -136,9 +137,9 @@ int run_program(int argc, const char* const* argv, const job::Catalogue& catalog
       return serve::run_serve_worker(argv[3], std::strtoull(argv[2], nullptr, 10), catalogue);
     return flushed(run(argc, argv, catalogue));
   } catch (const std::exception& defect) {
-    return complain({code::internal, defect.what(), {}});
+    return complain(error_of(refuse::program_defect, {{"reason", defect.what()}}));
   } catch (...) {
-    return complain({code::internal, "an exception of unknown type", {}});
+    return complain(error_of(refuse::program_defect, {{"reason", "an exception of unknown type"}}));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/job/schemas.hpp>
@@ -45,9 +46,9 @@ int run_schema(const Program& program, const SchemaArguments& arguments) {
   const std::string text = job::schema_text(name, program.catalogue);
   if (text.empty())
     return complain(
-        {code::bad_option,
-         fmt::format("there is no schema \"{}\"; there are {}", name, fmt::join(names, ", ")),
-         {}});
+        error_of(refuse::no_such_name, {{"what", "schema"},
+                                        {"name", name},
+                                        {"known", fmt::format("{}", fmt::join(names, ", "))}}));
   fmt::print("{}", text);
   return 0;
 }

@@ -2,6 +2,7 @@
 #include "completion.hpp"
 #include "manual.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -43,9 +44,7 @@ std::string day_of_manual() {
 
 Error no_such(const std::string& what, const std::string& name,
               const std::vector<std::string>& names) {
-  return {code::bad_option,
-          fmt::format("there is no {} \"{}\"; there are {}", what, name, listed(names)),
-          {}};
+  return error_of(refuse::no_such_name, {{"what", what}, {"name", name}, {"known", listed(names)}});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "apart.hpp"
 #include "commands.hpp"
 #include "many_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/serve/serve.hpp>
@@ -41,7 +42,7 @@ CLI::App* add_serve(const Program& program, ServeArguments& arguments) {
 int run_serve(const Program& program, const ServeArguments& arguments) {
   // Standard output is for answers alone: whatever else is printed goes where errors go.
   const int output = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  if (output < 0) return complain({code::cannot_write, "cannot write to standard output", {}});
+  if (output < 0) return complain(error_of(refuse::no_standard_output, {}));
   if (dup2(STDERR_FILENO, STDOUT_FILENO) < 0) close(STDOUT_FILENO);
   const serve::ServeOptions options{workers_of(arguments.how), arguments.how.limits,
                                     PLANISH_VERSION};

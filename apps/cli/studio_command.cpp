@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
@@ -87,11 +88,8 @@ int run_studio(const Program&, const StudioArguments& arguments) {
   std::ranges::transform(words, raw.begin(), [](std::string& word) { return word.data(); });
   execv(program.c_str(), raw.data());
   const int reason = errno;
-  return complain({code::internal,
-                   fmt::format("the studio cannot be started, {} ({}): it belongs beside planish, "
-                               "and is not built with PLANISH_STUDIO=OFF",
-                               std::strerror(reason), program.string()),
-                   {}});
+  return complain(error_of(refuse::no_studio,
+                           {{"reason", std::strerror(reason)}, {"program", program.string()}}));
 }
 
 }  // namespace planish::cli

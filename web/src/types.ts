@@ -1,7 +1,7 @@
 // The types of docs/studio-api.md and of the files and reports of the program.
 
 import type { BrakeOptions, OrderedStroke } from './order-types.ts';
-import type { Numbers, Place, Remedy } from './said.ts';
+import type { Numbers, Piece, Place, Remedy } from './said.ts';
 import type { Spec } from './spec-types.ts';
 
 export * from './order-types.ts';
@@ -22,6 +22,7 @@ export interface ApiProblem {
   numbers?: Numbers;
   remedy?: Remedy;
   remedies?: Remedy[]; // if there are several
+  wording?: Piece[]; // the message, where it names an option or a place
 }
 
 export interface Example {
