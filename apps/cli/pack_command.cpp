@@ -82,8 +82,9 @@ std::string summary_text(const pack::PackResult& result, const std::string& out)
 
 }  // namespace
 
-CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments& arguments) {
-  CLI::App* command = app.add_subcommand("pack", "make what goes to the shop, in one folder");
+CLI::App* add_pack(const Program& program, PackArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("pack",
+                                                 "make what goes to the shop, in one folder");
   command
       ->add_option("input", arguments.inputs, "files, folders, @lists, or the results of a batch")
       ->required()
@@ -115,17 +116,17 @@ CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments
       ->add_flag("--no-plan", arguments.no_plan,
                  "do not find out whether a press brake can bend each part")
       ->group("Shop");
-  add_many_parts(*command, catalogue, arguments.how, arguments.options);
+  add_many_parts(*command, program.catalogue, arguments.how, arguments.options);
   command->footer(kPackExamples);
   return command;
 }
 
-int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments) {
+int run_pack(const Program& program, const PackArguments& arguments) {
   const auto options = options_of_pack(arguments);
   if (!options) return complain(options.error());
   std::optional<Telling> telling(std::in_place, arguments.how);
   const auto result = pack::make_pack(
-      arguments.inputs, arguments.output, *options, catalogue,
+      arguments.inputs, arguments.output, *options, program.catalogue,
       [&](const batch::BatchProgress& at) { (*telling)(at); }, interrupted);
   telling.reset();
   if (!result) return complain(result.error());

@@ -29,7 +29,7 @@ const Maker& info_options() {
 
 Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
                                      const std::string& pointer) {
-  if (const auto wrong = first_mistake(options_schema(files), options)) {
+  if (const auto wrong = first_mistake(options_schema(files, maker), options)) {
     const std::string where = pointer + wrong->pointer;
     return fail_at(code::invalid_input,
                    fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
@@ -39,7 +39,7 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
       return fail_at(code::bad_option,
                      fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
                      pointer + "/" + name);
-  OptionValues values = values_of(options);
+  OptionValues values = values_of(options, maker);
   if (files == OptionFiles::content) values.read_no_files();
   return values;
 }
