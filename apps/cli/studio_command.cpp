@@ -21,7 +21,7 @@ constexpr auto kStudioExamples = R"(Examples:
   planish studio chair.json              the same, with a file open
   planish studio --no-browser --port 8731
 
-It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
+It serves this machine alone and ends with Ctrl-C. More in docs/studio.md.)";
 
 const job::Option kPort{.name = "port",
                         .kind = job::OptionKind::whole,
