@@ -4,6 +4,7 @@
 #include "refusals.hpp"
 #include "terminal.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/job/run.hpp>
 #include <planish/pack/pack.hpp>
 #include <planish/schema/text_file.hpp>
@@ -68,12 +69,19 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
 }
 
 std::string summary_text(const pack::PackResult& result, const std::string& out) {
-  std::string text = fmt::format("{} distinct parts in {} groups, {} pieces; {} bodies refused\n",
-                                 result.parts, result.groups, result.pieces, result.refused);
-  if (result.sheets > 0) text += fmt::format("{} sheets\n", result.sheets);
+  std::string text = tell(
+                         "{parts:distinct part} in {groups:group}, {pieces:piece}; "
+                         "{refused:body/bodies} refused\n",
+                         {{"parts", result.parts},
+                          {"groups", result.groups},
+                          {"pieces", result.pieces},
+                          {"refused", result.refused}})
+                         .sentence;
+  if (result.sheets > 0) text += tell("{sheets:sheet}\n", {{"sheets", result.sheets}}).sentence;
   for (const std::string& note : result.notes)
     text += note + "\n";
-  return text + fmt::format("wrote {} files to {}\n", result.files.size(), out);
+  return text +
+         tell("wrote {n:file} to {out}\n", {{"n", result.files.size()}, {"out", out}}).sentence;
 }
 
 }  // namespace
