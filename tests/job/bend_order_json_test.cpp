@@ -158,6 +158,14 @@ TEST(BendOrderJson, SaysWhatBecameOfAPlan) {
   const std::string unknown = begun(PlanStatus::gave_up)["sentence"];
   EXPECT_NE(unknown.find("17"), std::string::npos) << "how many stages were looked at";
   EXPECT_EQ(begun(PlanStatus::gave_up)["notes"], Json({"B3 is rolled"}));
+  // Where each bend can be formed, but not after the others, the last note is about the best stage.
+  report.plan->in_the_way = report.plan->blocked;
+  report.plan->blocked.clear();
+  report.plan->unformed = {BendId{1}};
+  report.plan->notes = {"B3 is rolled", "B2 hits the punch at last"};
+  const std::string at_last = begun(PlanStatus::infeasible)["sentence"];
+  EXPECT_NE(at_last.find("B2 hits the punch at last"), std::string::npos) << at_last;
+  EXPECT_EQ(at_last.find("rolled"), std::string::npos);
 }
 
 }  // namespace

@@ -407,6 +407,18 @@ TEST(BendPages, LeaveRoomForToolsAroundLargeWorkpieces) {
   EXPECT_TRUE(drawn_with(page, drawing::kPageAlert, 0.3).empty()) << "no finger";
 }
 
+TEST(BendPages, ClipToolsThatReachALittleBeyond) {
+  const Report report = planned_report();
+  StrokePicture picture;
+  picture.lying = picture.bent = {block(-30, 0, 30, 2)};
+  picture.die = block(-40.5, -30.5, 40.5, 22.5);  // half a millimetre on each side
+  const Page page = bend_pages(report, {}, {picture, picture}).front();
+  const double scale = box_of(*filled_with(page, kLyingSheet)[0]).size().x() / 60.0;
+  const Box2 die = box_of(*filled_with(page, kToolSteel)[0]);
+  EXPECT_NEAR(die.size().x(), 80.0 * scale, 1e-9);
+  EXPECT_NEAR(die.size().y(), 52.0 * scale, 1e-9);
+}
+
 TEST(BendPages, ClipTheCornersOfTools) {
   // What is left of a triangle is as large as by hand: a square of 80 by 52 less two corners.
   const Report report = planned_report();

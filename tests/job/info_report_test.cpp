@@ -42,7 +42,7 @@ InfoReport two_bodies() {
 
 std::string mistake_of(const Json& info) {
   const auto wrong = schema::first_mistake(info_schema(), info);
-  return wrong ? wrong->pointer + " " + wrong->sentence : "";
+  return wrong ? wrong->pointer + " is wrong" : "";
 }
 
 TEST(InfoReport, HasWhatTheFileHolds) {

@@ -4,6 +4,7 @@
 #include <planish/brep/step.hpp>
 #include <planish/job/codes.hpp>
 #include <planish/job/info.hpp>
+#include <planish/job/unfold.hpp>
 
 #include <gtest/gtest.h>
 
@@ -79,6 +80,38 @@ TEST(Info, SaysHowFarItIsAndStopsWhenAsked) {
   progress.cancelled = [] { return true; };
   EXPECT_EQ(info_of(two_sheets(), {.input = "x", .body = {}}, progress).error().code,
             code::cancelled);
+}
+
+TEST(Info, SaysWhatTheFileSaysOfTheMaterial) {
+  std::string text = test::bytes_of_file(test::example("bracket.step"));
+  text.insert(text.rfind("ENDSEC;"), R"(
+#9001=DESCRIPTIVE_REPRESENTATION_ITEM('AlMg3','AlMg3');
+#9002=PROPERTY_DEFINITION('material property','material name',#5);
+#9003=REPRESENTATION('material name',(#9001),#1443);
+#9004=PROPERTY_DEFINITION_REPRESENTATION(#9002,#9003);
+#9005=(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.));
+#9006=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));
+#9007=DERIVED_UNIT_ELEMENT(#9005,1.);
+#9008=DERIVED_UNIT_ELEMENT(#9006,-3.);
+#9009=DERIVED_UNIT((#9007,#9008));
+#9010=MEASURE_REPRESENTATION_ITEM('density measure',POSITIVE_RATIO_MEASURE(2680.),#9009);
+#9011=PROPERTY_DEFINITION('material property','density',#5);
+#9012=REPRESENTATION('density',(#9010),#1443);
+#9013=PROPERTY_DEFINITION_REPRESENTATION(#9011,#9012);
+)");
+  const auto file = read_step_text(text, "bracket.step");
+  ASSERT_TRUE(file) << file.error().message;
+  const auto report = info_of(*file, {.input = "bracket.step", .body = {}});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->bodies[0].material, "AlMg3");
+  EXPECT_NEAR(report->bodies[0].density.value_or(0.0), 2.68, 1e-9);
+  Request request;
+  request.effort = Effort::draft;
+  const auto unfolded = unfold_body(file->bodies[0], request);
+  ASSERT_TRUE(unfolded);
+  EXPECT_EQ(unfolded->material, "AlMg3");
+  EXPECT_NEAR(*unfolded->mass, 2.68e-6 * unfolded->flat.area * unfolded->summary.thickness, 1e-2)
+      << "by the density of the file";
 }
 
 TEST(Info, ReadsItsFile) {

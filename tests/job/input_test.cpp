@@ -49,6 +49,12 @@ TEST(Input, ListsTheBodiesWhereNoneIsMeant) {
     EXPECT_THAT(refusal_of(file, wrong), HasSubstr("1 \"door\", 2 \"lid\", 3 \"lid\"")) << wrong;
 }
 
+TEST(Input, HasAllBodiesOfANameAsItsPlaces) {
+  const auto chosen = choose_body(file_with({"door", "lid", "lid"}), "lid");
+  ASSERT_FALSE(chosen);
+  EXPECT_EQ(chosen.error().places, (std::vector<Place>{place::body(2), place::body(3)}));
+}
+
 TEST(Input, ListsOnlyTheFirstOfManyBodies) {
   const std::string said = refusal_of(file_with(std::vector<std::string>(14, "lid")), "door");
   EXPECT_THAT(said, HasSubstr("12 \"lid\" and 2 more"));

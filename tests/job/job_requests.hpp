@@ -53,18 +53,19 @@ inline std::unique_ptr<job::Made> made_from(const std::string& name, const std::
   return std::move(*made);
 }
 
-/// A request that is met.
+/// What comes of a request that is met, or that is refused and has a report all the same.
 inline job::RunResult done_by(const nlohmann::json& asked) {
-  const auto result = job::run(asked.dump());
-  EXPECT_TRUE(result.has_value()) << (result ? "" : result.error().message);
-  return result ? *result : job::RunResult{};
+  const job::Ran ran = job::run(asked.dump());
+  if (ran) return *ran;
+  EXPECT_TRUE(ran.error().shown) << ran.error().message;
+  return ran.error().shown.value_or(job::RunResult{});
 }
 
 /// The error of one that is not.
 inline Error error_by(const nlohmann::json& asked) {
-  const auto result = job::run(asked.dump());
-  EXPECT_FALSE(result.has_value()) << asked;
-  return result ? Error{} : result.error();
+  const job::Ran ran = job::run(asked.dump());
+  EXPECT_FALSE(ran.has_value()) << asked;
+  return ran ? Error{} : Error(ran.error());
 }
 
 }  // namespace planish::test

@@ -17,7 +17,7 @@ using schema::Json;
 
 std::string mistake_in_report(const Json& report) {
   const auto wrong = schema::first_mistake(report_schema(built_in()), report);
-  return wrong ? wrong->pointer + " " + wrong->sentence : "";
+  return wrong ? wrong->pointer + " is wrong" : "";
 }
 
 /// A report with all that a report may have.

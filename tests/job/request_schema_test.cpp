@@ -70,7 +70,8 @@ TEST(RequestSchema, OfBendAndInfoHasTheirs) {
 }
 
 TEST(OptionsSchema, TakesEachKindOfOption) {
-  const schema::Schema given = options_schema(OptionFiles::path_or_content);
+  const schema::Schema given = options_schema(OptionFiles::path_or_content,
+                                              *built_in().maker("unfold"));
   for (const char* fine :
        {R"({"r12": true})", R"({"k": 0.5})", R"({"piece": 2})", R"({"units": "m"})",
         R"({"root": 12})", R"({"root": "largest"})", R"({"body": 1})", R"({"body": "door"})",
@@ -94,7 +95,7 @@ TEST(OptionsSchema, TakesEachKindOfOption) {
 }
 
 TEST(OptionsSchema, TakesNoPathsWhereNoFilesAreRead) {
-  const schema::Schema given = options_schema(OptionFiles::content);
+  const schema::Schema given = options_schema(OptionFiles::content, *built_in().maker("unfold"));
   EXPECT_EQ(wrong_in(given, R"({"k_table": "a.csv"})"), "/k_table");
   EXPECT_EQ(wrong_in(given, R"({"material": "steel"})"), "") << "of a shop";
   EXPECT_EQ(wrong_in(given, R"({"k_table": {"content": "r/t, k"}})"), "");
@@ -105,7 +106,8 @@ TEST(ValuesOf, AreThoseOfTheObject) {
       Json::parse(R"({"r12": true, "k": 0.25, "piece": 2, "root": 12,
       "body": 3, "units": "inch", "bend_k": {"B1": 0.3}, "density": null,
       "k_table": {"name": "steel.csv", "content": "text"}, "rules": {"content": {"k_low": 0.1}},
-      "shop": "shop.json"})"));
+      "shop": "shop.json"})"),
+      *built_in().maker("unfold"));
   EXPECT_TRUE(values.given("r12"));
   EXPECT_EQ(values.number("k"), 0.25);
   EXPECT_EQ(values.number("piece"), 2.0);

@@ -90,15 +90,16 @@ TEST(SlitJob, HalvesQuadsAsOftenAsAsked) {
 }
 
 TEST(SlitJob, RefusesStripsThatDoNotReach) {
-  SlitFile file;
-  file.design = test::asymmetric();
-  file.design.ends.resize(2);
-  file.design.ends[1].position = Vec3(0, 530, 70);  // as far as it is long, but sideways
-  file.design.ends[1].direction = Vec3(0, -1, 0);
-  const auto report = slit_sheet(file, slit_request());
-  if (!report) GTEST_SKIP() << report.error().message;
-  if (!report->refusal) GTEST_SKIP() << "it reaches";
-  EXPECT_EQ(report->refusal->code, code::out_of_reach);
+  SlitFile file = small_chair();
+  file.design.sheet.half_length = 300;  // and the symmetry plane is 360 away
+  const SlitReport report = bent(file);
+  ASSERT_TRUE(report.refusal);
+  EXPECT_EQ(report.refusal->code, code::out_of_reach);
+  EXPECT_EQ(report.refusal->where, "shop/chair.json/sheet/strips/0") << "the first of them";
+  ASSERT_EQ(report.strips.size(), 2u);
+  for (const StripState& strip : report.strips)
+    EXPECT_NEAR(strip.shortfall, 60.0, 1.0);
+  EXPECT_TRUE(report.flat.outer.loop.empty());
 }
 
 TEST(SlitJob, RefusesCurvesThatTheSheetDoesNotFit) {

@@ -1,4 +1,5 @@
 #include "job/job_requests.hpp"
+#include "support/error_data.hpp"
 
 #include <planish/job/slit_json.hpp>
 
@@ -235,6 +236,9 @@ TEST(SlitJson, NamesThePlaceOfAMistake) {
     EXPECT_EQ(place_of_mistake(with(pointer, value)), "read") << pointer << " " << value;
   EXPECT_EQ(place_of_mistake(with("/ends", {{{"strip", 0}}, {{"strip", 2}}})),
             "s.json/ends/1/strip");
+  const Error beyond = parse_slits(with("/ends", {{{"strip", 2}}}).dump(), "s.json", {}).error();
+  EXPECT_EQ(test::number_in(beyond, "strip"), 2.0);
+  EXPECT_EQ(test::number_in(beyond, "last"), 1.0);
 }
 
 TEST(SlitJson, RefusesEndsAndPanelsThatContradictOneAnother) {

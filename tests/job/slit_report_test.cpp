@@ -53,7 +53,7 @@ TEST(SlitReport, HasARowForEachStrip) {
   report.units = LengthUnit::inch;
   const Json doc = Json::parse(report_json(report));
   const auto wrong = schema::first_mistake(report_schema(built_in()), doc);
-  EXPECT_FALSE(wrong) << (wrong ? wrong->pointer + wrong->sentence : "");
+  EXPECT_FALSE(wrong) << (wrong ? wrong->pointer : "");
   EXPECT_EQ(doc["command"], "slit");
   const Json slit = doc["slit"];
   EXPECT_DOUBLE_EQ(slit["gap"], 1.0);

@@ -1,5 +1,6 @@
 #include "job/job_requests.hpp"
 
+#include <planish/brake/codes.hpp>
 #include <planish/job/transition.hpp>
 #include <planish/job/transition_json.hpp>
 #include <planish/transition/codes.hpp>
@@ -125,6 +126,16 @@ TEST(TransitionJob, IsRefusedWithItsPlaceInTheFile) {
   const auto invalid = transition_between(file, request_for());
   ASSERT_FALSE(invalid) << "an input that is wrong gives no report";
   EXPECT_EQ(invalid.error().where.rfind("shop/duct.json/from/profile/polygon", 0), 0u);
+}
+
+TEST(TransitionJob, KeepsThePatternOfAPieceThatIsRefused) {
+  Request request = request_for();
+  request.bending.ask = Bending::Ask::plan;  // no brake closes a duct
+  const TransitionReport report = reported(straight_duct(), request);
+  ASSERT_TRUE(report.refusal);
+  EXPECT_EQ(report.refusal->code, code::cannot_bend);
+  EXPECT_NEAR(report.flat.area, 320.0 * 80.0, 1e-3);
+  EXPECT_TRUE(report.plan);
 }
 
 TEST(TransitionJob, ReadsItsFile) {

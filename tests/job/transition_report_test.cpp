@@ -53,7 +53,7 @@ TEST(TransitionReport, HasTheSurfaceAndItsPatches) {
   report.units = LengthUnit::inch;
   const Json doc = json_of(report);
   const auto wrong = schema::first_mistake(report_schema(built_in()), doc);
-  EXPECT_FALSE(wrong) << (wrong ? wrong->pointer + wrong->sentence : "");
+  EXPECT_FALSE(wrong) << (wrong ? wrong->pointer : "");
   EXPECT_EQ(doc["command"], "transition");
   const Json made = doc["transition"];
   EXPECT_DOUBLE_EQ(made["area"], 1.0);

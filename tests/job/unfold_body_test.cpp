@@ -77,6 +77,7 @@ TEST(UnfoldBody, RefusesWhatIsNoSheetAndKeepsItsName) {
   ASSERT_TRUE(report);
   ASSERT_TRUE(report->refusal);
   EXPECT_EQ(report->body, "cube");
+  EXPECT_NE(report->refusal->where, "rip_edges") << "which nobody asked for";
   EXPECT_EQ(report->status(), Status::refused);
   EXPECT_TRUE(report->flat.outer.loop.empty());
 }

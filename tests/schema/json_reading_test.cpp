@@ -43,8 +43,9 @@ TEST(JsonReading, HasThePointerOfAMistakeAsItsPlace) {
 
 TEST(JsonReading, KeepsTheFirstMistake) {
   JsonReading reading("{}", "cart file", "cart.json", cart_schema());
-  reading.mistake("/a", "is wrong");
-  reading.mistake("/b", "is wrong too");
+  constexpr static Refusal kWrong{code::invalid_input, "{@field} is wrong."};
+  reading.mistake("/a", kWrong);
+  reading.mistake("/b", kWrong);
   EXPECT_EQ(reading.error()->where, "cart.json/a");
 }
 
