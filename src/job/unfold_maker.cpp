@@ -16,7 +16,7 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kHelp = R"(Examples:
+constexpr auto kUnfoldHelp = R"(Examples:
   planish unfold part.step                     part.dxf beside it, a summary here
   planish unfold part.step -o a.dxf -o a.svg   two files of one pattern
   planish unfold part.step --k-table steel.csv --json part.json
@@ -104,7 +104,7 @@ class UnfoldWork : public Work {
   std::map<std::pair<int, std::vector<int>>, Result<Recognized>> found_;
 };
 
-Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress& progress) {
+Result<std::unique_ptr<Work>> open_model(const InputFile& input, const Progress& progress) {
   auto file = read_step_text(input.content, input.name, part_of(progress, 0.0, kRead));
   if (!file) return pass_on(file);
   return std::make_unique<UnfoldWork>(input.name, std::move(*file));
@@ -125,7 +125,7 @@ Maker unfold_maker() {
       .name = "unfold",
       .description = "lay a sheet-metal part flat",
       .input = "STEP",
-      .help = kHelp,
+      .help = kUnfoldHelp,
       .sources = {Source::pattern, Source::folded_mesh},
       .options = with_bending_options({{"body"},
                                        {"units", "mm"},
@@ -145,7 +145,7 @@ Maker unfold_maker() {
                                        {"rules"},
                                        {"no_rules"}}),
       .report_details = unfold_report_details,
-      .open = open,
+      .open = open_model,
       .failed = failed,
   };
 }
