@@ -1,5 +1,7 @@
 #include "part_list.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/outputs.hpp>
@@ -166,8 +168,8 @@ class Collecting {
                          std::size_t piece) {
     auto flat = read_flat_json(from.shapes[piece]);
     if (!flat)
-      return fail(code::cannot_read,
-                  fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
+      return fail(refuse::piece_unread,
+                  {{"folder", from.folder}, {"reason", continued(flat.error().message)}});
     const bool alone = from.shapes.size() == 1;
     PackPart part;
     const std::string name = from.folder == source.input && says_nothing(source.body)

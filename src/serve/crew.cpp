@@ -1,5 +1,7 @@
 #include "crew.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/packed_error.hpp>
 
 #include <exception>
@@ -65,7 +67,7 @@ Result<WorkDone> tried(ServeWorker& worker, const Ticket& ticket, const std::ato
   try {
     return worker.work_on(ticket, ends);
   } catch (const std::exception& defect) {
-    return fail(code::internal, defect.what());
+    return fail(refuse::worker_defect, {{"reason", defect.what()}});
   }
 }
 
@@ -114,8 +116,7 @@ void Crew::work(bool at_once) {
   // A process is there before it is needed, where one will be.
   if (at_once) (void)worker.begin();
   while (const auto ticket = next()) {
-    ticket->done(ticket->cancelled ? fail(code::cancelled, "cancelled")
-                                   : tried(worker, *ticket, ends_));
+    ticket->done(ticket->cancelled ? fail(refuse::stopped) : tried(worker, *ticket, ends_));
     if (!ends_) (void)worker.begin();
     const std::lock_guard lock(mutex_);
     --open_;
