@@ -154,7 +154,7 @@ class Running {
   }
 
   void work() {
-    Worker worker(options_.limits, catalogue_, [this] { return cancelled_() || ends(); });
+    BatchWorker worker(options_.limits, catalogue_, [this] { return cancelled_() || ends(); });
     for (;;) {
       const std::size_t at = next_++;
       if (at >= tasks_.size() || ends()) return;
@@ -163,7 +163,7 @@ class Running {
     }
   }
 
-  std::optional<Error> work_on(const Task& task, Worker& worker) {
+  std::optional<Error> work_on(const Task& task, BatchWorker& worker) {
     const Input& input = inputs_[task.input];
     const bool first = task.share.number == 1;
     if (!falls_to(options_.shard, input)) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr auto kBody = "body", kPart = "part";
+constexpr auto kBody = "body", kDone = "done", kPart = "part";
 
 /// A number of texts that follow, and these.
 class Reading {
@@ -103,6 +103,13 @@ std::optional<PartDone> part_in(const process::Texts& texts) {
     file.bytes = reading.next();
   }
   return part;
+}
+
+process::Texts texts_of(const FileDone&) { return {kDone}; }
+
+std::optional<FileDone> file_done_in(const process::Texts& texts) {
+  if (texts != process::Texts{kDone}) return std::nullopt;
+  return FileDone();
 }
 
 process::Texts beginning(int body) { return {kBody, std::to_string(body)}; }
