@@ -1,4 +1,4 @@
-#include "rates.hpp"
+#include <planish/shop/rates.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace planish::pack {
+namespace planish::shop {
 namespace {
 
 using RatesJson = nlohmann::ordered_json;
@@ -29,13 +29,12 @@ std::string in_pointer(const std::string& key) {
   return escaped;
 }
 
-tl::unexpected<Error> wrong_rates(const GivenFile& file, const std::string& pointer,
+tl::unexpected<Error> wrong_rates(const std::string& file, const std::string& pointer,
                                   const std::string& what) {
-  return fail(code::invalid_input, fmt::format("{}{}: {}", file.name, pointer, what),
-              file.name + pointer);
+  return fail(code::invalid_input, fmt::format("{}{}: {}", file, pointer, what), file + pointer);
 }
 
-Result<Rates::Row> rates_row(const GivenFile& file, const std::string& pointer,
+Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer,
                              const RatesJson& json) {
   if (!json.is_object()) return wrong_rates(file, pointer, "the rates of a material are an object");
   Rates::Row row;
@@ -56,10 +55,10 @@ Result<Rates::Row> rates_row(const GivenFile& file, const std::string& pointer,
   return row;
 }
 
-double cost_of(const PackPart& part, const Rates::Row& rates) {
+double cost_at(const PricedPart& part, const Rates::Row& rates) {
   const double each = rates.cut * part.cut_length +
                       rates.pierce * static_cast<double>(part.pierces) +
-                      rates.bend * static_cast<double>(part.flat.bends.size()) +
+                      rates.bend * static_cast<double>(part.bends) +
                       rates.kg * part.mass.value_or(0.0) +
                       rates.area * part.size.x() * part.size.y();
   return rates.setup + each * part.quantity;
@@ -67,11 +66,11 @@ double cost_of(const PackPart& part, const Rates::Row& rates) {
 
 }  // namespace
 
-Result<Rates> Rates::parse(const GivenFile& file) {
-  const RatesJson json = RatesJson::parse(file.text, nullptr, false);
+Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
+  const RatesJson json = RatesJson::parse(text, nullptr, false);
   if (!json.is_object()) return wrong_rates(file, "", "the rates file is no JSON object");
   Rates rates;
-  rates.name_ = file.name;
+  rates.name_ = file;
   for (const auto& [key, value] : json.items()) {
     const std::string at = "/" + in_pointer(key);
     if (key == "format" || key == "version") {
@@ -96,27 +95,24 @@ Result<Rates> Rates::parse(const GivenFile& file) {
   return rates;
 }
 
-Result<void> Rates::apply(PartList& list) const {
-  for (PackPart& part : list.parts) {
-    const auto row = rows_.find(part.material);
-    if (row == rows_.end()) {
-      std::vector<std::string> known;
-      for (const auto& [material, rates] : rows_)
-        known.push_back(material);
-      return fail(code::bad_option,
-                  fmt::format("{} has no rates for the material \"{}\" of {}; it has {}", name_,
-                              part.material, part.name, fmt::join(known, ", ")),
-                  "rates");
-    }
-    if (row->second.kg > 0.0 && !part.mass)
-      return fail(code::bad_option,
-                  fmt::format("the mass of {} is not known, and {} asks for its kg: give the "
-                              "density of {} by --materials or --density",
-                              part.name, name_, part.material),
-                  "rates");
-    part.cost = cost_of(part, row->second);
+Result<double> Rates::cost_of(const PricedPart& part) const {
+  const auto row = rows_.find(part.material);
+  if (row == rows_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [material, rates] : rows_)
+      known.push_back(material);
+    return fail(code::bad_option,
+                fmt::format("{} has no rates for the material \"{}\" of {}; it has {}", name_,
+                            part.material, part.name, fmt::join(known, ", ")),
+                "rates");
   }
-  return {};
+  if (row->second.kg > 0.0 && !part.mass)
+    return fail(code::bad_option,
+                fmt::format("the mass of {} is not known, and {} asks for its kg: give the "
+                            "density of {} by --materials or --density",
+                            part.name, name_, part.material),
+                "rates");
+  return cost_at(part, row->second);
 }
 
-}  // namespace planish::pack
+}  // namespace planish::shop
