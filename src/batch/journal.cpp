@@ -1,5 +1,7 @@
 #include "journal.hpp"
 
+#include "refusals.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -15,12 +17,8 @@ using Json = nlohmann::ordered_json;
 // Between the head of a line, {"name": ..., "key": ...}, and its parts.
 constexpr char kBehindHead = '\t';
 
-tl::unexpected<Error> broken(ErrorCode code, const std::filesystem::path& file) {
-  const bool reads = code == code::cannot_read;
-  return fail(code,
-              fmt::format("cannot {} {}: {}", reads ? "read" : "write", file.string(),
-                          std::strerror(errno)),
-              file.string());
+tl::unexpected<Error> broken(const Refusal& refusal, const std::filesystem::path& file) {
+  return fail(refusal, {{"file", file.string()}, {"reason", std::strerror(errno)}}, file.string());
 }
 
 std::string json_text(const std::string& text) { return Json(text).dump(); }
@@ -43,7 +41,7 @@ Result<Journal> Journal::read(const std::filesystem::path& file) {
   Journal journal;
   journal.file_ = file;
   journal.stream_.open(file, std::ios::in | std::ios::binary);
-  if (!journal.stream_) return broken(code::cannot_read, file);
+  if (!journal.stream_) return broken(refuse::batch_unread, file);
   journal.look_through();
   return journal;
 }
@@ -54,7 +52,7 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) std::ofstream(file, std::ios::binary);
   journal.stream_.open(file, std::ios::in | std::ios::out | std::ios::binary);
-  if (!journal.stream_) return broken(code::cannot_write, file);
+  if (!journal.stream_) return broken(refuse::batch_unwritten, file);
   journal.look_through();
   if (const auto size = std::filesystem::file_size(file, none);
       !none && size > static_cast<std::uintmax_t>(journal.end_))
@@ -76,7 +74,7 @@ std::vector<std::string> Journal::names() const {
 }
 
 tl::unexpected<Error> Journal::unwritten() {
-  const auto error = broken(code::cannot_write, file_);
+  const auto error = broken(refuse::batch_unwritten, file_);
   stream_.clear();
   return error;
 }
@@ -119,7 +117,7 @@ Result<std::string> Journal::line_at(const Place& place) {
   stream_.seekg(place.at);
   stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (stream_) return line;
-  const auto error = broken(code::cannot_read, file_);
+  const auto error = broken(refuse::batch_unread, file_);
   stream_.clear();
   return error;
 }
@@ -131,9 +129,7 @@ Result<std::vector<PartRecord>> Journal::parts_of(const std::string& name) {
   if (!line) return pass_on(line);
   auto records = part_records(std::string_view(*line).substr(line->find(kBehindHead) + 1));
   if (!records)
-    return fail(code::cannot_read,
-                fmt::format("{} is damaged at {}: remove it, and run the batch again",
-                            file_.string(), name),
+    return fail(refuse::journal_damaged, {{"file", file_.string()}, {"name", name}},
                 file_.string());
   return std::move(*records);
 }

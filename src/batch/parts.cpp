@@ -1,3 +1,4 @@
+#include "refusals.hpp"
 #include "state.hpp"
 
 #include <planish/batch/parts.hpp>
@@ -11,9 +12,7 @@ Result<void> for_each_part(const std::filesystem::path& out,
   const auto record = read_record(out);
   if (!record) return pass_on(record);
   if (!record->finished)
-    return fail(code::cannot_read,
-                fmt::format("the batch in {} is not finished: run it again to go on", out.string()),
-                out.string());
+    return fail(refuse::batch_unfinished, {{"folder", out.string()}}, out.string());
   auto journal = read_journal(out);
   if (!journal) return pass_on(journal);
   for (const std::string& name : record->names) {

@@ -2,6 +2,7 @@
 
 #include "identical.hpp"
 #include "page.hpp"
+#include "refusals.hpp"
 #include "summary_csv.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -45,10 +46,9 @@ class Growing {
     if (whole && !failed) return {};
     std::error_code none;
     fs::remove(draft_, none);
-    return fail(
-        code::cannot_write,
-        fmt::format("cannot write {}: {}", target_.string(), failed ? failed.message() : why),
-        target_.string());
+    return fail(refuse::batch_unwritten,
+                {{"file", target_.string()}, {"reason", failed ? failed.message() : why}},
+                target_.string());
   }
 
  private:

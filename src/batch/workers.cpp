@@ -1,9 +1,9 @@
 #include "workers.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/batch/batch.hpp>
 #include <planish/batch/codes.hpp>
-
-#include <fmt/format.h>
 
 #include <string>
 #include <utility>
@@ -16,12 +16,8 @@ using process::ChildEnd;
 /// What a report says of a part whose worker was lost.
 Error error_of_part(const ChildEnd& end, const std::string& input, const process::Limits& limits) {
   if (end.from_outside)
-    return {
-        code::worker_died,
-        fmt::format("the process that worked on {} was ended from outside twice ({}): if it was "
-                    "the system, memory is short: use fewer --jobs, and run the batch again",
-                    input, end.reason),
-        input};
+    return planish::error_of(refuse::ended_from_outside, {{"input", input}, {"reason", end.reason}},
+                             input);
   Error error = process::error_of(end, input, limits);
   if (end.cause == ChildEnd::Cause::crashed) error.code = code::worker_died;
   if (end.cause == ChildEnd::Cause::out_of_time) error.code = code::time_limit;

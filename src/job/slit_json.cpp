@@ -1,4 +1,5 @@
 #include "input_schemas.hpp"
+#include "refusals.hpp"
 
 #include <planish/job/slit_json.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -226,12 +227,12 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   for (const JsonPlace& item : place.items()) {
     const int strip = item["strip"].whole();
     if (strip >= static_cast<int>(strips)) {
-      item["strip"].mistake(
-          fmt::format("is {}; the sheet has strips 0 to {}", strip, static_cast<int>(strips) - 1));
+      item["strip"].mistake(refuse::no_such_strip,
+                            {{"strip", strip}, {"last", static_cast<int>(strips) - 1}});
       return ends;
     }
     if (!given.insert(strip).second) {
-      item["strip"].mistake(fmt::format("is {}, whose end is given already", strip));
+      item["strip"].mistake(refuse::strip_end_twice, {{"strip", strip}});
       return ends;
     }
     ends.resize(std::max(ends.size(), static_cast<std::size_t>(strip) + 1));
@@ -266,10 +267,7 @@ std::vector<ScanPlace> scans_at(const JsonPlace& place) {
 
 SecondPanel second_panel_at(const JsonPlace& document) {
   const JsonPlace place = document["second_panel"];
-  if (document["symmetric"].yes())
-    place.mistake(
-        "is given, but the other half of a symmetric sheet is its mirror image: leave it out, or "
-        "set symmetric to false");
+  if (document["symmetric"].yes()) place.mistake(refuse::panel_of_symmetric);
   const JsonPlace leg = place["leg_curve"];
   return {curve_at(leg), place["height"].length(), leg["lean"].angle(), leg["fit"].yes()};
 }
@@ -303,12 +301,9 @@ SlitDesign design_at(const JsonPlace& place) {
   for (const JsonPlace& anchor : place["anchors"].items())
     design.anchors.push_back(anchor_at(anchor));
   if (design.sheet.symmetric && place["ends"].given())
-    place["ends"].mistake(
-        "is given, but strips of symmetric sheets end at the symmetry plane: leave it out, or set "
-        "symmetric to false");
+    place["ends"].mistake(refuse::ends_of_symmetric);
   else if (design.second_panel && place["ends"].given())
-    place["ends"].mistake(
-        "is given, but the strips end at the second panel: leave one of them out");
+    place["ends"].mistake(refuse::ends_and_panel);
   design.ends = ends_at(place["ends"], design.sheet.strips.size());
   return design;
 }

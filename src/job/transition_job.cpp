@@ -2,6 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
+#include "refusals.hpp"
 #include "taken_shop.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -33,8 +34,7 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (constant) return ConstantK{constant->k, "constant"};
-    return fail(code::bad_option, "a transition has no inside radius, so its K is one number: `k`",
-                "k");
+    return fail(refuse::k_of_transition, {}, "k");
   }
   if (request.shop && gauge_of(*request.shop, spec.thickness))
     return shop_k(*request.shop, spec.thickness);

@@ -1,4 +1,5 @@
 #include "input_schemas.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition_json.hpp>
@@ -89,8 +90,7 @@ Frame frame_at(const JsonPlace& place) {
   const bool x_given = place["x"].given();
   const Vec3 x = place["x"].direction().value_or(Vec3::UnitX());
   if (x.cross(z).norm() > kParallel) return frame_from_axes(origin, z, x);
-  if (x_given)
-    place["x"].mistake("is parallel to the normal: give a direction in the profile's plane");
+  if (x_given) place["x"].mistake(refuse::x_along_normal);
   return frame_from_axes(origin, z,
                          x_given       ? Vec3(z.unitOrthogonal())
                          : z.x() > 0.0 ? Vec3(-Vec3::UnitZ())

@@ -1,5 +1,8 @@
 #include "part_list.hpp"
 
+#include "refusals.hpp"
+
+#include <planish/base/text.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/outputs.hpp>
@@ -142,8 +145,8 @@ class Collecting {
     const PartRecord& record = from.record;
     auto flat = read_flat_json(record.shapes[piece]);
     if (!flat)
-      return fail(code::cannot_read,
-                  fmt::format("{}: {}; run the batch again", record.folder, flat.error().message));
+      return fail(refuse::piece_unread,
+                  {{"folder", record.folder}, {"reason", continued(flat.error().message)}});
     const bool alone = record.shapes.size() == 1;
     PackPart part;
     const std::string name = record.folder == source.input && says_nothing(source.body)

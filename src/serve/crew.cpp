@@ -1,5 +1,7 @@
 #include "crew.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/process/worker.hpp>
 
 #include <exception>
@@ -39,7 +41,7 @@ Result<WorkDone> tried(ServeWorker& worker, const process::Limits& limits, const
   try {
     return work_on(worker, limits, ticket, ends);
   } catch (const std::exception& defect) {
-    return fail(code::internal, defect.what());
+    return fail(refuse::worker_defect, {{"reason", defect.what()}});
   }
 }
 
@@ -89,7 +91,7 @@ void Crew::work(bool at_once) {
   // A process is there before it is needed, where one will be.
   if (at_once) (void)worker.begin();
   while (const auto ticket = next()) {
-    ticket->done(ticket->cancelled ? fail(code::cancelled, "cancelled")
+    ticket->done(ticket->cancelled ? fail(refuse::stopped)
                                    : tried(worker, limits_, *ticket, ends_));
     if (!ends_) (void)worker.begin();
     const std::lock_guard lock(mutex_);

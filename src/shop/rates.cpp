@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/shop/rates.hpp>
 
 #include <fmt/format.h>
@@ -30,13 +32,15 @@ std::string in_pointer(const std::string& key) {
 }
 
 tl::unexpected<Error> wrong_rates(const std::string& file, const std::string& pointer,
-                                  const std::string& what) {
-  return fail(code::invalid_input, fmt::format("{}{}: {}", file, pointer, what), file + pointer);
+                                  const Refusal& refusal, Facts facts = {}) {
+  facts.emplace_back("file", file);
+  if (!pointer.empty()) facts.emplace_back("field", place::pointer(pointer));
+  return fail(refusal, facts, file + pointer);
 }
 
 Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer,
                              const RatesJson& json) {
-  if (!json.is_object()) return wrong_rates(file, pointer, "the rates of a material are an object");
+  if (!json.is_object()) return wrong_rates(file, pointer, refuse::row_no_object);
   Rates::Row row;
   for (const auto& [key, value] : json.items()) {
     const std::string at = pointer + "/" + in_pointer(key);
@@ -45,11 +49,11 @@ Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer
       std::vector<std::string_view> known;
       for (const RateKey& one : kRateKeys)
         known.push_back(one.name);
-      return wrong_rates(file, at,
-                         fmt::format("unknown key; the rates are {}", fmt::join(known, ", ")));
+      return wrong_rates(file, at, refuse::unknown_rate,
+                         {{"known", fmt::format("{}", fmt::join(known, ", "))}});
     }
     if (!value.is_number() || !(value.get<double>() >= 0.0))
-      return wrong_rates(file, at, "a rate is a number of at least 0");
+      return wrong_rates(file, at, refuse::bad_rate);
     row.*(found->value) = value.get<double>();
   }
   return row;
@@ -68,15 +72,14 @@ double cost_at(const PricedPart& part, const Rates::Row& rates) {
 
 Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
   const RatesJson json = RatesJson::parse(text, nullptr, false);
-  if (!json.is_object()) return wrong_rates(file, "", "the rates file is no JSON object");
+  if (!json.is_object()) return wrong_rates(file, "", refuse::rates_no_object);
   Rates rates;
   rates.name_ = file;
   for (const auto& [key, value] : json.items()) {
     const std::string at = "/" + in_pointer(key);
     if (key == "format" || key == "version") {
       const bool fits = key == "format" ? value == "planish/rates" : value == 1;
-      if (!fits)
-        return wrong_rates(file, at, R"(a rates file has "format": "planish/rates", "version": 1)");
+      if (!fits) return wrong_rates(file, at, refuse::not_rates);
     } else if (key == "currency" && value.is_string()) {
       rates.currency_ = value.get<std::string>();
     } else if (key == "materials" && value.is_object()) {
@@ -86,12 +89,10 @@ Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
         rates.rows_.emplace(material, *read);
       }
     } else {
-      return wrong_rates(file, at,
-                         "unknown key or wrong type; the keys are format, version, currency (a "
-                         "text) and materials (an object)");
+      return wrong_rates(file, at, refuse::unknown_rates_key);
     }
   }
-  if (rates.rows_.empty()) return wrong_rates(file, "/materials", "there are no rates");
+  if (rates.rows_.empty()) return wrong_rates(file, "/materials", refuse::no_rates);
   return rates;
 }
 
@@ -101,17 +102,16 @@ Result<double> Rates::cost_of(const PricedPart& part) const {
     std::vector<std::string> known;
     for (const auto& [material, rates] : rows_)
       known.push_back(material);
-    return fail(code::bad_option,
-                fmt::format("{} has no rates for the material \"{}\" of {}; it has {}", name_,
-                            part.material, part.name, fmt::join(known, ", ")),
+    return fail(refuse::no_rates_of,
+                {{"file", name_},
+                 {"material", part.material},
+                 {"part", part.name},
+                 {"known", fmt::format("{}", fmt::join(known, ", "))}},
                 "rates");
   }
   if (row->second.kg > 0.0 && !part.mass)
-    return fail(code::bad_option,
-                fmt::format("the mass of {} is not known, and {} asks for its kg: give the "
-                            "density of {} by --materials or --density",
-                            part.name, name_, part.material),
-                "rates");
+    return fail(refuse::mass_unknown,
+                {{"part", part.name}, {"file", name_}, {"material", part.material}}, "rates");
   return cost_at(part, row->second);
 }
 

@@ -1,5 +1,7 @@
 #include "served_document.hpp"
 
+#include "../refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -26,8 +28,8 @@ Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, Do
   std::error_code error;
   fs::create_directories(document->attachments(), error);
   if (error)
-    return fail(code::cannot_write, fmt::format("cannot make the folder {}: {}",
-                                                document->folder_.string(), error.message()));
+    return fail(refuse::folder_not_made,
+                {{"folder", document->folder_.string()}, {"reason", error.message()}});
   if (auto written = write_file(document->file(), bytes); !written) return pass_on(written);
   return document;
 }
