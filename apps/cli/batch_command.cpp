@@ -120,8 +120,8 @@ Result<batch::BatchResult> result_of(const job::Catalogue& catalogue,
 
 }  // namespace
 
-CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments) {
-  CLI::App* command = app.add_subcommand("batch", "unfold or make thousands of parts");
+CLI::App* add_batch(const Program& program, BatchArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("batch", "unfold or make thousands of parts");
   command
       ->add_option("input", arguments.inputs,
                    "files, folders, @lists; with --merge folders of shards")
@@ -139,13 +139,13 @@ CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArgumen
   command
       ->add_flag("--merge", arguments.merge, "make one result of those of all shards, without work")
       ->group("Running");
-  add_many_parts(*command, catalogue, arguments.how, arguments.options);
+  add_many_parts(*command, program.catalogue, arguments.how, arguments.options);
   command->footer(kBatchExamples);
   return command;
 }
 
-int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments) {
-  const auto result = result_of(catalogue, arguments);
+int run_batch(const Program& program, const BatchArguments& arguments) {
+  const auto result = result_of(program.catalogue, arguments);
   if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result));
   return 0;

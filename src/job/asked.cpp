@@ -30,7 +30,7 @@ const Maker& info_options() {
 
 Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
                                      const std::string& pointer) {
-  if (const auto wrong = first_mistake(options_schema(files), options)) {
+  if (const auto wrong = first_mistake(options_schema(files, maker), options)) {
     const std::string where = pointer + wrong->pointer;
     return fail_at(*wrong->refusal, where, wrong->facts);
   }
@@ -38,7 +38,7 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
     if (!maker.takes(name) && !value.is_null())
       return fail_at(refuse::not_an_option, pointer + "/" + name,
                      {{"option", shortened(name)}, {"task", maker.name}});
-  OptionValues values = values_of(options);
+  OptionValues values = values_of(options, maker);
   if (files == OptionFiles::content) values.read_no_files();
   return values;
 }

@@ -11,6 +11,9 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails connect_report_details();  // connect_report.cpp
+
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -78,6 +81,7 @@ Maker connect_maker() {
       .input = "plates",
       .format = "planish/plates",
       .mark = "plates",
+      .examples = {{"planish connect plates.json", "joins plates by bends, and lays them flat"}},
       .help = kHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
       .options = with_bending_options({{"units", "that of the plates file"},

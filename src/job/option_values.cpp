@@ -121,6 +121,19 @@ Result<bool> enter_shop_material(const std::string& name, Request& request, bool
   return false;
 }
 
+/// Its row in the table of options; those of a maker's own come after them.
+std::ptrdiff_t rank_of(const Option& option) {
+  const auto all = options();
+  const auto row = std::ranges::find(all, option.name, &Option::name);
+  return row - all.begin();
+}
+
+Result<void> store(const Option& option, const OptionValue& value, Request& request) {
+  if (option.set) return option.set(request, value);
+  request.own.insert_or_assign(std::string(option.name), value);
+  return {};
+}
+
 Result<void> enter_one(const Option& option, const OptionValue& value, Request& request,
                        bool reads_files) {
   const auto* path = std::get_if<std::string>(&value);
@@ -133,9 +146,9 @@ Result<void> enter_one(const Option& option, const OptionValue& value, Request& 
     if (!reads_files) return tl::unexpected(not_a_content(option));
     const auto content = read_file(option, *path);
     if (!content) return pass_on(content);
-    return option.set(request, *content);
+    return store(option, *content, request);
   }
-  auto done = option.set(request, value);
+  auto done = store(option, value, request);
   const auto* file = std::get_if<OptionFile>(&value);
   if (!done && file) return tl::unexpected(within_content(done.error(), option, *file));
   return done;
@@ -204,11 +217,10 @@ Result<void> OptionValues::check_together() const {
 Result<void> OptionValues::enter(Request& request) const {
   if (auto fine = check_together(); !fine) return fine;
   // In the order of the table: a rules file changes the limits of the process.
-  for (const Option& option : options())
-    for (const auto& [given, value] : values_) {
-      if (given != &option) continue;
-      if (auto done = enter_one(option, value, request, reads_files_); !done) return done;
-    }
+  auto ordered = values_;
+  std::ranges::stable_sort(ordered, {}, [](const auto& one) { return rank_of(*one.first); });
+  for (const auto& [option, value] : ordered)
+    if (auto done = enter_one(*option, value, request, reads_files_); !done) return done;
   if (!request.shop) return {};
   // `planish bend --material steel` takes a word that it knows for the metal.
   if (!request.shop->material) take_material(request, text("metal"));

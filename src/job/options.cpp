@@ -480,6 +480,8 @@ std::span<const Option> options() {
   return all;
 }
 
+const Option& OptionUse::entry() const { return own ? *own : option(name); }
+
 const Option& option(std::string_view name) {
   const auto all = options();
   const auto found = std::find_if(all.begin(), all.end(),

@@ -13,6 +13,9 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails slit_report_details();  // slit_report.cpp
+
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -156,6 +159,7 @@ Maker slit_maker() {
       .input = "slit",
       .format = "planish/slits",
       .mark = "leg_curve",
+      .examples = {{"planish slit chair.json", "bends the strips of a slit sheet"}},
       .help = kHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh, Source::mould_mesh},
       .options = with_pattern_options({{"units", "that of the slit file"}}),

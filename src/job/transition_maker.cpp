@@ -10,6 +10,9 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails transition_report_details();  // transition_report.cpp
+
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -73,6 +76,7 @@ Maker transition_maker() {
       .input = "transition",
       .format = "planish/transition",
       .mark = "from",
+      .examples = {{"planish transition spec.json", "joins two profiles, and lays the net"}},
       .help = kHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
       .options = with_bending_options({{"units", "that of the transition file"},

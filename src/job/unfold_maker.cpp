@@ -14,6 +14,9 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails unfold_report_details();  // report_json.cpp
+
 namespace {
 
 constexpr auto kHelp = R"(Examples:
@@ -125,6 +128,8 @@ Maker unfold_maker() {
       .name = "unfold",
       .description = "lay a sheet-metal part flat",
       .input = "STEP",
+      .examples = {{"planish unfold part.step", "part.dxf beside it, a summary here"},
+                   {"planish unfold cabinet.step --all -o flat/", "every body, with summary.csv"}},
       .help = kHelp,
       .sources = {Source::pattern, Source::folded_mesh},
       .options = with_bending_options({{"body"},
