@@ -9,7 +9,7 @@
 namespace planish::cli {
 namespace {
 
-constexpr auto kExamples = R"(Examples:
+constexpr auto kInfoExamples = R"(Examples:
   planish info part.step            schema, system, unit, bodies
   planish info part.step --sheets   and what sheet is in each body
   planish info part.step --json -
@@ -68,7 +68,7 @@ CLI::App* add_info(const Program& program, InfoArguments& arguments) {
   add_option(*command, units, "unit of the lengths printed; default mm", type_name(units),
              arguments.options);
   add_limits(*command, arguments.limits);
-  command->footer(kExamples);
+  command->footer(kInfoExamples);
   return command;
 }
 

@@ -23,15 +23,6 @@ tl::unexpected<Error> broken(const Refusal& refusal, const std::filesystem::path
 
 std::string json_text(const std::string& text) { return Json(text).dump(); }
 
-/// A report is JSON already: it is put in as it is. A shape has to come out again to the byte.
-std::string part_text(const PartDone& part) {
-  Json files = Json::array();
-  for (const PartFile& file : part.files)
-    files.push_back(file.name);
-  return fmt::format(R"({{"folder":{},"files":{},"report":{},"shapes":{}}})",
-                     json_text(part.folder), files.dump(), part.report, Json(part.shapes).dump());
-}
-
 }  // namespace
 
 void Journal::look_through() {
@@ -109,7 +100,7 @@ Result<void> Journal::add(const std::string& name, const std::string& key,
   std::string line = fmt::format(R"({{"name":{},"key":{}}}{}[)", json_text(name), json_text(key),
                                  kBehindHead);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    line += (i == 0 ? "" : ",") + part_text(parts[i]);
+    line += (i == 0 ? "" : ",") + record_text(parts[i].record);
   if (auto added = append(name, key, line + "]"); !added) return added;
   return flush();
 }
@@ -131,25 +122,16 @@ Result<std::string> Journal::line_at(const Place& place) {
   return error;
 }
 
-Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
+Result<std::vector<PartRecord>> Journal::parts_of(const std::string& name) {
   const auto place = places_.find(name);
-  if (place == places_.end()) return std::vector<Part>{};
+  if (place == places_.end()) return std::vector<PartRecord>{};
   const auto line = line_at(place->second);
   if (!line) return pass_on(line);
-  const Json json = Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1),
-                                nullptr, false);
-  if (!json.is_array())
+  auto records = part_records(std::string_view(*line).substr(line->find(kBehindHead) + 1));
+  if (!records)
     return fail(refuse::journal_damaged, {{"file", file_.string()}, {"name", name}},
                 file_.string());
-  std::vector<Part> parts;
-  for (const Json& one : json) {
-    Part& part = parts.emplace_back();
-    part.folder = one.at("folder").get<std::string>();
-    part.files = one.at("files").get<std::vector<std::string>>();
-    part.report = one.at("report").dump();
-    part.shapes = one.at("shapes").get<std::vector<std::string>>();
-  }
-  return parts;
+  return std::move(*records);
 }
 
 }  // namespace planish::batch

@@ -74,7 +74,7 @@ Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
 }
 
 /// Puts a part's files of one batch in place in another.
-Result<void> take_over(const Journal::Part& part, const fs::path& from, const fs::path& to) {
+Result<void> take_over(const PartRecord& part, const fs::path& from, const fs::path& to) {
   const auto failed = [&](const fs::path& what, const std::error_code& why) {
     return fail(refuse::batch_unwritten, {{"file", what.string()}, {"reason", why.message()}},
                 what.string());
@@ -119,7 +119,7 @@ class Merging {
     if (cancelled_()) return interruption();
     const auto parts = journal.parts_of(name);
     if (!parts) return parts.error();
-    for (const Journal::Part& part : *parts)
+    for (const PartRecord& part : *parts)
       if (auto taken = take_over(part, part_folder(folder, part.folder),
                                  state_.folder_of(part.folder));
           !taken)

@@ -18,11 +18,10 @@ Result<void> for_each_part(const std::filesystem::path& out,
   for (const std::string& name : record->names) {
     auto parts = journal->parts_of(name);
     if (!parts) return pass_on(parts);
-    for (Journal::Part& part : *parts)
-      if (auto taken = take({part.folder, std::move(part.report), std::move(part.shapes),
-                             part_folder(out, part.folder)});
-          !taken)
-        return taken;
+    for (PartRecord& part : *parts) {
+      const auto folder = part_folder(out, part.folder);
+      if (auto taken = take({std::move(part), folder}); !taken) return taken;
+    }
   }
   return {};
 }

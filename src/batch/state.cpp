@@ -75,21 +75,21 @@ Result<void> State::record(const RunRecord& record) const {
 fs::path State::folder_of(const std::string& part) const { return part_folder(out_, part); }
 
 Result<void> State::store(const std::vector<PartDone>& parts,
-                          const std::vector<Journal::Part>& before) const {
+                          const std::vector<PartRecord>& before) const {
   std::error_code none;
-  for (const Journal::Part& part : before)
+  for (const PartRecord& part : before)
     for (const std::string& file : part.files)
       fs::remove(folder_of(part.folder) / file, none);
   for (const PartDone& part : parts) {
     if (part.files.empty()) continue;
-    if (auto made = make_folder(folder_of(part.folder)); !made) return made;
-    remove_drafts(folder_of(part.folder));
+    const fs::path folder = folder_of(part.record.folder);
+    if (auto made = make_folder(folder); !made) return made;
+    remove_drafts(folder);
     for (const PartFile& file : part.files)
-      if (auto written = write_file(folder_of(part.folder) / file.name, file.bytes); !written)
-        return written;
+      if (auto written = write_file(folder / file.name, file.bytes); !written) return written;
   }
   // What is left empty of before.
-  for (const Journal::Part& part : before)
+  for (const PartRecord& part : before)
     for (fs::path folder = part.folder; !folder.empty(); folder = folder.parent_path())
       if (!fs::remove(folder_of(folder.string()), none)) break;
   return {};

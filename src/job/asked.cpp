@@ -54,7 +54,7 @@ Result<void> check_folder(const Maker& maker, const InputFile& file) {
                   {"named", place::pointer("/input/content" + named.front().pointer)}});
 }
 
-void read_input(Asked& asked, const Json& input) {
+void read_input_key(Asked& asked, const Json& input) {
   if (input.is_string()) {
     asked.request.input = input.get<std::string>();
     return;
@@ -141,7 +141,7 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
   if (reading.error()) return tl::unexpected(*reading.error());
   const Json& json = reading.document();
   Asked asked;
-  read_input(asked, json["input"]);
+  read_input_key(asked, json["input"]);
   if (bytes && asked.content) asked.content->content = std::move(*bytes);
   if (auto chosen = choose_maker(asked, json["maker"].get<std::string>(), catalogue); !chosen)
     return pass_on(chosen);

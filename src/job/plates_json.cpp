@@ -14,8 +14,8 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kFormat = "planish/plates";
-constexpr int kVersion = 1;
+constexpr auto kPlatesFormat = "planish/plates";
+constexpr int kPlatesVersion = 1;
 constexpr schema::Range kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false,
                                   false};
 constexpr schema::Range kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
@@ -81,8 +81,8 @@ Schema defaults_schema() {
       .said("for every bend between two plates that gives nothing else");
 }
 
-Schema make_schema() {
-  std::vector<Field> fields = header_fields(kFormat, kVersion);
+Schema make_plates_schema() {
+  std::vector<Field> fields = header_fields(kPlatesFormat, kPlatesVersion);
   fields.push_back(optional("units", units()));
   fields.push_back(
       optional("k_factor", number(kShare).said("of every bend, unless an option sets K; "
@@ -237,7 +237,7 @@ BendRequest bend_at(const JsonPlace& place) {
 }  // namespace
 
 const Schema& plates_schema() {
-  static const Schema schema = make_schema();
+  static const Schema schema = make_plates_schema();
   return schema;
 }
 

@@ -4,6 +4,7 @@
 #include <planish/base/packed_error.hpp>
 #include <planish/job/options.hpp>
 #include <planish/job/run.hpp>
+#include <planish/process/worker.hpp>
 #include <planish/schema/fail_at.hpp>
 
 #include <mutex>
@@ -60,7 +61,9 @@ Result<RunDone> done(const Asked& asked, const Progress& progress) {
 
 constexpr std::size_t kOfResult = 5, kOfFile = 4;
 
-Texts texts_of(const RunDone& result) {
+Texts texts_of(const Result<RunDone>& done) {
+  if (!done) return packed(done.error());
+  const RunDone& result = *done;
   const Texts refusal = result.refusal ? packed(*result.refusal) : Texts();
   Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report,
               result.summary, std::to_string(refusal.size())};
@@ -70,7 +73,8 @@ Texts texts_of(const RunDone& result) {
   return texts;
 }
 
-std::optional<RunDone> result_in(const Texts& texts) {
+std::optional<Result<RunDone>> result_in(const Texts& texts) {
+  if (auto error = unpacked(texts)) return tl::unexpected(std::move(*error));
   if (texts.size() < kOfResult || texts[0] != "result") return std::nullopt;
   const auto of_refusal = parse_number(texts[4]);
   if (!of_refusal || *of_refusal < 0 || *of_refusal > static_cast<double>(texts.size() - kOfResult))
@@ -127,19 +131,18 @@ Ran run_apart(const std::string& request, const Progress& progress, const Limits
     const auto asked = read_asked(request, catalogue);
     if (!asked) return packed(asked.error());
     parent.note({asked->request.input.string()});
-    const auto result = done(*asked, parent.progress);
-    return result ? texts_of(*result) : packed(result.error());
+    return texts_of(done(*asked, parent.progress));
   };
-  const auto child = ChildProcess::copy(answering, limits.memory);
+  Worker<AsAgreed, Result<RunDone>> worker(
+      [&] { return ChildProcess::copy(answering, limits.memory); }, result_in);
+  const auto begun = worker.begin();
   alone.unlock();
-  if (!child) return failed(child.error());
+  if (!begun) return failed(begun.error());
   std::string input = "the request";
   const auto name = [&](const Texts& note) { input = note.empty() ? input : note.front(); };
-  const auto answer = (*child)->ask({}, limits.time, {progress, name});
-  if (!answer) return failed(error_of(answer.error(), input, limits));
-  if (auto error = unpacked(*answer)) return failed(std::move(*error));
-  if (auto result = result_in(*answer)) return told(std::move(*result));
-  return failed(error_of({{}, kDamagedAnswer}, input, limits));
+  auto result = worker.work_on({}, {.time = limits.time, .parent = {progress, name}});
+  if (!result) return failed(error_of(result.error(), input, limits));
+  return *result ? told(std::move(**result)) : failed(std::move(result->error()));
 }
 
 }  // namespace planish::job

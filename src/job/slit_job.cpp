@@ -19,7 +19,7 @@ namespace planish::job {
 namespace {
 
 /// All borders are straight hinges or cuts, so their images are exact (mm).
-constexpr double kOutline = 1e-9;
+constexpr double kExactOutline = 1e-9;
 
 Result<void> solve(SlitSession& session, const Progress& progress) {
   const auto done = session.solve({}, progress);
@@ -177,7 +177,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   report.summary = summary_of(sheet);
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "hinges of the middle surface"};
-  options.curve_tolerance = options.merge_tolerance = kOutline;
+  options.curve_tolerance = options.merge_tolerance = kExactOutline;
   options.root = FaceId{0};  // its coordinates are the whole flat sheet's
   options.keep_root = true;
   options.up = UpSide::reference;

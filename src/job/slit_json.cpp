@@ -14,8 +14,8 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kFormat = "planish/slits";
-constexpr int kVersion = 1;
+constexpr auto kSlitsFormat = "planish/slits";
+constexpr int kSlitsVersion = 1;
 
 // What the library takes.
 constexpr int kMostStrips = 10000, kFewestRidges = 3, kMostRidges = 1000;
@@ -96,7 +96,7 @@ Schema strip_schema() {
 }
 
 /// A number of strips of equal width, or a list of strips.
-Schema sheet_schema() {
+Schema slit_sheet_schema() {
   const auto with = [](std::vector<Field> strips) {
     strips.push_back(
         required("panel_height", length(kLength).said("of the uncut part of the sheet")));
@@ -143,12 +143,12 @@ Schema weights_schema() {
   return object(std::move(fields)).said("of the terms of the objective");
 }
 
-Schema make_schema() {
+Schema make_slits_schema() {
   const SlitDesign usual;
-  std::vector<Field> fields = header_fields(kFormat, kVersion);
+  std::vector<Field> fields = header_fields(kSlitsFormat, kSlitsVersion);
   const auto add = [&](Field field) { fields.push_back(std::move(field)); };
   add(optional("units", units()));
-  add(required("sheet", sheet_schema()));
+  add(required("sheet", slit_sheet_schema()));
   add(required("thickness", length(kLength).said("of the sheet")));
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
   add(optional("min_inside_radius",
@@ -331,7 +331,7 @@ Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& path, 
 }  // namespace
 
 const Schema& slits_schema() {
-  static const Schema schema = make_schema();
+  static const Schema schema = make_slits_schema();
   return schema;
 }
 

@@ -15,7 +15,7 @@ using namespace shop;
 namespace {
 
 /// Outlines are this accurate because nets are compared with closed forms and with each other (mm).
-constexpr double kOutline = 1e-7;
+constexpr double kNetOutline = 1e-7;
 
 /// A curve within this of a line, an arc or a point becomes one (mm); more than the rounding of a
 /// cone's image near its apex.
@@ -44,7 +44,7 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
 FlattenOptions options_of(const ConstantK& k) {
   FlattenOptions options;
   options.allowance = k;
-  options.curve_tolerance = kOutline;
+  options.curve_tolerance = kNetOutline;
   options.merge_tolerance = kMerged;
   return options;
 }

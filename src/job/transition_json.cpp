@@ -13,8 +13,8 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kFormat = "planish/transition";
-constexpr int kVersion = 1;
+constexpr auto kTransitionFormat = "planish/transition";
+constexpr int kTransitionVersion = 1;
 constexpr schema::Range kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
 constexpr double kDefaultK = 0.5;
 constexpr int kMostPressLines = 2000;
@@ -57,8 +57,8 @@ Schema press_lines_schema() {
        optional("chord", length(kAboveZero).said("largest distance between lines"))});
 }
 
-Schema make_schema() {
-  std::vector<Field> fields = header_fields(kFormat, kVersion);
+Schema make_transition_schema() {
+  std::vector<Field> fields = header_fields(kTransitionFormat, kTransitionVersion);
   fields.push_back(optional("units", units()));
   fields.push_back(required("thickness", length(kAboveZero).said("of the sheet")));
   fields.push_back(optional("k_factor", number(kShare).defaulting(kDefaultK)));
@@ -153,7 +153,7 @@ TransitionSpec spec_at(const JsonPlace& place) {
 }  // namespace
 
 const Schema& transition_schema() {
-  static const Schema schema = make_schema();
+  static const Schema schema = make_transition_schema();
   return schema;
 }
 

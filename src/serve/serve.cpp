@@ -1,6 +1,6 @@
 #include "conversation.hpp"
 
-#include <planish/base/packed_error.hpp>
+#include <planish/process/worker.hpp>
 #include <planish/serve/serve.hpp>
 
 #include <csignal>
@@ -64,18 +64,16 @@ int serve(int input, int output, const ServeOptions& options, const job::Catalog
 
 int run_serve_worker(const std::string& parent, std::uint64_t memory,
                      const job::Catalogue& catalogue) {
-  const auto answering = [&](const process::Texts& question, const process::Parent& asking) {
-    const auto task = task_in(question);
-    if (!task) return process::Texts{};
-    const auto done = work_on(*task, catalogue, asking);
-    return done ? texts_of(*done) : packed(done.error());
+  const auto perform = [&](const WorkTask& task, const process::Parent& asking) {
+    return work_on(task, catalogue, asking);
   };
   const auto give_back = [] {
 #if defined(__GLIBC__)
     malloc_trim(0);
 #endif
   };
-  return process::answer_parent(parent, answering, give_back, memory);
+  return process::answer_parent(parent, process::answering<WorkTask>(task_in, perform), give_back,
+                                memory);
 }
 
 }  // namespace planish::serve

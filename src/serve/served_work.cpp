@@ -4,6 +4,7 @@
 #include "refusals.hpp"
 #include "rpc.hpp"
 
+#include <planish/base/packed_error.hpp>
 #include <planish/job/output_paths.hpp>
 #include <planish/job/run.hpp>
 #include <planish/schema/fail_at.hpp>
@@ -197,15 +198,17 @@ std::optional<WorkTask> task_in(const process::Texts& texts) {
   return task;
 }
 
-process::Texts texts_of(const WorkDone& done) {
-  process::Texts texts{"done", done.result, done.summary, done.refused ? "refused" : ""};
-  for (const OutputFile& file : done.files)
+process::Texts texts_of(const Result<WorkDone>& done) {
+  if (!done) return packed(done.error());
+  process::Texts texts{"done", done->result, done->summary, done->refused ? "refused" : ""};
+  for (const OutputFile& file : done->files)
     texts.insert(texts.end(), {file.path.string(), file.content});
   return texts;
 }
 
-std::optional<WorkDone> done_in(const process::Texts& texts) {
+std::optional<Result<WorkDone>> done_in(const process::Texts& texts) {
   constexpr std::size_t kOwn = 4;
+  if (auto error = unpacked(texts)) return tl::unexpected(std::move(*error));
   if (texts.size() < kOwn || texts.size() % 2 != 0 || texts[0] != "done") return std::nullopt;
   WorkDone done{.result = texts[1], .summary = texts[2], .refused = !texts[3].empty(), .files = {}};
   for (std::size_t i = kOwn; i < texts.size(); i += 2)

@@ -44,6 +44,27 @@ constexpr Refusal strain_falls{code::invalid_input,
 constexpr Refusal flat_curve{code::invalid_input,
                              "{@field} must reach a strain and a stress above 0."};
 
+// Rates. `file` is their file.
+constexpr Refusal rates_no_object{code::invalid_input, "{file}: the rates file is no JSON object."};
+constexpr Refusal not_rates{
+    code::invalid_input,
+    "{file}: {@field} is wrong: a rates file has \"format\": \"planish/rates\", \"version\": 1."};
+constexpr Refusal unknown_rates_key{
+    code::invalid_input, "{file}: {@field} is an unknown key or of the wrong type.",
+    "The keys are format, version, currency (a text) and materials (an object)."};
+constexpr Refusal row_no_object{code::invalid_input,
+                                "{file}: {@field} must be an object with the rates of a material."};
+constexpr Refusal unknown_rate{code::invalid_input, "{file}: {@field} is an unknown key.",
+                               "The rates are {known}."};
+constexpr Refusal bad_rate{code::invalid_input, "{file}: {@field} must be a number of at least 0."};
+constexpr Refusal no_rates{code::invalid_input, "{file}: {@field} holds no rates."};
+constexpr Refusal no_rates_of{
+    code::bad_option,
+    "{file} has no rates for the material \"{material}\" of {part}; it has {known}."};
+constexpr Refusal mass_unknown{code::bad_option,
+                               "The mass of {part} is not known, and {file} asks for its kg.",
+                               "Give the density of {material} by --materials or --density."};
+
 }  // namespace planish::refuse
 
 /// Findings have no full stop, since lists show them.

@@ -60,17 +60,13 @@ inline batch::PartDone made_part(const std::string& input, const FlatPattern& fl
                               {"units", "mm"},
                               {"checks", nlohmann::json::array()},
                               {"files", {input + "/a.dxf"}}};
-  return {.folder = input,
-          .report = report.dump(),
-          .refusal = {},
-          .shapes = {flat_json(flat)},
-          .files = {{"a.dxf", "dxf of " + input}}};
+  return batch::part_done(input, report.dump(), {flat_json(flat)}, {{"a.dxf", "dxf of " + input}});
 }
 
 inline batch::PartDone refused_part(const std::string& input, const std::string& code) {
   const nlohmann::json report{
       {"input", input}, {"status", "refused"}, {"reason", {{"code", code}, {"message", "m"}}}};
-  return {.folder = input, .report = report.dump(), .refusal = code};
+  return batch::part_done(input, report.dump(), {}, {});
 }
 
 /// A folder with results of finished runs.

@@ -16,11 +16,12 @@ class Identical : public test::BatchFolder {
     IdenticalParts identical(*journal);
     std::vector<int> numbers;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      PartDone part{.folder = std::to_string(i), .report = "{}"};
+      std::vector<std::string> shapes;
       for (const FlatPattern& flat : parts[i])
-        part.shapes.push_back(flat_json(flat));
-      EXPECT_TRUE(journal->add(part.folder, "k", {part}));
-      const auto number = identical.number_of(part.folder, 0, part.shapes);
+        shapes.push_back(flat_json(flat));
+      const PartDone part = part_done(std::to_string(i), "{}", shapes, {});
+      EXPECT_TRUE(journal->add(part.record.folder, "k", {part}));
+      const auto number = identical.number_of(part.record.folder, 0, part.record.shapes);
       EXPECT_TRUE(number);
       numbers.push_back(number && *number ? static_cast<int>(**number) : -1);
     }

@@ -6,8 +6,8 @@
 namespace planish::batch {
 namespace {
 
-Row row_named(const std::string& folder, const std::string& status) {
-  Row row;
+PartRecord row_named(const std::string& folder, const std::string& status) {
+  PartRecord row;
   row.folder = folder;
   row.status = status;
   return row;
@@ -40,15 +40,15 @@ TEST(BatchPage, ShowsRefusedPartsFirstThenThoseWithWarnings) {
 }
 
 TEST(BatchPage, HasNumbersAndTexts) {
-  Row row = row_named("p/a b", "warning");
-  row.quantity = "3";
-  row.thickness = "0.5";
-  row.length = "10.5";
-  row.width = "4";
-  row.bends = "2";
-  row.openings = "1";
+  PartRecord row = row_named("p/a b", "warning");
+  row.quantity = 3;
+  row.thickness = 0.5;
+  row.length = 10.5;
+  row.width = 4.0;
+  row.bends = 2;
+  row.openings = 1;
   row.material = "S235";
-  row.findings = "hem";
+  row.findings = {{"warning", "hem", "m"}};
   Page page;
   page.add(row, 0);
   auto part = data_in(page.text())["parts"][0];
@@ -62,7 +62,7 @@ TEST(BatchPage, HasNumbersAndTexts) {
   EXPECT_EQ(part["material"], "S235");
   EXPECT_EQ(part["message"], "hem");
   row.message = "why";
-  row.thickness.clear();
+  row.thickness.reset();
   Page other;
   other.add(row, 0);
   part = data_in(other.text())["parts"][0];

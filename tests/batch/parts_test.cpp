@@ -18,11 +18,11 @@ TEST_F(Parts, AreThoseOfAFinishedBatchInTheirOrder) {
   };
   ASSERT_TRUE(for_each_part(folder_ / "one", keep));
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].folder, "a");
+  EXPECT_EQ(parts[0].record.folder, "a");
   EXPECT_EQ(parts[0].files, folder_ / "one/parts/a");
-  EXPECT_EQ(parts[0].shapes.size(), 1u);
-  EXPECT_TRUE(parts[1].shapes.empty());
-  EXPECT_EQ(nlohmann::json::parse(parts[1].report)["reason"]["code"], "overlap");
+  EXPECT_EQ(parts[0].record.shapes.size(), 1u);
+  EXPECT_TRUE(parts[1].record.shapes.empty());
+  EXPECT_EQ(nlohmann::json::parse(parts[1].record.report)["reason"]["code"], "overlap");
   const auto stop = [](BatchPart) -> Result<void> { return fail(code::cancelled, "enough"); };
   EXPECT_EQ(for_each_part(folder_ / "one", stop).error().code, code::cancelled);
   run("cut", {1, 1}, {"a"}, false);

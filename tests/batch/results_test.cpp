@@ -64,7 +64,7 @@ TEST_F(Results, LeaveTheOldOnesWhereTheyFail) {
   ASSERT_TRUE(state);
   write("summary.csv", "old");
   PartDone damaged = test::made_part("a", test::plate_of(100, 60));
-  damaged.shapes = {"{}"};
+  damaged.record.shapes = {"{}"};
   ASSERT_TRUE(state->journal().add("a", "k", {damaged}));
   EXPECT_EQ(write_results({"a"}, *state).error().code, code::cannot_read);
   EXPECT_EQ(text_in("summary.csv"), "old");

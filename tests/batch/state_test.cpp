@@ -44,20 +44,17 @@ TEST_F(BatchState, IsOfOneRunAtATime) {
 TEST_F(BatchState, PutsFilesInPlaceOfThoseBefore) {
   auto state = State::open(folder_);
   ASSERT_TRUE(state);
-  PartDone part{.folder = "in/a", .report = "{}"};
-  part.files = {{"a.dxf", "1"}, {"a.svg", "2"}};
+  const PartDone part = part_done("in/a", "{}", {}, {{"a.dxf", "1"}, {"a.svg", "2"}});
   ASSERT_TRUE(state->store({part}, {}));
   EXPECT_EQ(text_in("parts/in/a/a.dxf"), "1");
   EXPECT_EQ(state->folder_of("in/a"), folder_ / "parts/in/a");
   write("parts/in/a/mine.txt", "kept");
   write("parts/in/a/.planish-x.part", "cut off");
-  PartDone other{.folder = "in/b", .report = "{}"};
-  other.files = {{"b.dxf", "3"}};
-  Journal::Part before;
+  const PartDone other = part_done("in/b", "{}", {}, {{"b.dxf", "3"}});
+  PartRecord before;
   before.folder = "in/a";
   before.files = {"a.dxf", "a.svg"};
-  PartDone again = part;
-  again.files = {{"a.dxf", "4"}};
+  const PartDone again = part_done("in/a", "{}", {}, {{"a.dxf", "4"}});
   ASSERT_TRUE(state->store({again, other}, {before}));
   EXPECT_EQ(text_in("parts/in/a/a.dxf"), "4");
   EXPECT_FALSE(fs::exists(folder_ / "parts/in/a/a.svg"));

@@ -126,8 +126,8 @@ TEST(Asked, MakesWhatIsAsked) {
 
 TEST(ReadOptions, TakesAnObjectOfTheMakersOptions) {
   const Maker& unfolding = *built_in().maker("unfold");
-  const auto read = [&](const char* json, OptionFiles files = OptionFiles::content) {
-    return read_options(json, unfolding, files, "/o");
+  const auto read = [&](const char* text, OptionFiles files = OptionFiles::content) {
+    return read_options(text, unfolding, files, "/o");
   };
   EXPECT_EQ(read(R"({"k": 0.25})")->number("k"), 0.25);
   EXPECT_EQ(read("{").error().where, "/o");

@@ -1,4 +1,5 @@
 #include "job/job_requests.hpp"
+#include "plan_report.hpp"
 
 #include <planish/job/bend_plan_pages.hpp>
 
@@ -34,13 +35,33 @@ TEST(BendPlanPages, SayWhyThereIsNone) {
   ASSERT_TRUE(made && made->report().plan);
   const auto pages = bend_plan_pages(made->report(), {});
   ASSERT_EQ(pages.size(), 1u);
-  EXPECT_TRUE(says(pages[0], "B1") || says(pages[0], "B2"));
+  for (const BlockedBend& blocked : made->report().plan->blocked)
+    EXPECT_TRUE(says(pages[0], bend_id(made->report(), blocked.bend)));
 }
 
 TEST(BendPlanPages, ShowThePatternWithoutAPlan) {
   const auto made = test::made_from("channel.json", test::channel_plates(30).dump());
   ASSERT_TRUE(made);
   EXPECT_EQ(bend_plan_pages(made->report(), {}).size(), 1u);
+}
+
+TEST(BendPlanPages, SayWhichPartOfWhatMetal) {
+  const auto made = test::made_from("shop/channel.json", test::channel_plates(30).dump());
+  ASSERT_TRUE(made);
+  Report& report = made->report();
+  Bending bending;
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "steel 450 N/mm²"));
+  bending.metal = "stainless";
+  bending.plan.tensile_strength = 700;
+  bending.plan.springback = Angle::degrees(2.5);
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "stainless 700 N/mm²"));
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "2.5°"));
+  const auto title = [&] { return bend_plan_pages(report, bending)[0].texts()[0].text; };
+  EXPECT_EQ(title(), "channel") << "the body is called as its file";
+  report.body = "left wall";
+  EXPECT_EQ(title(), "channel · left wall");
+  report.body.clear();
+  EXPECT_EQ(title(), "channel");
 }
 
 TEST(BendPlanPages, AreThoseOfAllPieces) {

@@ -105,21 +105,26 @@ TEST(ServedWork, GoesOverASocketAndBack) {
     done.summary = "s";
     done.refused = refused;
     done.files = {{"a.dxf", std::string("\0x", 2)}, {"b", ""}};
-    const auto heard = done_in(texts_of(done));
-    ASSERT_TRUE(heard);
+    const auto answer = done_in(texts_of(Result<WorkDone>(done)));
+    ASSERT_TRUE(answer && *answer);
+    const WorkDone* const heard = &**answer;
     EXPECT_EQ(heard->result, "{}");
     EXPECT_EQ(heard->summary, "s");
     EXPECT_EQ(heard->refused, refused);
     ASSERT_EQ(heard->files.size(), 2u);
     EXPECT_EQ(heard->files[0].content, std::string("\0x", 2));
     EXPECT_EQ(heard->files[1].path, "b");
-    auto texts = texts_of(done);
+    auto texts = texts_of(Result<WorkDone>(done));
     texts.pop_back();
     EXPECT_FALSE(done_in(texts));
-    texts = texts_of(done);
-    texts[0] = "error";
+    texts = texts_of(Result<WorkDone>(done));
+    texts[0] = "nothing";
     EXPECT_FALSE(done_in(texts));
   }
+  const auto failed = done_in(texts_of(Result<WorkDone>(fail(code::bad_option, "m", "/k"))));
+  ASSERT_TRUE(failed);
+  ASSERT_FALSE(*failed);
+  EXPECT_EQ(failed->error().where, "/k");
   EXPECT_FALSE(done_in({"done", "", ""}));
 }
 

@@ -44,8 +44,7 @@ export function messageBar(ui: Ui) {
 /** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;
 
-const textOf = (p: ApiProblem) =>
-  sentence(p) + (wantsScans(p) ? ' Drop its files of points on the page too.' : '');
+const textOf = (p: ApiProblem) => sentence(p) + (wantsScans(p) ? ' Drop its files of points on the page too.' : '');
 
 const placeOf = (p: ApiProblem) => `[${p.code}]${p.where ? ` ${p.where}` : ''}`;
 

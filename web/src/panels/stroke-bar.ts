@@ -79,7 +79,5 @@ export function machineLegend(ui: Ui) {
       <b>Stroke ${at + 1}: ${nameOf(row)}</b>
       ${changesBefore(strokes[at - 1], row).map((c) => html`<i class="change">${c}</i>`)}
     </p>
-    ${row.blocked
-      ? html`<p class="bad" data-testid="collision">${byPlates(ui, row.blocked.sentence)}</p>`
-      : nothing}`;
+    ${row.blocked ? html`<p class="bad" data-testid="collision">${byPlates(ui, row.blocked.sentence)}</p>` : nothing}`;
 }

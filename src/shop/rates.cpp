@@ -1,6 +1,6 @@
-#include "rates.hpp"
-
 #include "refusals.hpp"
+
+#include <planish/shop/rates.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace planish::pack {
+namespace planish::shop {
 namespace {
 
 using RatesJson = nlohmann::ordered_json;
@@ -31,14 +31,14 @@ std::string in_pointer(const std::string& key) {
   return escaped;
 }
 
-tl::unexpected<Error> wrong_rates(const GivenFile& file, const std::string& pointer,
+tl::unexpected<Error> wrong_rates(const std::string& file, const std::string& pointer,
                                   const Refusal& refusal, Facts facts = {}) {
-  facts.emplace_back("file", file.name);
+  facts.emplace_back("file", file);
   if (!pointer.empty()) facts.emplace_back("field", place::pointer(pointer));
-  return fail(refusal, facts, file.name + pointer);
+  return fail(refusal, facts, file + pointer);
 }
 
-Result<Rates::Row> rates_row(const GivenFile& file, const std::string& pointer,
+Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer,
                              const RatesJson& json) {
   if (!json.is_object()) return wrong_rates(file, pointer, refuse::row_no_object);
   Rates::Row row;
@@ -59,10 +59,10 @@ Result<Rates::Row> rates_row(const GivenFile& file, const std::string& pointer,
   return row;
 }
 
-double cost_of(const PackPart& part, const Rates::Row& rates) {
+double cost_at(const PricedPart& part, const Rates::Row& rates) {
   const double each = rates.cut * part.cut_length +
                       rates.pierce * static_cast<double>(part.pierces) +
-                      rates.bend * static_cast<double>(part.flat.bends.size()) +
+                      rates.bend * static_cast<double>(part.bends) +
                       rates.kg * part.mass.value_or(0.0) +
                       rates.area * part.size.x() * part.size.y();
   return rates.setup + each * part.quantity;
@@ -70,11 +70,11 @@ double cost_of(const PackPart& part, const Rates::Row& rates) {
 
 }  // namespace
 
-Result<Rates> Rates::parse(const GivenFile& file) {
-  const RatesJson json = RatesJson::parse(file.text, nullptr, false);
+Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
+  const RatesJson json = RatesJson::parse(text, nullptr, false);
   if (!json.is_object()) return wrong_rates(file, "", refuse::rates_no_object);
   Rates rates;
-  rates.name_ = file.name;
+  rates.name_ = file;
   for (const auto& [key, value] : json.items()) {
     const std::string at = "/" + in_pointer(key);
     if (key == "format" || key == "version") {
@@ -96,26 +96,23 @@ Result<Rates> Rates::parse(const GivenFile& file) {
   return rates;
 }
 
-Result<void> Rates::apply(PartList& list) const {
-  for (PackPart& part : list.parts) {
-    const auto row = rows_.find(part.material);
-    if (row == rows_.end()) {
-      std::vector<std::string> known;
-      for (const auto& [material, rates] : rows_)
-        known.push_back(material);
-      return fail(refuse::no_rates_of,
-                  {{"file", name_},
-                   {"material", part.material},
-                   {"part", part.name},
-                   {"known", fmt::format("{}", fmt::join(known, ", "))}},
-                  "rates");
-    }
-    if (row->second.kg > 0.0 && !part.mass)
-      return fail(refuse::mass_unknown,
-                  {{"part", part.name}, {"file", name_}, {"material", part.material}}, "rates");
-    part.cost = cost_of(part, row->second);
+Result<double> Rates::cost_of(const PricedPart& part) const {
+  const auto row = rows_.find(part.material);
+  if (row == rows_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [material, rates] : rows_)
+      known.push_back(material);
+    return fail(refuse::no_rates_of,
+                {{"file", name_},
+                 {"material", part.material},
+                 {"part", part.name},
+                 {"known", fmt::format("{}", fmt::join(known, ", "))}},
+                "rates");
   }
-  return {};
+  if (row->second.kg > 0.0 && !part.mass)
+    return fail(refuse::mass_unknown,
+                {{"part", part.name}, {"file", name_}, {"material", part.material}}, "rates");
+  return cost_at(part, row->second);
 }
 
-}  // namespace planish::pack
+}  // namespace planish::shop
