@@ -31,7 +31,10 @@ TEST(Csv, SplitsAtTheFirstRecordsSeparator) {
   expect_records("a,b\t\n1,2", {{1, {"a", "b"}}, {2, {"1", "2"}}});
   expect_records("sep=;\na,1;b", {{2, {"a,1", "b"}}});
   expect_records("SEP=|\na,1|b", {{2, {"a,1", "b"}}});
-  expect_records("\xEF\xBB\xBF" "a,b", {{1, {"a", "b"}}});
+  expect_records(
+      "\xEF\xBB\xBF"
+      "a,b",
+      {{1, {"a", "b"}}});
 }
 
 TEST(Csv, CountsLinesWhateverTheyEndWith) {
