@@ -12,6 +12,8 @@
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 

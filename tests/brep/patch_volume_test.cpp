@@ -13,6 +13,7 @@
 #include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace planish::brep {

@@ -9,6 +9,7 @@
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace planish::brep {
