@@ -48,6 +48,8 @@ TEST(CheckRoom, FindsSheetsThatRunIntoEachOther) {
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().code, code::plates_touch);
   EXPECT_EQ(number_in(checked.error(), "thickness"), 60);
+  EXPECT_EQ(at_in(checked.error(), PlaceKind::point).size(), 3u);
+  EXPECT_EQ(at_in(checked.error(), PlaceKind::plate), at_in(checked.error(), PlaceKind::point));
   EXPECT_EQ(ids_in(checked.error(), PlaceKind::plate),
             (std::vector<std::string>{"\"A\"", "\"B\""}));
 }

@@ -48,7 +48,7 @@ TEST(RingsOf, AreAsFineAsThePaperShows) {
 
 TEST(Wrapped, BreaksBetweenWordsWhereALineIsFull) {
   using Lines = std::vector<std::string>;
-  EXPECT_EQ(wrapped("one two three four", 9), (Lines{"one two", "three", "four"}));
+  EXPECT_EQ(wrapped("one two three four", 8), (Lines{"one two", "three", "four"}));
   EXPECT_EQ(wrapped("one two three four", 100), (Lines{"one two three four"}));
   EXPECT_EQ(wrapped("incomprehensible word", 5), (Lines{"incomprehensible", "word"}));
   EXPECT_EQ(wrapped("", 5), (Lines{""}));
