@@ -10,17 +10,17 @@
 namespace planish::brep {
 namespace {
 
-Eigen::VectorXd numbers(std::initializer_list<double> values) {
+Eigen::VectorXd numbers_in(std::initializer_list<double> values) {
   Eigen::VectorXd row(static_cast<Eigen::Index>(values.size()));
   std::ranges::copy(values, row.data());
   return row;
 }
 
 const PathFunction kCubic = [](double t) {
-  return numbers({t, 2 * t * t - 1, t * t * t, 3 - t, t * t, -t * t * t + t});
+  return numbers_in({t, 2 * t * t - 1, t * t * t, 3 - t, t * t, -t * t * t + t});
 };
 const PathFunction kHelix = [](double t) {
-  return numbers({5 * std::cos(t), 5 * std::sin(t), t, 7 * std::cos(t), 7 * std::sin(t), t});
+  return numbers_in({5 * std::cos(t), 5 * std::sin(t), t, 7 * std::cos(t), 7 * std::sin(t), t});
 };
 
 TEST(FitPath, TakesOneSpanForACubicAndKeepsItsBreaks) {
@@ -29,8 +29,9 @@ TEST(FitPath, TakesOneSpanForACubicAndKeepsItsBreaks) {
   for (size_t i = 0; i < path.knots.size(); ++i) {
     const double t = path.knots[i];
     EXPECT_NEAR((path.values[i] - kCubic(t)).norm(), 0.0, 1e-12);
-    EXPECT_NEAR((path.slopes[i] - numbers({1, 4 * t, 3 * t * t, -1, 2 * t, -3 * t * t + 1})).norm(),
-                0.0, 1e-6);
+    EXPECT_NEAR(
+        (path.slopes[i] - numbers_in({1, 4 * t, 3 * t * t, -1, 2 * t, -3 * t * t + 1})).norm(), 0.0,
+        1e-6);
   }
 }
 
@@ -51,7 +52,7 @@ TEST(FitPath, HalvesSpansUntilTheyAreNear) {
 }
 
 TEST(FitPath, StopsAtATenthHalving) {
-  const auto jump = [](double t) { return numbers({t < 0.3 ? 0.0 : 1.0, t, 0}); };
+  const auto jump = [](double t) { return numbers_in({t < 0.3 ? 0.0 : 1.0, t, 0}); };
   const FittedPath path = fit_path(jump, {0.0, 1.0}, 1e-6);
   double narrowest = 1.0;
   for (size_t i = 0; i + 1 < path.knots.size(); ++i)

@@ -8,7 +8,10 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <STEPControl_Reader.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <XSAlgo.hxx>
 #include <gtest/gtest.h>
 
@@ -39,6 +42,23 @@ TEST(MendWhereNeeded, CountsTheShapesAndTheFacesThatItMends) {
   EXPECT_EQ(dimpled.shapes, 1);
   EXPECT_EQ(dimpled.faces, 1) << "part of a sphere is written without its curves";
   EXPECT_EQ(dimpled.whole, 0);
+}
+
+TEST(MendWhereNeeded, CountsWhatItMendsAsAWhole) {
+  BRep_Builder builder;
+  TopoDS_Shell five;
+  TopoDS_Solid open;
+  builder.MakeShell(five);
+  int left = 5;
+  for (TopExp_Explorer faces(BRepPrimAPI_MakeBox(30, 20, 2).Shape(), TopAbs_FACE); faces.More();
+       faces.Next())
+    if (left-- > 0) builder.Add(five, faces.Current());
+  five.Closed(true);  // as the file says
+  builder.MakeSolid(open);
+  builder.Add(open, five);
+  const MendCount count = count_of_reading(open);
+  EXPECT_EQ(count.shapes, 1);
+  EXPECT_EQ(count.whole, 1);
 }
 
 TEST(MendWhereNeeded, CountsEveryShapeOfAFile) {

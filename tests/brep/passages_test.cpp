@@ -86,6 +86,15 @@ TEST(Passages, AreWhereAFormIsNarrowest) {
   }
 }
 
+TEST(Passages, AreThoseOfSmallFormsToo) {
+  // Areas of a few square millimetres, and walls that have none.
+  for (const int reference : {0, 1}) {
+    const Cut cut = cut_of({{{30, 30}, {{1.6, 2}, {1.6, 6}, {1.2, 6}, {1, 0}}}}, reference);
+    ASSERT_EQ(cut.radii.size(), 1u);
+    EXPECT_NEAR(cut.radii[0], 1, 1e-9);
+  }
+}
+
 TEST(Passages, OfCollarsAreFoundForEachByItself) {
   const Cut cut = cut_of(
       {{{30, 30}, {{5, 2}, {5, 6}, {3, 6}, {2, 0}}}, {{70, 30}, {{6, 2}, {6, 5}, {4, 5}, {3, 0}}}},

@@ -3,6 +3,7 @@
 #include "border_curve.hpp"
 #include "support/sheets.hpp"
 
+#include <Geom2d_Ellipse.hxx>
 #include <Geom2d_Line.hxx>
 #include <gtest/gtest.h>
 
@@ -116,6 +117,26 @@ TEST(CarriedInto, GivesEachPointItsShareOfItsRuling) {
       EXPECT_NEAR(p.X(), uv.x(), 1e-6);
       EXPECT_NEAR(p.Y(), v, 1e-5);
     }
+  }
+}
+
+TEST(CarriedInto, HoldsTheToleranceAcrossTheRulingsToo) {
+  // An ellipse of ± 0.4 in u, which is 20 mm of a box 50 high, and ± 2 in v.
+  const Face face = narrow_face(40);
+  const RulingRange range = ruling_range(face, 0.0);
+  const Box2 box = range.box();
+  const double scale = box.size().y() / box.size().x();
+  const Handle(Geom2d_Curve)
+      ellipse = new Geom2d_Ellipse(gp_Ax2d(gp_Pnt2d(0.5, 4), gp_Dir2d(0, 1)), 2.0, 0.4);
+  constexpr double kTolerance = 1e-4;
+  const auto carried = carried_into(range, ellipse, 3.0, kTolerance);
+  for (int i = 0; i <= 300; ++i) {
+    const double s = i / 100.0;
+    const gp_Pnt2d uv = ellipse->Value(s), p = carried->Value(s);
+    const double v = box.lo.y() + box.size().y() * (uv.Y() - range.lo(uv.X())) /
+                                      (range.hi(uv.X()) - range.lo(uv.X()));
+    EXPECT_NEAR(scale * p.X(), scale * uv.X(), 2 * kTolerance);
+    EXPECT_NEAR(p.Y(), v, 2 * kTolerance);
   }
 }
 

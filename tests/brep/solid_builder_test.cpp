@@ -105,6 +105,8 @@ TEST(SolidBuilder, MakesAWallWithASeam) {
   const TopoDS_Shell shell = builder.shell();
   EXPECT_TRUE(BRepCheck_Analyzer(shell).IsValid());
   EXPECT_NEAR(volume_in(shell), 25 * pi * h, 1e-6);
+  for (TopExp_Explorer wires(shell, TopAbs_WIRE); wires.More(); wires.Next())
+    EXPECT_TRUE(wires.Current().Closed());
 }
 
 TEST(SolidBuilder, CoversWithTolerancesHowFarCurvesAreFromSurfaces) {
