@@ -12,6 +12,9 @@
 #include <Bnd_Box.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
@@ -52,8 +55,10 @@ std::string assembly_text(const TopoDS_Shape& shape) {
   STEPControl_Writer writer;
   Interface_Static::SetIVal("write.step.assembly", 1);
   EXPECT_EQ(writer.Transfer(shape, STEPControl_AsIs), IFSelect_RetDone);
+  StepData_StepWriter out(writer.Model());
+  out.SendModel(Handle(StepData_Protocol)::DownCast(writer.Model()->Protocol()));
   std::ostringstream stream;
-  EXPECT_EQ(writer.WriteStream(stream), IFSelect_RetDone);
+  EXPECT_TRUE(out.Print(stream));
   Interface_Static::SetIVal("write.step.assembly", 0);
   return stream.str();
 }

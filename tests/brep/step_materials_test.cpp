@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace planish::brep {
 namespace {
@@ -92,6 +93,48 @@ TEST(StepMaterials, HaveNoDensityThatCannotBeOrInUnitsThatAreNone) {
   EXPECT_FALSE(known("23100.", ".KILO.", "$")) << "heavier than any metal";
   EXPECT_FALSE(known("7900.", ".KILO.", "$", "-2."));
   EXPECT_FALSE(known("7900.", ".MEGA.", "$"));
+}
+
+/// A style for the item of this kind: a colour in thousandths.
+std::string styled(int first, const std::string& item, const std::string& rgb) {
+  const auto id = [&](int i) { return "#" + std::to_string(first + i); };
+  return id(0) + "=COLOUR_RGB(''," + rgb + ");\n" + id(1) + "=FILL_AREA_STYLE_COLOUR(''," + id(0) +
+         ");\n" + id(2) + "=FILL_AREA_STYLE('',(" + id(1) + "));\n" + id(3) +
+         "=SURFACE_STYLE_FILL_AREA(" + id(2) + ");\n" + id(4) + "=SURFACE_SIDE_STYLE('',(" + id(3) +
+         "));\n" + id(5) + "=SURFACE_STYLE_USAGE(.BOTH.," + id(4) + ");\n" + id(6) +
+         "=PRESENTATION_STYLE_ASSIGNMENT((" + id(5) + "));\n" + id(7) + "=STYLED_ITEM('color',(" +
+         id(6) + ")," + item + ");\n" + id(8) + "=REPRESENTATION_CONTEXT('','');\n" + id(9) +
+         "=MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',(" + id(7) + ")," + id(8) +
+         ");\n";
+}
+
+/// Numbers of the entities of a kind in a text.
+std::vector<std::string> ids_of(const std::string& text, const std::string& kind) {
+  std::vector<std::string> ids;
+  for (size_t at = text.find(kind + "("); at != std::string::npos;
+       at = text.find(kind + "(", at + 1)) {
+    const size_t number = text.rfind('#', at);
+    ids.push_back(text.substr(number, text.find_first_of(" =", number) - number));
+  }
+  return ids;
+}
+
+TEST(ShapeColours, AreThoseOfSolidsAndOfAllFacesInTheFile) {
+  const std::string plain = box_text_with("");
+  const std::string solid = ids_of(plain, "MANIFOLD_SOLID_BREP").at(0);
+  const std::vector<std::string> faces = ids_of(plain, "ADVANCED_FACE");
+  ASSERT_EQ(faces.size(), 6u);
+  EXPECT_EQ(body_with(styled(9201, solid, "1.,0.,0.")).colour(), "#ff0000");
+  EXPECT_EQ(body_with(styled(9201, solid, "0.,0.,1.")).colour(), "#0000ff");
+  std::string all, some;
+  for (size_t i = 0; i < faces.size(); ++i) {
+    const std::string one = styled(9201 + 20 * static_cast<int>(i), faces[i], "0.,1.,0.");
+    all += one;
+    if (i > 0) some += one;
+  }
+  EXPECT_EQ(body_with(all).colour(), "#00ff00");
+  EXPECT_EQ(body_with(some).colour(), "") << "one face has none";
+  EXPECT_EQ(body_with(some + styled(9401, faces[0], "1.,0.,0.")).colour(), "") << "two colours";
 }
 
 TEST(ShapeColour, IsTheSolidsOwnThenThatOfAllItsFacesThenThatOfTheProduct) {
