@@ -69,7 +69,7 @@ Cells fields(const UnfoldReport& report) {
   add(flat, plain(units.length(inner_cutting_length(report.flat))));
   add(flat, fmt::format("{}", report.flat.openings.size()));
   add(sheet, fmt::format("{}", report.summary.bends));
-  add(report.mass.has_value(), plain(report.mass.value_or(0.0)));
+  add(report.mass.has_value(), plain(or_nan(report.mass)));
   add(certified, plain(or_nan(report.certificate.volume_ratio)));
   add(certified, plain(units.length(report.certificate.length_error)));
   add(certified, plain(units.length(or_nan(report.certificate.refold_deviation))));

@@ -1,3 +1,5 @@
+#include "job/job_requests.hpp"
+
 #include <planish/brake/codes.hpp>
 #include <planish/job/maker.hpp>
 #include <planish/job/request.hpp>
@@ -17,24 +19,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A channel of 2 mm as plates that leave room for the bends: a web of 60 mm and legs of a given
-/// height, measured to where the plates meet, 100 mm long.
-std::string channel(double leg) {
-  const double room = 5.0;
-  const auto upright = [&](double x) {
-    return json{{x, 0, room}, {x, 100, room}, {x, 100, leg}, {x, 0, leg}};
-  };
-  json plates;
-  plates["thickness"] = 2;
-  plates["defaults"]["inside_radius"] = 2;
-  plates["plates"] = {
-      {{"id", "web"},
-       {"outline", {{room, 0, 0}, {60 - room, 0, 0}, {60 - room, 100, 0}, {room, 100, 0}}}},
-      {{"id", "left"}, {"outline", upright(0)}},
-      {{"id", "right"}, {"outline", upright(60)}}};
-  plates["bends"] = {{{"between", {"web", "left"}}}, {{"between", {"web", "right"}}}};
-  return plates.dump();
-}
+std::string channel(double leg) { return test::channel_plates(leg).dump(); }
 
 /// What a maker reports of a channel, with options changed by `change`.
 template <typename Change>
@@ -160,59 +145,6 @@ TEST(Bending, TellsThePlanInTheUnitOfTheReport) {
   EXPECT_NEAR(a["punch_segments"][0].get<double>() * 25.4, b["punch_segments"][0], 1e-9);
   EXPECT_NEAR(a["clearance"].get<double>() * 25.4, b["clearance"], 1e-9);
   EXPECT_EQ(a["force"], b["force"]);
-}
-
-TEST(BendingOptions, AreRefusedByNameIfTheySayNothing) {
-  const auto entered = [](const char* name, const char* text) {
-    OptionValues values;
-    EXPECT_TRUE(values.set_text(option(name), text));
-    Request request;
-    return values.enter(request);
-  };
-  for (const char* text :
-       {"turn_over", "turn_over=", "turn_over=-1", "turn=3", "rotate=2,", "rotate=nan", "=3"}) {
-    const auto done = entered("weights", text);
-    ASSERT_FALSE(done) << text;
-    EXPECT_EQ(done.error().code, code::bad_option);
-    EXPECT_EQ(done.error().where, "weights");
-  }
-  EXPECT_TRUE(entered("weights", "turn_over=3,rotate=0.5"));
-}
-
-TEST(BendingOptions, SetWhatTheyAreNamedFor) {
-  OptionValues values;
-  for (const auto& [name, text] :
-       std::vector<std::pair<const char*, const char*>>{{"metal", "stainless"},
-                                                        {"clearance", "0.5"},
-                                                        {"shortfall", "3"},
-                                                        {"opening", "12"},
-                                                        {"weights", "turn_over=7,ungauged=0"},
-                                                        {"fix", "B3,B1"},
-                                                        {"search_time", "2.5"}})
-    EXPECT_TRUE(values.set_text(option(name), text)) << name;
-  Request request;
-  ASSERT_TRUE(values.enter(request));
-  const PlanOptions& plan = request.bending.plan;
-  EXPECT_EQ(plan.tensile_strength, 700.0);
-  EXPECT_NEAR(plan.springback.degrees(), 3.0, 1e-12);
-  EXPECT_EQ(plan.clearance, 0.5);
-  EXPECT_EQ(plan.shortfall, 3.0);
-  EXPECT_EQ(plan.opening, 12.0);
-  EXPECT_EQ(plan.weights.turn_over, 7.0);
-  EXPECT_EQ(plan.weights.ungauged, 0.0);
-  EXPECT_EQ(plan.weights.rotate, StrokeWeights{}.rotate);
-  EXPECT_EQ(plan.limits.seconds, 2.5);
-  EXPECT_THAT(request.bending.begin_with, testing::ElementsAre("B3", "B1"));
-}
-
-TEST(BendingOptions, LetSpringbackOverrideThatOfTheMetal) {
-  OptionValues values;
-  EXPECT_TRUE(values.set_text(option("springback"), "0.5"));
-  EXPECT_TRUE(values.set_text(option("metal"), "aluminium"));
-  Request request;
-  ASSERT_TRUE(values.enter(request));
-  EXPECT_NEAR(request.bending.plan.springback.degrees(), 0.5, 1e-12);
-  EXPECT_EQ(request.bending.plan.tensile_strength, 270.0);
 }
 
 }  // namespace

@@ -1,19 +1,13 @@
-#include "connect/sample_plates.hpp"
-#include "connected.hpp"
-#include "folded.hpp"
+#include "job/joined_sheet.hpp"
 #include "made_report.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/connect/codes.hpp>
 #include <planish/job/connect.hpp>
-#include <planish/job/outputs.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <numbers>
 
 // What `connect` of the job makes of plates already joined; how they are joined is not its affair.
 
@@ -21,61 +15,16 @@ namespace planish::job {
 namespace {
 
 using nlohmann::json;
+using test::joined;
+using test::report_of;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
-
-using std::numbers::pi;
 
 std::vector<std::string> keys_of(const json& object) {
   std::vector<std::string> names;
   for (const auto& [key, value] : object.items())
     names.push_back(key);
   return names;
-}
-
-// 50 | 90° r 3 | 30, width 40, t 2, as if made of the plates "base" and "wall".
-Connection joined() {
-  Connection connection;
-  connection.structure.thickness = 2.0;
-  connection.structure.plates = {{"base", {}, {}}, {"wall", {}, {}}};
-  connection.sheet = test::l_bracket();
-  connection.sheet.volume.reset();  // the maker does not know it
-  FittedBend bend;
-  bend.request.between = {"base", "wall"};
-  bend.plates = {0, 1};
-  bend.edges = {{{1, 2}, {0}}};
-  bend.edge_kind = EdgeKind::averted;
-  bend.kind = BendKind::cone;
-  bend.frame.origin = {25.4, 0, 0};
-  bend.frame.beta = Angle::degrees(90);
-  bend.line = {0.25, -5.08};
-  bend.apex = -20.32;
-  bend.angle = Angle::degrees(90);
-  bend.inside_radius = 3.0;
-  bend.inside_radii = {2.54, 5.08};
-  bend.half_angle = Angle::degrees(12);
-  bend.lateral = LateralBoundary::arc;
-  bend.width = bend.joined = 50.8;
-  bend.span = 25.4;
-  bend.extension_area = 25.4 * 25.4;
-  BendAlternative other;
-  other.request = bend.request;
-  other.request.edges = {std::vector<int>{3}, std::vector<int>{2}};
-  other.width = 12.7;
-  other.span = 2.54;
-  bend.alternatives = {other};
-  bend.bend = BendId{0};
-  connection.bends = {bend};
-  return connection;
-}
-
-ConnectReport report_of(Connection connection, const AllowanceRule& allowance = ConstantK{}) {
-  ConnectReport report;
-  report.input = "shop/plates.json";
-  report.body = "plates";
-  const auto error = finish(report, std::move(connection), allowance, {}, {});
-  EXPECT_FALSE(error.has_value()) << (error ? error->message : "");
-  return report;
 }
 
 json bend_of(const ConnectReport& report) {
@@ -162,103 +111,6 @@ TEST(ConnectReport, MatchesBendsByTheirRowAndNotByTheirOrder) {
     const bool first = report.flat.bends[i].bend == BendId{0};
     EXPECT_EQ(bends[i]["between"][0], first ? "a" : "b");
   }
-}
-
-TEST(ConnectReport, VerifiesTheVolumeOnTheFoldedSolid) {
-  const ConnectReport report = report_of(joined());
-  const double area = 40.0 * (50.0 + pi / 2 * (3.0 + 0.5 * 2.0) + 30.0);
-  EXPECT_NEAR(report.summary.volume, 2.0 * area, 1e-6 * area);
-  EXPECT_NEAR(*report.certificate.volume_ratio, 1.0, 1e-6);
-  EXPECT_NEAR(*report.certificate.explained_ratio, 1.0, 1e-6);
-  EXPECT_LT(report.certificate.length_error, 1e-9);
-  EXPECT_LT(report.certificate.refold_deviation, 1e-6);
-  EXPECT_EQ(report.status(), Status::ok);
-  ASSERT_TRUE(report.solid.has_value());
-  const auto step = step_text(*report.solid);
-  ASSERT_TRUE(step) << step.error().message;
-  EXPECT_THAT(*step, HasSubstr("ISO-10303-21"));
-  EXPECT_THAT(*step, HasSubstr("'plates'"));
-  EXPECT_TRUE(dxf_text(report.flat).has_value());
-}
-
-TEST(ConnectReport, MeasuresFoldsThatEndInsideAnEdge) {
-  // The mitre adds outside the middle surfaces what it takes inside: both plates as they are drawn.
-  PlateStructure s;
-  s.thickness = 2.0;
-  s.plates = {test::rectangle_plate("A", {0, 0, 0}, {100, 0, 0}, {0, 50, 0}),
-              test::rectangle_plate("B", {20, 0, 0}, {50, 0, 0}, {0, 0, 40})};
-  s.bends = {{.between = {"A", "B"}, .inside_radius = 0.0}};
-  auto connection = connect(s);
-  ASSERT_TRUE(connection) << connection.error().message;
-  const ConnectReport report = report_of(std::move(*connection));
-  ASSERT_TRUE(report.solid.has_value());
-  EXPECT_NEAR(report.summary.volume, 2.0 * (100.0 * 50.0 + 50.0 * 40.0), 1e-6);
-  EXPECT_NEAR(*report.certificate.explained_ratio, 1.0, 1e-9);
-  for (const Finding& finding : report.findings)
-    EXPECT_NE(finding.severity, Severity::error) << finding.message;
-}
-
-TEST(ConnectReport, LaysFlatByTheRuleAsked) {
-  const ConnectReport report = report_of(joined(), ConstantK{0.3, "plates file"});
-  EXPECT_EQ(report.summary.k_factor, 0.3);
-  EXPECT_EQ(report.summary.k_source, "plates file");
-  EXPECT_NEAR(report.flat.area, 40.0 * (80.0 + pi / 2 * 3.6), 1e-6);
-}
-
-TEST(ConnectReport, TakesKFromTheCommandThenTheFileThenTheDefault) {
-  PlatesFile file;
-  Request request;
-  EXPECT_EQ(std::get<ConstantK>(allowance_of(file, request)).k, ConstantK{}.k);
-  file.k_factor = 0.3;
-  EXPECT_EQ(std::get<ConstantK>(allowance_of(file, request)).k, 0.3);
-  EXPECT_EQ(std::get<ConstantK>(allowance_of(file, request)).source, "plates file");
-  request.allowance = Din6935{};
-  EXPECT_TRUE(std::holds_alternative<Din6935>(allowance_of(file, request)));
-}
-
-// Two walls beside each other on a base, so wide above that they share sheet when flat.
-Sheet flaring_walls() {
-  test::SheetBuilder builder(1.0);
-  const FaceId base = builder.flange(Frame{}, {test::rectangle(40, 40)});
-  for (const int border : {1, 2}) {
-    const test::Rim rim = builder.bend(builder.rim(base, border),
-                                       test::Turn{Angle::degrees(90), 2});
-    builder.flange_behind(rim, {test::polygon({{0, 0}, {40, 0}, {110, 40}, {-70, 40}})});
-  }
-  return builder.finish();
-}
-
-TEST(ConnectReport, RefusesAPatternThatCoversItselfUnlessToldNotTo) {
-  PatternChecks checks;
-  Connection connection = joined();
-  connection.sheet = flaring_walls();
-  ConnectReport report;
-  report.body = "flaring";
-  const auto error = finish(report, connection, ConstantK{}, checks, {});
-  ASSERT_TRUE(error.has_value());
-  EXPECT_EQ(error->code, code::overlap);
-  EXPECT_EQ(report.summary.flanges, 3);
-  checks.write_overlapping = true;
-  EXPECT_FALSE(finish(report, connection, ConstantK{}, checks, {}).has_value());
-  EXPECT_TRUE(report.has_warnings());
-}
-
-TEST(ConnectReport, StopsWhenAsked) {
-  Progress progress;
-  progress.cancelled = [] { return true; };
-  ConnectReport report;
-  report.body = "stopped";
-  const auto error = finish(report, joined(), ConstantK{}, {}, progress);
-  ASSERT_TRUE(error.has_value());
-  EXPECT_EQ(error->code, code::cancelled);
-}
-
-TEST(ConnectReport, PutsTheFilesNameBeforeAPointer) {
-  EXPECT_EQ(placed({code::not_planar, "m", "/plates/2/outline/3"}, "p.json").where,
-            "p.json/plates/2/outline/3");
-  EXPECT_EQ(placed({code::not_planar, "m", ""}, "p.json").where, "p.json");
-  EXPECT_EQ(placed({code::overlap, "m", "flat pattern at (1, 2) mm"}, "p.json").where,
-            "flat pattern at (1, 2) mm");
 }
 
 TEST(ConnectReport, IsTheReasonOfARequestThatFailed) {

@@ -146,39 +146,6 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   EXPECT_EQ(run("[]").error().code, code::invalid_input);
 }
 
-TEST(Run, BendsAndInformsAsTheProgramDoes) {
-  json asked = request("bend", kPlates);
-  asked["options"] = {{"springback", 1.0}, {"metal", "steel"}};
-  asked["artifacts"] = {"svg", "json"};
-  const auto ran = run(asked.dump());
-  const RunResult* const bent = ran ? &*ran : ran.error().shown ? &*ran.error().shown : nullptr;
-  ASSERT_TRUE(bent) << ran.error().message;
-  const json report = json::parse(bent->report);
-  EXPECT_EQ(report["command"], "bend");
-  EXPECT_TRUE(report.contains("plan"));
-  ASSERT_EQ(bent->artifacts.size(), 2u);
-  EXPECT_THAT(bent->artifacts[0].bytes, HasSubstr("<svg"));
-  EXPECT_EQ(bent->artifacts[1].bytes, bent->report);
-  EXPECT_EQ(ran.has_value(), bent->status != Status::refused);
-  asked["options"] = {{"bend_marks", "ticks"}};
-  EXPECT_EQ(refused(asked).where, "/options/bend_marks");
-  EXPECT_THAT(refused(asked).message, HasSubstr("is not an option of bend"));
-  asked["options"] = json::object();
-  asked["artifacts"] = {"dxf"};
-  EXPECT_EQ(refused(asked).where, "/artifacts/0");
-  EXPECT_THAT(refused(asked).message, HasSubstr("bend cannot write \"dxf\"; it writes pdf, svg"));
-
-  asked = request("info", PLANISH_SOURCE_DIR "/examples/bracket.step");
-  asked.erase("artifacts");
-  asked["sheets"] = true;
-  const auto told = run(asked.dump());
-  ASSERT_TRUE(told) << told.error().message;
-  EXPECT_EQ(json::parse(told->report)["bodies"][0]["sheet"]["bends"], 2);
-  EXPECT_THAT(told->summary, HasSubstr("bracket"));
-  asked["options"] = {{"k", 0.4}};
-  EXPECT_EQ(refused(asked).where, "/options/k");
-}
-
 // {"a": {"a": ... 1}}
 std::string nested(int depth) {
   std::string text;
@@ -296,40 +263,6 @@ TEST(Run, NamesTheInputOfAWrongSlitFile) {
                             : result.error().where);
   }
   EXPECT_THAT(places, ElementsAre("i.json/leg_curve", "i.json/leg_curve"));
-}
-
-TEST(Catalogue, HasWhatEveryRowNeeds) {
-  for (const Maker& maker : built_in().makers) {
-    EXPECT_TRUE(maker.open && maker.failed) << maker.name;
-    EXPECT_EQ(maker.schema == nullptr, maker.format.empty()) << maker.name;
-    for (const OptionUse& use : maker.options)
-      EXPECT_TRUE(option(use.name).set) << use.name;
-    const auto failed = maker.failed({}, {code::cannot_read, "gone", "a"});
-    EXPECT_EQ(json::parse(failed->json())["reason"]["code"], "cannot_read") << maker.name;
-    EXPECT_EQ(json::parse(failed->json())["command"], maker.name);
-  }
-  for (const Artifact& artifact : built_in().artifacts)
-    EXPECT_TRUE(artifact.write) << artifact.name;
-}
-
-TEST(Catalogue, KnowsAnInputByItsFormatElseByItsMark) {
-  for (const Maker& maker : built_in().makers) {
-    if (maker.format.empty()) continue;
-    for (const char* key : {"format", ""}) {
-      json document{{std::string(maker.mark), 1}};
-      if (*key) document = {{"format", maker.format}};
-      const auto found = built_in().maker_for("a.json", document.dump());
-      ASSERT_TRUE(found.has_value()) << found.error().message;
-      EXPECT_EQ((*found)->name, maker.name);
-    }
-  }
-  EXPECT_EQ((*built_in().maker_for("a.step", "ISO-10303-21;"))->name, "unfold");
-  EXPECT_THAT(built_in().maker_for("a.json", R"({"format": "x"})").error().message,
-              HasSubstr("planish/plates, planish/transition, planish/slits"));
-  const std::string long_format = R"({"format": ")" + std::string(3000, 'x') + R"("})";
-  EXPECT_LT(built_in().maker_for("a.json", long_format).error().message.size(), 300u);
-  EXPECT_THAT(built_in().maker_for("a.json", "{}").error().message,
-              HasSubstr("plates file, transition file, slit file"));
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "part_work.hpp"
+#include "results.hpp"
+#include "state.hpp"
+
+#include <planish/io/flat_json.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace planish::test {
+
+/// A folder of one test, gone when it ends.
+class BatchFolder : public ::testing::Test {
+ protected:
+  BatchFolder() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~BatchFolder() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::string text_in(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  const std::filesystem::path
+      folder_ = std::filesystem::path(::testing::TempDir()) /
+                (std::string("planish-batch-") +
+                 ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "-" +
+                 ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+/// A plate of one thickness.
+inline FlatPattern plate_of(double length, double width) {
+  FlatPattern flat;
+  flat.thickness = 2.0;
+  flat.outer.loop = {Segment{{0, 0}, {length, 0}}, Segment{{length, 0}, {length, width}},
+                     Segment{{length, width}, {0, width}}, Segment{{0, width}, {0, 0}}};
+  flat.area = length * width;
+  flat.perimeter = 2 * (length + width);
+  return flat;
+}
+
+/// A part that was made, with one file.
+inline batch::PartDone made_part(const std::string& input, const FlatPattern& flat) {
+  const nlohmann::json report{{"input", input},
+                              {"body", input},
+                              {"quantity", 1},
+                              {"status", "ok"},
+                              {"reason", nullptr},
+                              {"units", "mm"},
+                              {"checks", nlohmann::json::array()},
+                              {"files", {input + "/a.dxf"}}};
+  return batch::part_done(input, report.dump(), {flat_json(flat)}, {{"a.dxf", "dxf of " + input}});
+}
+
+inline batch::PartDone refused_part(const std::string& input, const std::string& code) {
+  const nlohmann::json report{
+      {"input", input}, {"status", "refused"}, {"reason", {{"code", code}, {"message", "m"}}}};
+  return batch::part_done(input, report.dump(), {}, {});
+}
+
+/// A folder with results of finished runs.
+class RunFolder : public BatchFolder {
+ protected:
+  /// Results of inputs each of which is a plate, but "r", which was refused.
+  void run(const std::string& out, batch::Shard shard, const std::vector<std::string>& names,
+           bool finished = true, const std::string& work = "work") const {
+    auto state = batch::State::open(folder_ / out);
+    ASSERT_TRUE(state);
+    for (const std::string& name : names) {
+      const batch::PartDone part = name == "r" ? refused_part(name, "overlap")
+                                               : made_part(name, plate_of(100, 10 * name[0]));
+      ASSERT_TRUE(state->store({part}, {}));
+      ASSERT_TRUE(state->journal().add(name, "key of " + name, {part}));
+    }
+    if (finished) {
+      ASSERT_TRUE(batch::write_results(names, *state));
+    }
+    ASSERT_TRUE(state->record({shard, 4, work, finished, names}));
+  }
+};
+
+}  // namespace planish::test

@@ -1,0 +1,75 @@
+#include "results.hpp"
+
+#include "batch/batch_folder.hpp"
+
+#include <planish/sheet/csv.hpp>
+
+#include <gtest/gtest.h>
+
+namespace planish::batch {
+namespace {
+
+using Results = test::BatchFolder;
+
+TEST_F(Results, AreWrittenFromTheJournalInTheOrderAsked) {
+  auto state = State::open(folder_);
+  ASSERT_TRUE(state);
+  const auto enter = [&](const std::string& name, const PartDone& part) {
+    ASSERT_TRUE(state->journal().add(name, "k", {part}));
+  };
+  enter("c", test::made_part("c", test::plate_of(100, 60)));
+  enter("a", test::made_part("a", test::plate_of(100, 60)));
+  enter("b", test::refused_part("b", "overlap"));
+  enter("d", test::made_part("d", test::plate_of(70, 60)));
+  enter("old", test::made_part("old", test::plate_of(1, 1)));
+  const auto result = write_results({"a", "b", "c", "d"}, *state);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->inputs, 4u);
+  EXPECT_EQ(result->parts, 4u);
+  EXPECT_EQ(result->ok, 3u);
+  EXPECT_EQ(result->warnings, 0u);
+  EXPECT_EQ(result->refused, 1u);
+  EXPECT_EQ(result->distinct, 2u);
+  EXPECT_EQ(result->out, folder_);
+  // The table, as a reader of CSV has it.
+  const auto table = split_csv(text_in("summary.csv"), "summary.csv");
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->size(), 5u);
+  const auto& titles = (*table)[0].fields;
+  const auto column = [&](const char* title) {
+    return static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin());
+  };
+  EXPECT_EQ((*table)[1].fields[column("input")], "a");
+  EXPECT_EQ((*table)[1].fields[column("same_as")], "") << "the first of its kind";
+  EXPECT_EQ((*table)[2].fields[column("reason")], "overlap");
+  EXPECT_EQ((*table)[3].fields[column("same_as")], "a");
+  EXPECT_EQ((*table)[4].fields[column("same_as")], "");
+  // A report a line.
+  std::istringstream lines(text_in("parts.jsonl"));
+  std::string inputs;
+  for (std::string line; std::getline(lines, line);)
+    inputs += nlohmann::json::parse(line)["input"].get<std::string>();
+  EXPECT_EQ(inputs, "abcd");
+  const auto summary = nlohmann::json::parse(text_in("summary.json"));
+  EXPECT_EQ(summary["format"], "planish/batch");
+  EXPECT_EQ(summary["parts"], 4);
+  EXPECT_EQ(summary["distinct"], 2);
+  EXPECT_EQ(summary["reasons"], nlohmann::json({{"overlap", 1}}));
+  EXPECT_NE(text_in("index.html").find("\"name\":\"d\""), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "summary.csv.part"));
+}
+
+TEST_F(Results, LeaveTheOldOnesWhereTheyFail) {
+  auto state = State::open(folder_);
+  ASSERT_TRUE(state);
+  write("summary.csv", "old");
+  PartDone damaged = test::made_part("a", test::plate_of(100, 60));
+  damaged.record.shapes = {"{}"};
+  ASSERT_TRUE(state->journal().add("a", "k", {damaged}));
+  EXPECT_EQ(write_results({"a"}, *state).error().code, code::cannot_read);
+  EXPECT_EQ(text_in("summary.csv"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "summary.csv.part"));
+}
+
+}  // namespace
+}  // namespace planish::batch

@@ -1,0 +1,79 @@
+#include "job/job_requests.hpp"
+#include "plan_report.hpp"
+
+#include <planish/job/bend_plan_pages.hpp>
+
+#include <gtest/gtest.h>
+
+namespace planish::job {
+namespace {
+
+std::unique_ptr<Made> bent_channel(double leg) {
+  Request request;
+  request.bending.ask = Bending::Ask::plan;
+  return test::made_from("channel.json", test::channel_plates(leg).dump(), request);
+}
+
+bool says(const Page& page, const std::string& text) {
+  for (const Page::Text& one : page.texts())
+    if (one.text.find(text) != std::string::npos) return true;
+  return false;
+}
+
+TEST(BendPlanPages, DrawEachStrokeOfAPlan) {
+  const auto made = bent_channel(30);
+  ASSERT_TRUE(made && made->report().plan);
+  const auto pages = bend_plan_pages(made->report(), {});
+  ASSERT_EQ(pages.size(), 1u);
+  for (const Stroke& stroke : made->report().plan->strokes)
+    EXPECT_TRUE(says(pages[0], "punch " + stroke.punch));
+  EXPECT_EQ(bend_plan_pages(*made, {}).size(), 1u) << "of its only piece";
+}
+
+TEST(BendPlanPages, SayWhyThereIsNone) {
+  const auto made = bent_channel(250);
+  ASSERT_TRUE(made && made->report().plan);
+  const auto pages = bend_plan_pages(made->report(), {});
+  ASSERT_EQ(pages.size(), 1u);
+  for (const BlockedBend& blocked : made->report().plan->blocked)
+    EXPECT_TRUE(says(pages[0], bend_id(made->report(), blocked.bend)));
+}
+
+TEST(BendPlanPages, ShowThePatternWithoutAPlan) {
+  const auto made = test::made_from("channel.json", test::channel_plates(30).dump());
+  ASSERT_TRUE(made);
+  EXPECT_EQ(bend_plan_pages(made->report(), {}).size(), 1u);
+}
+
+TEST(BendPlanPages, SayWhichPartOfWhatMetal) {
+  const auto made = test::made_from("shop/channel.json", test::channel_plates(30).dump());
+  ASSERT_TRUE(made);
+  Report& report = made->report();
+  Bending bending;
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "steel 450 N/mm²"));
+  bending.metal = "stainless";
+  bending.plan.tensile_strength = 700;
+  bending.plan.springback = Angle::degrees(2.5);
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "stainless 700 N/mm²"));
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "2.5°"));
+  const auto title = [&] { return bend_plan_pages(report, bending)[0].texts()[0].text; };
+  EXPECT_EQ(title(), "channel") << "the body is called as its file";
+  report.body = "left wall";
+  EXPECT_EQ(title(), "channel · left wall");
+  report.body.clear();
+  EXPECT_EQ(title(), "channel");
+}
+
+TEST(BendPlanPages, AreThoseOfAllPieces) {
+  Request request;
+  request.effort = Effort::draft;
+  auto net = nlohmann::json::parse(
+      test::bytes_of_file(test::example("transition/a_square_to_round.json")));
+  net["pieces"] = 2;
+  const auto made = test::made_from("net.json", net.dump(), request);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(bend_plan_pages(*made, {}).size(), 2u);
+}
+
+}  // namespace
+}  // namespace planish::job

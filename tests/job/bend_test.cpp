@@ -1,0 +1,44 @@
+#include <planish/job/artifact.hpp>
+#include <planish/job/bend.hpp>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace planish::job {
+namespace {
+
+TEST(BendingWith, TakesWhatMakesTheSheetAndThePressBrake) {
+  for (const Maker& maker : built_in().makers) {
+    const Maker bending = bending_with(maker);
+    EXPECT_EQ(bending.name, "bend");
+    EXPECT_EQ(bending.open, maker.open);
+    for (const std::string_view name : kPlanOptions)
+      EXPECT_TRUE(bending.takes(name)) << name;
+    EXPECT_TRUE(bending.takes("metal"));
+    EXPECT_TRUE(bending.takes("search_time"));
+    for (const char* written : {"profile", "r12", "bend_marks", "rules", "no_rules", "density",
+                                "piece", "check_bending", "relief"})
+      EXPECT_FALSE(bending.takes(written)) << written;
+    for (const OptionUse& use : bending.options)
+      if (is_of_sheet_to_bend(option(use.name))) {
+        EXPECT_TRUE(maker.takes(use.name)) << use.name;
+      }
+    EXPECT_EQ(bending.takes("units"), maker.takes("units"));
+    EXPECT_EQ(bending.takes("material"), maker.takes("material"));
+  }
+  EXPECT_TRUE(bending_with(*built_in().maker("unfold")).takes("k"));
+  EXPECT_TRUE(bending_with(*built_in().maker("connect")).takes("inside_radius"));
+  EXPECT_FALSE(bending_with(*built_in().maker("unfold")).takes("inside_radius"));
+}
+
+TEST(BendingWith, KnowsWhatSaysHowTheSheetIsMade) {
+  for (const char* made :
+       {"body", "k", "k_table", "root", "up", "inside_radius", "lateral", "shop", "units"})
+    EXPECT_TRUE(is_of_sheet_to_bend(option(made))) << made;
+  for (const char* other : {"material", "piece", "profile", "rules", "relief", "metal", "weights"})
+    EXPECT_FALSE(is_of_sheet_to_bend(option(other))) << other;
+}
+
+}  // namespace
+}  // namespace planish::job

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <planish/job/artifact.hpp>
+#include <planish/job/run.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace planish::test {
+
+inline std::string example(const std::string& name) {
+  return PLANISH_SOURCE_DIR "/examples/" + name;
+}
+
+inline std::string bytes_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A channel of 2 mm as plates that leave room for the bends: a web of 60 mm and legs of a given
+/// height, measured to where the plates meet, 100 mm long.
+inline nlohmann::json channel_plates(double leg) {
+  const double room = 5.0;
+  const auto upright = [&](double x) {
+    return nlohmann::json{{x, 0, room}, {x, 100, room}, {x, 100, leg}, {x, 0, leg}};
+  };
+  nlohmann::json plates;
+  plates["thickness"] = 2;
+  plates["defaults"]["inside_radius"] = 2;
+  plates["plates"] = {
+      {{"id", "web"},
+       {"outline", {{room, 0, 0}, {60 - room, 0, 0}, {60 - room, 100, 0}, {room, 100, 0}}}},
+      {{"id", "left"}, {"outline", upright(0)}},
+      {{"id", "right"}, {"outline", upright(60)}}};
+  plates["bends"] = {{{"between", {"web", "left"}}}, {{"between", {"web", "right"}}}};
+  return plates;
+}
+
+/// What the maker of an input makes of it; fails, and is null, if it makes nothing.
+inline std::unique_ptr<job::Made> made_from(const std::string& name, const std::string& content,
+                                            job::Request request = {}) {
+  request.input = name;
+  const auto maker = job::built_in().maker_for(name, content);
+  if (!maker) return ADD_FAILURE() << maker.error().message, nullptr;
+  const auto work = (*maker)->open({name, content, {}}, {});
+  if (!work) return ADD_FAILURE() << work.error().message, nullptr;
+  auto made = (*work)->make(request, {});
+  if (!made) return ADD_FAILURE() << made.error().message, nullptr;
+  return std::move(*made);
+}
+
+/// What comes of a request that is met, or that is refused and has a report all the same.
+inline job::RunResult done_by(const nlohmann::json& asked) {
+  const job::Ran ran = job::run(asked.dump());
+  if (ran) return *ran;
+  EXPECT_TRUE(ran.error().shown) << ran.error().message;
+  return ran.error().shown.value_or(job::RunResult{});
+}
+
+/// The error of one that is not.
+inline Error error_by(const nlohmann::json& asked) {
+  const job::Ran ran = job::run(asked.dump());
+  EXPECT_FALSE(ran.has_value()) << asked;
+  return ran ? Error{} : Error(ran.error());
+}
+
+}  // namespace planish::test

@@ -1,0 +1,103 @@
+#include "proposal_report.hpp"
+
+#include "job/planned_reports.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace planish::job {
+namespace {
+
+using schema::Json;
+using test::infeasible_report;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Kind = Proposal::Kind;
+
+/// A proposal of each kind, with what its kind has.
+std::vector<Proposal> one_of_each() {
+  std::vector<Proposal> all;
+  const auto add = [&](Kind kind) -> Proposal& { return all.emplace_back(Proposal{.kind = kind}); };
+  Proposal& smaller = add(Kind::smaller_v);
+  smaller.opening = 10.16;
+  smaller.tools = {"V10-88", "V10-85"};
+  add(Kind::punch).tools = {"P200"};
+  add(Kind::taller_punches).by = 50.8;
+  Proposal& shorter = add(Kind::shorter_flange);
+  shorter.flange = FlangeId{4};
+  shorter.by = 12.7;
+  add(Kind::swap).bends = {BendId{1}, BendId{0}};
+  add(Kind::any_order);
+  add(Kind::split).bends = {BendId{1}};
+  return all;
+}
+
+TEST(ProposalReport, HasTheKeysOfEachKind) {
+  Report report = infeasible_report();
+  report.plan->proposals = one_of_each();
+  report.units = LengthUnit::inch;
+  Json rows = proposals_json(*report.plan, report);
+  EXPECT_FALSE(schema::first_mistake(schema::list(proposal_schema()), rows));
+  std::set<std::string> sentences;
+  for (Json& row : rows) {
+    sentences.insert(row["sentence"].get<std::string>());
+    row.erase("sentence");
+  }
+  EXPECT_EQ(sentences.size(), rows.size()) << "each is another one";
+  EXPECT_EQ(rows,
+            Json::parse(R"([{"kind": "smaller_v", "opening": 0.4, "tools": ["V10-88", "V10-85"]},
+                                  {"kind": "punch", "tools": ["P200"]},
+                                  {"kind": "taller_punches", "by": 2.0},
+                                  {"kind": "shorter_flange", "by": 0.5, "flange": "F5"},
+                                  {"kind": "swap", "bends": ["B2", "B1"]},
+                                  {"kind": "any_order"},
+                                  {"kind": "split", "bends": ["B2"]}])"));
+}
+
+TEST(ProposalReport, NamesToolsLengthsFlangesAndBends) {
+  const Report report = infeasible_report();
+  const auto all = one_of_each();
+  const auto said = [&](std::size_t i) { return proposal_sentence(all[i], report); };
+  EXPECT_THAT(said(0), AllOf(HasSubstr("10.16 mm"), HasSubstr("V10-88, V10-85")));
+  EXPECT_THAT(said(1), HasSubstr("P200"));
+  EXPECT_THAT(said(2), HasSubstr("50.8 mm"));
+  EXPECT_THAT(said(3), AllOf(HasSubstr("F5"), HasSubstr("12.7 mm")));
+  EXPECT_THAT(said(4), AllOf(HasSubstr("B2"), HasSubstr("B1")));
+  EXPECT_THAT(said(6), AllOf(HasSubstr("B2"), Not(HasSubstr("B1"))));
+}
+
+TEST(ProposalReport, IsALineEachOnTheTerminal) {
+  Report report = infeasible_report();
+  report.plan->proposals = one_of_each();
+  const std::string text = proposals_text(*report.plan, report);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 7);
+  for (const Proposal& one : report.plan->proposals)
+    EXPECT_THAT(text, HasSubstr("  " + proposal_sentence(one, report) + "\n"));
+  report.plan->proposals.clear();
+  EXPECT_EQ(proposals_text(*report.plan, report), "");
+}
+
+TEST(BlockedSentence, SaysWhatHitsWhatWhereAndHowDeep) {
+  Report report = infeasible_report();
+  BlockedBend blocked = report.plan->blocked.front();
+  EXPECT_THAT(blocked_sentence(blocked, report),
+              AllOf(HasSubstr("B2"), HasSubstr("F4"), HasSubstr("punch P88"), HasSubstr("3.175 mm"),
+                    HasSubstr("72°")));
+  report.units = LengthUnit::inch;
+  EXPECT_THAT(blocked_sentence(blocked, report), HasSubstr("0.125 in"));
+  blocked.with.reset();
+  blocked.at_turn.reset();
+  EXPECT_THAT(blocked_sentence(blocked, report),
+              AllOf(Not(HasSubstr("F4")), Not(HasSubstr("°")), HasSubstr("punch P88")));
+  blocked.why = "no V is wide enough";
+  EXPECT_THAT(blocked_sentence(blocked, report),
+              AllOf(HasSubstr("punch P88"), HasSubstr("no V is wide enough")));
+  blocked.hits.clear();
+  EXPECT_EQ(blocked_sentence(blocked, report), "B2: no V is wide enough");
+}
+
+}  // namespace
+}  // namespace planish::job

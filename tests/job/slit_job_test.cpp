@@ -1,0 +1,147 @@
+#include "job/job_requests.hpp"
+#include "slit/sample_sheets.hpp"
+
+#include <planish/job/slit.hpp>
+#include <planish/job/slit_json.hpp>
+#include <planish/slit/codes.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace planish::job {
+namespace {
+
+/// Two strips on a straight leg that end at the symmetry plane.
+SlitFile small_chair() {
+  SlitFile file;
+  file.design = test::chair();
+  file.design.sheet.strips = equal_strips(2, 60.0);
+  file.design.leg_curve = {{{360, 0}, {360, 120}}};
+  file.design.seat_curve.reset();
+  return file;
+}
+
+Request slit_request(Effort effort = Effort::draft) {
+  Request request;
+  request.input = "shop/chair.json";
+  request.effort = effort;
+  return request;
+}
+
+SlitReport bent(const SlitFile& file, Effort effort = Effort::draft) {
+  const auto report = slit_sheet(file, slit_request(effort));
+  EXPECT_TRUE(report) << (report ? "" : report.error().message);
+  return report ? *report : SlitReport{};
+}
+
+TEST(SlitJob, LaysFlatTheSheetThatWasCut) {
+  const SlitReport report = bent(small_chair(), Effort::full);
+  ASSERT_FALSE(report.refusal) << report.refusal->message;
+  ASSERT_EQ(report.strips.size(), 2u);
+  EXPECT_LT(report.flat_deviation, 1e-6);
+  double gap = 0.0;
+  for (const StripState& strip : report.strips) {
+    EXPECT_EQ(strip.status, StripStatus::solved);
+    gap = std::max(gap, strip.gap);
+  }
+  EXPECT_EQ(report.gap, gap);
+  // The panel and the strips, both halves of them: 120 wide.
+  EXPECT_NEAR(report.flat.area, 120.0 * (2 * 420.0 + 2 * 464.0), 1.0);
+  EXPECT_NEAR(report.size.x(), 2 * (420.0 + 464.0), 1e-3);
+  EXPECT_NEAR(report.size.y(), 120.0, 1e-3);
+  EXPECT_EQ(report.leg_scales, std::vector<double>{1.0});
+  EXPECT_FALSE(report.flat.slits.empty()) << "slits without width are lines";
+}
+
+TEST(SlitJob, CutsSlitsAsWideAsAsked) {
+  SlitFile file = small_chair();
+  const double whole = bent(file).flat.area;
+  file.kerf = 2.0;
+  const SlitReport report = bent(file);
+  ASSERT_FALSE(report.refusal) << report.refusal->message;
+  EXPECT_TRUE(report.flat.slits.empty());
+  EXPECT_LT(report.flat.area, whole - 400.0);
+  file.kerf = 500.0;
+  const auto wide = slit_sheet(file, slit_request());
+  const Error error = wide ? wide->refusal.value_or(Error{}) : wide.error();
+  EXPECT_EQ(error.where, "shop/chair.json/kerf");
+  file.kerf = 0.0;
+  file.stop_hole = 500.0;
+  const auto hole = slit_sheet(file, slit_request());
+  EXPECT_EQ((hole ? hole->refusal.value_or(Error{}) : hole.error()).where,
+            "shop/chair.json/stop_hole");
+}
+
+TEST(SlitJob, ScalesLegCurvesThatMayFit) {
+  SlitFile file = small_chair();
+  file.design.fit = true;
+  file.design.leg_curve = {{{360, 0}, {360, 100}}};
+  const SlitReport report = bent(file);
+  ASSERT_EQ(report.leg_scales.size(), 1u);
+  EXPECT_NEAR(report.leg_scales[0], 1.2, 1e-6);
+}
+
+TEST(SlitJob, HalvesQuadsAsOftenAsAsked) {
+  SlitFile file = small_chair();
+  const std::size_t once = bent(file).folded.strips[0].ridges.size();
+  file.subdivisions = 1;
+  EXPECT_EQ(bent(file).folded.strips[0].ridges.size(), 2 * once - 1);
+}
+
+TEST(SlitJob, RefusesStripsThatDoNotReach) {
+  SlitFile file = small_chair();
+  file.design.sheet.half_length = 300;  // and the symmetry plane is 360 away
+  const SlitReport report = bent(file);
+  ASSERT_TRUE(report.refusal);
+  EXPECT_EQ(report.refusal->code, code::out_of_reach);
+  EXPECT_EQ(report.refusal->where, "shop/chair.json/sheet/strips/0") << "the first of them";
+  ASSERT_EQ(report.strips.size(), 2u);
+  for (const StripState& strip : report.strips)
+    EXPECT_NEAR(strip.shortfall, 60.0, 1.0);
+  EXPECT_TRUE(report.flat.outer.loop.empty());
+}
+
+TEST(SlitJob, RefusesCurvesThatTheSheetDoesNotFit) {
+  SlitFile file = small_chair();
+  file.design.leg_curve = {{{360, 0}, {360, 60}}};
+  const SlitReport report = bent(file);
+  ASSERT_TRUE(report.refusal);
+  EXPECT_EQ(report.refusal->code, code::curve_too_short);
+  EXPECT_EQ(report.refusal->where.rfind("shop/chair.json/leg_curve", 0), 0u);
+  EXPECT_TRUE(report.strips.empty());
+}
+
+TEST(SlitJob, MovesScansToTheStrips) {
+  SlitFile file = small_chair();
+  const SlitReport plain = bent(file);
+  const Vec3 shift(3, 0, 0);
+  for (int s = 0; s < 2; ++s) {
+    SlitScan scan{s, {}};
+    for (const SlitRidge& ridge : plain.folded.strips[s].ridges)
+      for (const Vec3& p : ridge.folded)
+        scan.points.push_back(p + shift);
+    file.design.scans.push_back(scan);
+  }
+  EXPECT_TRUE(bent(file).scan_motion.isApprox(Eigen::Isometry3d::Identity())) << "unless asked";
+  file.align_scans = true;
+  const Eigen::Isometry3d motion = bent(file).scan_motion;
+  EXPECT_FALSE(motion.isApprox(Eigen::Isometry3d::Identity()));
+  // Each point comes back near to where it was.
+  for (const Vec3& p : file.design.scans[0].points)
+    EXPECT_LT((motion * p - (p - shift)).norm(), 5.0);
+}
+
+TEST(SlitJob, ReadsItsFile) {
+  Request request = slit_request();
+  request.input = test::example("slit/chair.json");
+  const auto report = slit(request);
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->body, "chair");
+  EXPECT_EQ(report->strips.size(), 6u);
+  request.input = "/no/such.json";
+  EXPECT_EQ(slit(request).error().code, code::cannot_read);
+}
+
+}  // namespace
+}  // namespace planish::job
