@@ -19,8 +19,8 @@ struct Corner {
 struct Slot {
   Segment axis;
   double half_width = 0.0;
-  double hole = 0.0;               ///< radius, 0: none
-  std::optional<Corner> opens_at;  ///< where the axis begins; closed without
+  double hole = 0.0;                    ///< radius, 0: none
+  std::optional<Corner> opens_at = {};  ///< where the axis begins; closed without
 
   /// Radius and places of its ends inside the material.
   double end_radius() const { return hole > half_width ? hole : half_width; }
