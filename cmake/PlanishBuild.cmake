@@ -7,9 +7,10 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # Most of what a source costs is the reading of headers, so files of a target are compiled several
-# at a time. A file's group depends on its name alone, and groups only ever split as a target grows:
-# a new file joins one group and leaves the others as they are. Within a group, names in anonymous
-# namespaces must differ; a file of SOURCES that is not to be grouped is left out of the call.
+# at a time, up to about 24 (docs/decisions/0005-build-time.md). A file's group depends on its name
+# alone, and groups only ever split as a target grows: a new file joins one group and leaves the
+# others as they are. Within a group, names in anonymous namespaces must differ; a file of SOURCES
+# that is not to be grouped is left out of the call.
 #   planish_group_sources(<target> <source>...)
 function(planish_group_sources target)
   if(NOT PLANISH_UNITY)
@@ -17,7 +18,7 @@ function(planish_group_sources target)
   endif()
   set(groups 1)
   list(LENGTH ARGN count)
-  while(count GREATER 8)
+  while(count GREATER 24)
     math(EXPR groups "2 * ${groups}")
     math(EXPR count "${count} / 2")
   endwhile()

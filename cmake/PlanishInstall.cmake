@@ -88,12 +88,14 @@ endforeach()
 if(TARGET planish_studio_program)
   set(desktop "${PROJECT_SOURCE_DIR}/packaging/desktop")
   install(TARGETS planish_studio_program COMPONENT planish)
-  install(FILES "${desktop}/planish-studio.desktop"
+  set(written_desktop "${PROJECT_BINARY_DIR}/written/desktop")
+  planish_write_desktop_files("${written_desktop}")
+  install(FILES "${written_desktop}/planish-studio.desktop"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/applications" COMPONENT planish)
-  install(FILES "${desktop}/planish.xml"
+  install(FILES "${written_desktop}/planish.xml"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" COMPONENT planish)
   install(FILES "${desktop}/planish-studio.svg"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps" COMPONENT planish)
-  install(FILES "${desktop}/org.planish.studio.metainfo.xml"
+  install(FILES "${written_desktop}/org.planish.studio.metainfo.xml"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/metainfo" COMPONENT planish)
 endif()

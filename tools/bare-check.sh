@@ -7,6 +7,7 @@
 #
 # Runs as root on Debian 12. Where apt and npm get packages from, and through which proxy, is as on this machine. Next to
 # the clone lies ../shared, if it is there, read-only. RC_PARAMS and PLANISH_WERROR go in. Logs are kept in build/logs/bare.
+# Ends with 1 if a command fails or takes too long, with 75 if the root cannot be made.
 set -euo pipefail
 
 # Whoever takes longer has failed.
@@ -20,7 +21,7 @@ logs="$top/build/logs/bare"
 
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "FAILED: $*"; exit 1; }
-cannot() { fail "no bare root, so nothing was checked: $*"; }
+cannot() { say "CANNOT: no bare root, so nothing was checked: $*"; exit 75; }  # EX_TEMPFAIL
 
 [ "$(id -u)" -eq 0 ] || cannot "it takes root. On this machine as it is, ./test runs the tests."
 [ "${VERSION_CODENAME:-}" = bookworm ] || cannot "this is ${PRETTY_NAME:-no Debian}, and it takes Debian 12."

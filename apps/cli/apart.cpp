@@ -5,6 +5,7 @@
 
 #include <planish/base/packed_error.hpp>
 #include <planish/job/options.hpp>
+#include <planish/process/worker.hpp>
 
 #include <fmt/format.h>
 
@@ -13,7 +14,6 @@
 namespace planish::cli {
 namespace {
 
-using process::ChildProcess;
 using process::Texts;
 using std::chrono::steady_clock;
 
@@ -70,7 +70,10 @@ std::optional<Error> write_products(const Outcome& outcome) {
 class Apart {
  public:
   Apart(Command& command, const Running& running)
-      : command_(command), running_(running), line_(!running.quiet) {}
+      : command_(command),
+        running_(running),
+        line_(!running.quiet),
+        worker_([this] { return begun(); }, outcome_in) {}
 
   Outcome run() {
     const auto until = steady_clock::now() + running_.limits.time;
@@ -84,19 +87,20 @@ class Apart {
   }
 
  private:
-  Result<Outcome> asked(std::chrono::milliseconds time) {
+  Result<std::unique_ptr<process::ChildProcess>> begun() {
     const auto answering = [this](const Texts&, const process::Parent& parent) {
       return texts_of(command_.make(parent));
     };
-    auto child = ChildProcess::copy(answering, running_.limits.memory);
-    if (!child) return pass_on(child);
-    child_ = std::move(*child);
+    return process::ChildProcess::copy(answering, running_.limits.memory);
+  }
+
+  Result<Outcome> asked(std::chrono::milliseconds time) {
+    if (const auto begun = worker_.begin(); !begun) return pass_on(begun);
     const auto hear = [this](const Texts& note) { command_.hear(note); };
-    const auto answer = child_->ask({}, time, {line_.progress(), hear});
-    child_->kill();
-    if (!answer) return tl::unexpected(error_of(answer.error()));
-    if (auto outcome = outcome_in(*answer)) return std::move(*outcome);
-    return tl::unexpected(error_of({{}, process::kDamagedAnswer}));
+    auto outcome = worker_.work_on({}, {.time = time, .parent = {line_.progress(), hear}});
+    worker_.kill();
+    if (!outcome) return tl::unexpected(error_of(outcome.error()));
+    return std::move(*outcome);
   }
 
   Outcome written(Outcome outcome) {
@@ -113,7 +117,7 @@ class Apart {
   const Running& running_;
   ProgressLine line_;
   // Waited for when its files are written: the system takes a while to clear up after it.
-  std::unique_ptr<ChildProcess> child_;
+  process::Worker<process::AsAgreed, Outcome> worker_;
 };
 
 int said(const Outcome& outcome, const Running& running) {

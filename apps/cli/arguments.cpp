@@ -36,13 +36,13 @@ std::string description(const Option& option, const OptionUse& use) {
 }
 
 void add_used(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
-  const Option& option = job::option(use.name);
+  const Option& option = use.entry();
   if (option.on_command_line) add_grouped(app, option, description(option, use), values);
 }
 
 void add_options(CLI::App& app, const Maker& maker, job::OptionValues& values, bool of_input) {
   for (const OptionUse& use : maker.options)
-    if ((job::option(use.name).group == "Input") == of_input) add_used(app, use, values);
+    if ((use.entry().group == "Input") == of_input) add_used(app, use, values);
 }
 
 // ".dxf, .svg or .step"

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "many_parts.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/batch/batch.hpp>
@@ -47,9 +48,7 @@ std::optional<Error> unknown_format(const std::vector<std::string>& formats,
                            return catalogue.artifact(maker, format) != nullptr;
                          });
     if (!written)
-      return Error{code::bad_option,
-                   fmt::format("--format {}: what can be written is {}", format, listed(known)),
-                   "format"};
+      return error_of(refuse::bad_format, {{"format", format}, {"known", listed(known)}}, "format");
   }
   return std::nullopt;
 }
@@ -95,8 +94,7 @@ Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
   if (const auto error = unknown_format(options.formats, catalogue)) return tl::unexpected(*error);
   if (!arguments.shard.empty()) {
     const auto shard = shard_in(arguments.shard);
-    if (!shard)
-      return fail(code::bad_option, "--shard must be like 3/64: which one, of how many", "shard");
+    if (!shard) return fail(refuse::bad_shard, {}, "shard");
     options.shard = *shard;
   }
   job::Request tried;
@@ -122,8 +120,8 @@ Result<batch::BatchResult> result_of(const job::Catalogue& catalogue,
 
 }  // namespace
 
-CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments) {
-  CLI::App* command = app.add_subcommand("batch", "unfold or make thousands of parts");
+CLI::App* add_batch(const Program& program, BatchArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("batch", "unfold or make thousands of parts");
   command
       ->add_option("input", arguments.inputs,
                    "files, folders, @lists; with --merge folders of shards")
@@ -141,14 +139,14 @@ CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArgumen
   command
       ->add_flag("--merge", arguments.merge, "make one result of those of all shards, without work")
       ->group("Running");
-  add_many_parts(*command, catalogue, arguments.how, arguments.options);
+  add_many_parts(*command, program.catalogue, arguments.how, arguments.options);
   command->footer(kBatchExamples);
   return command;
 }
 
-int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments) {
-  const auto result = result_of(catalogue, arguments);
-  if (!result) return complain(result.error());
+int run_batch(const Program& program, const BatchArguments& arguments) {
+  const auto result = result_of(program.catalogue, arguments);
+  if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result));
   return 0;
 }

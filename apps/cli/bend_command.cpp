@@ -183,8 +183,9 @@ class Bend : public Command {
 
 }  // namespace
 
-CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
-  CLI::App* command = app.add_subcommand("bend", "find the order in which a press brake bends it");
+CLI::App* add_bend(const Program& program, BendArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("bend",
+                                                 "find the order in which a press brake bends it");
   add_text(*command, "input", arguments.input, "FILE",
            "STEP file, or any other that a sheet is made of, or - for standard input")
       ->required();
@@ -216,9 +217,9 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
   return command;
 }
 
-int run_bend(const job::Catalogue& catalogue, const BendArguments& arguments) {
+int run_bend(const Program& program, const BendArguments& arguments) {
   if (const auto error = unwritable(arguments)) return complain(*error);
-  Bend bend(catalogue, arguments);
+  Bend bend(program.catalogue, arguments);
   return run_apart(bend, {arguments.input, arguments.json, arguments.quiet, arguments.limits});
 }
 

@@ -10,7 +10,16 @@
 
 namespace planish::cli {
 
-/// `planish connect` and the like; returns the exit status.
+/// What commands are defined in and run with.
+struct Program {
+  CLI::App& app;
+  const job::Catalogue& catalogue;
+};
+
+// Of each command: `add_NAME` defines the subcommand, whose parsing fills `arguments`, which must
+// outlive the program; `run_NAME` runs it and returns the exit status. The table is in program.cpp.
+
+/// `planish connect` and the like.
 int run_maker(const job::Catalogue& catalogue, const Arguments& arguments);
 
 struct InfoArguments {
@@ -21,10 +30,8 @@ struct InfoArguments {
   process::Limits limits;
 };
 
-/// Defines the subcommand `info`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
-/// `planish info`; returns the exit status.
-int run_info(const InfoArguments& arguments);
+CLI::App* add_info(const Program& program, InfoArguments& arguments);
+int run_info(const Program& program, const InfoArguments& arguments);
 
 struct PlatesArguments {
   std::string input, output;  ///< output empty: beside the input
@@ -33,10 +40,8 @@ struct PlatesArguments {
   process::Limits limits;
 };
 
-/// Defines the subcommand `plates`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments);
-/// `planish plates`; returns the exit status.
-int run_plates(const PlatesArguments& arguments);
+CLI::App* add_plates(const Program& program, PlatesArguments& arguments);
+int run_plates(const Program& program, const PlatesArguments& arguments);
 
 struct BendArguments {
   std::string input;
@@ -47,11 +52,9 @@ struct BendArguments {
   process::Limits limits;
 };
 
-/// Defines the subcommand `bend`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_bend(CLI::App& app, BendArguments& arguments);
-/// `planish bend`, of whatever a maker of the catalogue makes of the input; returns the exit
-/// status.
-int run_bend(const job::Catalogue& catalogue, const BendArguments& arguments);
+CLI::App* add_bend(const Program& program, BendArguments& arguments);
+/// Of whatever a maker of the catalogue makes of the input.
+int run_bend(const Program& program, const BendArguments& arguments);
 
 struct BatchArguments {
   std::vector<std::string> inputs;
@@ -63,10 +66,8 @@ struct BatchArguments {
   ManyParts how;
 };
 
-/// Defines the subcommand `batch`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments);
-/// `planish batch`; returns the exit status.
-int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments);
+CLI::App* add_batch(const Program& program, BatchArguments& arguments);
+int run_batch(const Program& program, const BatchArguments& arguments);
 
 struct PackArguments {
   std::vector<std::string> inputs;
@@ -79,44 +80,41 @@ struct PackArguments {
   job::OptionValues options;
 };
 
-/// Defines the subcommand `pack`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments& arguments);
-/// `planish pack`; returns the exit status.
-int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments);
+CLI::App* add_pack(const Program& program, PackArguments& arguments);
+int run_pack(const Program& program, const PackArguments& arguments);
 
 struct ServeArguments {
   bool stdio = false;  ///< over standard input and output: the only way
   ManyParts how;
 };
 
-/// Defines the subcommand `serve`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_serve(CLI::App& app, ServeArguments& arguments);
-/// `planish serve`; returns the exit status.
-int run_serve(const job::Catalogue& catalogue, const ServeArguments& arguments);
+CLI::App* add_serve(const Program& program, ServeArguments& arguments);
+int run_serve(const Program& program, const ServeArguments& arguments);
 
-/// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
-CLI::App* add_schema(CLI::App& app, std::string& name);
-/// `planish schema`; returns the exit status.
-int run_schema(const job::Catalogue& catalogue, const std::string& name);
+struct SchemaArguments {
+  std::string name;  ///< empty: names are printed
+};
+
+CLI::App* add_schema(const Program& program, SchemaArguments& arguments);
+int run_schema(const Program& program, const SchemaArguments& arguments);
 
 /// What `planish --formats` prints: the tables of makers and artifacts.
 std::string formats_text(const job::Catalogue& catalogue);
 
-/// Defines the subcommand `completion`; parsing fills `shell`, which must outlive `app`.
-CLI::App* add_completion(CLI::App& app, std::string& shell);
-/// `planish completion`; returns the exit status.
-int run_completion(const CLI::App& app, const job::Catalogue& catalogue, const std::string& shell);
+struct CompletionArguments {
+  std::string shell;
+};
+
+CLI::App* add_completion(const Program& program, CompletionArguments& arguments);
+int run_completion(const Program& program, const CompletionArguments& arguments);
 
 struct ManualArguments {
   std::string command;  ///< empty: the program itself
   std::string folder;   ///< empty: one page is printed; else all are written there
 };
 
-/// Defines the subcommand `manual`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_manual(CLI::App& app, ManualArguments& arguments);
-/// `planish manual`; returns the exit status.
-int run_manual(const CLI::App& app, const job::Catalogue& catalogue,
-               const ManualArguments& arguments);
+CLI::App* add_manual(const Program& program, ManualArguments& arguments);
+int run_manual(const Program& program, const ManualArguments& arguments);
 
 struct StudioArguments {
   std::string input;          ///< empty: none
@@ -124,10 +122,9 @@ struct StudioArguments {
   bool no_browser = false;
 };
 
-/// Defines the subcommand `studio`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_studio(CLI::App& app, StudioArguments& arguments);
-/// `planish studio`: goes on as the program planish-studio, whose libraries take long to load, from
-/// beside this one. Returns only if that fails, with the exit status.
-int run_studio(const StudioArguments& arguments);
+CLI::App* add_studio(const Program& program, StudioArguments& arguments);
+/// Goes on as the program planish-studio, whose libraries take long to load, from beside this one.
+/// Returns only if that fails.
+int run_studio(const Program& program, const StudioArguments& arguments);
 
 }  // namespace planish::cli

@@ -20,7 +20,7 @@ struct Contradiction {
 int inputs_from_stdin(const Arguments& a) {
   int count = a.input == "-";
   for (const job::OptionUse& use : a.maker->options)
-    count += job::option(use.name).kind == job::OptionKind::file && a.options.text(use.name) == "-";
+    count += use.entry().kind == job::OptionKind::file && a.options.text(use.name) == "-";
   return count;
 }
 

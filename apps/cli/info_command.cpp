@@ -9,7 +9,7 @@
 namespace planish::cli {
 namespace {
 
-constexpr auto kExamples = R"(Examples:
+constexpr auto kInfoExamples = R"(Examples:
   planish info part.step            schema, system, unit, bodies
   planish info part.step --sheets   and what sheet is in each body
   planish info part.step --json -
@@ -54,8 +54,8 @@ class Info : public Command {
 
 }  // namespace
 
-CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
-  CLI::App* command = app.add_subcommand("info", "say what is in a STEP file");
+CLI::App* add_info(const Program& program, InfoArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("info", "say what is in a STEP file");
   add_step_input(*command, arguments.input);
   const job::Option &body = job::option("body"), &units = job::option("units");
   add_option(*command, body, "only this body: its number or name", type_name(body),
@@ -68,11 +68,11 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   add_option(*command, units, "unit of the lengths printed; default mm", type_name(units),
              arguments.options);
   add_limits(*command, arguments.limits);
-  command->footer(kExamples);
+  command->footer(kInfoExamples);
   return command;
 }
 
-int run_info(const InfoArguments& arguments) {
+int run_info(const Program&, const InfoArguments& arguments) {
   if (const auto error = unwritable(arguments)) return complain(*error);
   Info info(arguments);
   return run_apart(info, {arguments.input, arguments.json, false, arguments.limits});

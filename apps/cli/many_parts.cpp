@@ -2,6 +2,9 @@
 
 #include "apart.hpp"
 #include "option_parts.hpp"
+#include "terminal.hpp"
+
+#include <planish/job/reason.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -50,6 +53,11 @@ void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& h
         }))
       add_grouped(app, option, std::string(option.description), values);
   app.add_flag("-q,--quiet", how.quiet, "no progress and no summary")->group("Output");
+}
+
+int complain(const Error& error, const ManyParts& how) {
+  if (how.progress_json) fmt::print(stderr, "{{\"reason\":{}}}\n", job::reason_text(error));
+  return complain(error);
 }
 
 int workers_of(const ManyParts& how) {

@@ -15,6 +15,9 @@ struct ManyParts {
   process::Limits limits;
 };
 
+/// Ends with an error; with --progress json also as a line of JSON, {"reason": …}.
+int complain(const Error& error, const ManyParts& how);
+
 /// Defines --jobs, the limits, --progress, --quiet, and the options that say how each part is made
 /// and written; parsing fills `how` and `values`, which must outlive `app`.
 void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& how,

@@ -13,15 +13,26 @@ std::string flag_of(std::string_view option) {
   return flag;
 }
 
-std::string spelled(const std::string& message) {
-  std::string text = message;
-  for (const job::Option& option : job::options()) {
-    const std::string quoted = "`" + std::string(option.name) + "`";
-    for (auto at = text.find(quoted); at != std::string::npos; at = text.find(quoted, at))
-      text.replace(at, quoted.size(), flag_of(option.name));
-  }
+std::string spelled(const Error& error) {
+  std::string text;
+  for (const Piece& piece : wording(error))
+    text += piece.option.empty() ? piece.text : flag_of(piece.option);
   return text;
 }
+
+namespace {
+
+/// A sentence about an option without the option, which the parser says before it.
+std::string behind_option(Error error) {
+  const std::vector<Piece> pieces = wording(error);
+  const bool begins = !pieces.empty() && !pieces.front().option.empty();
+  std::string text = spelled(error);
+  if (begins) text.erase(0, flag_of(pieces.front().option).size() + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+}  // namespace
 
 void add_grouped(CLI::App& app, const job::Option& option, const std::string& description,
                  job::OptionValues& values) {
@@ -57,7 +68,7 @@ CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::str
                         const std::string& type, job::OptionValues& values) {
   const auto check = [&option](const std::string& text) -> std::string {
     const auto fine = job::OptionValues().set_text(option, text);
-    return fine ? std::string() : fine.error().message;
+    return fine ? std::string() : behind_option(fine.error());
   };
   const auto set = [&](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)

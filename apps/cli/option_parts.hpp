@@ -13,9 +13,8 @@ namespace planish::cli {
 /// How an option of a request is spelled on the command line: "--k-table" for "k_table".
 std::string flag_of(std::string_view option);
 
-/// A message of the library with its option names, which are in backquotes, spelled as on the
-/// command line.
-std::string spelled(const std::string& message);
+/// A message of the library with the options that it names spelled as on the command line.
+std::string spelled(const Error& error);
 
 /// An option as its row says, of any kind but flags: what it is given is checked and entered in
 /// `values`, which must outlive `app`, as must the row. `type` stands for the value in the help.

@@ -1,5 +1,7 @@
 #include "output_files.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 #include <planish/io/mesh_writers.hpp>
 
@@ -63,19 +65,17 @@ Result<void> check_folder(const fs::path& folder) {
                     : access(there.c_str(), W_OK | X_OK) < 0 ? "may not be written"
                                                              : nullptr;
   if (!why) return {};
-  return fail(
-      code::cannot_write,
-      fmt::format("cannot write into the folder {}: {} {}", folder.string(), there.string(), why),
-      folder.string());
+  return fail(refuse::folder_not_writable,
+              {{"file", folder.string()}, {"there", there.string()}, {"reason", why}},
+              folder.string());
 }
 
 std::optional<Error> make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error) return std::nullopt;
-  return Error{code::cannot_write,
-               fmt::format("cannot make the folder {}: {}", folder.string(), error.message()),
-               folder.string()};
+  return error_of(refuse::folder_not_made, {{"file", folder.string()}, {"reason", error.message()}},
+                  folder.string());
 }
 
 std::optional<Error> write_all(const std::vector<OutputFile>& files,

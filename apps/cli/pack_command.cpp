@@ -1,8 +1,10 @@
 #include "apart.hpp"
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/job/run.hpp>
 #include <planish/pack/pack.hpp>
 #include <planish/schema/text_file.hpp>
@@ -55,16 +57,11 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
   options.rates = std::move(*rates);
   if (!arguments.stock.empty()) {
     options.stock = stock_in(arguments.stock);
-    if (!options.stock)
-      return fail(code::bad_option,
-                  fmt::format("--nest must be like 3000x1500, length and width of a sheet in mm, "
-                              "not \"{}\"",
-                              arguments.stock),
-                  "nest");
+    if (!options.stock) return fail(refuse::bad_stock, {{"text", arguments.stock}}, "nest");
     options.stock->gap = arguments.gap.value_or(options.stock->gap);
     options.stock->grain = arguments.grain;
   } else if (arguments.gap || arguments.grain) {
-    return fail(code::bad_option, "--gap and --grain belong to --nest, which is not given", "nest");
+    return fail(refuse::stock_unsaid, {}, "nest");
   }
   job::Request tried;
   if (const auto entered = arguments.options.enter(tried); !entered) return pass_on(entered);
@@ -72,18 +69,26 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
 }
 
 std::string summary_text(const pack::PackResult& result, const std::string& out) {
-  std::string text = fmt::format("{} distinct parts in {} groups, {} pieces; {} bodies refused\n",
-                                 result.parts, result.groups, result.pieces, result.refused);
-  if (result.sheets > 0) text += fmt::format("{} sheets\n", result.sheets);
+  std::string text = tell(
+                         "{parts:distinct part} in {groups:group}, {pieces:piece}; "
+                         "{refused:body/bodies} refused\n",
+                         {{"parts", result.parts},
+                          {"groups", result.groups},
+                          {"pieces", result.pieces},
+                          {"refused", result.refused}})
+                         .sentence;
+  if (result.sheets > 0) text += tell("{sheets:sheet}\n", {{"sheets", result.sheets}}).sentence;
   for (const std::string& note : result.notes)
     text += note + "\n";
-  return text + fmt::format("wrote {} files to {}\n", result.files.size(), out);
+  return text +
+         tell("wrote {n:file} to {out}\n", {{"n", result.files.size()}, {"out", out}}).sentence;
 }
 
 }  // namespace
 
-CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments& arguments) {
-  CLI::App* command = app.add_subcommand("pack", "make what goes to the shop, in one folder");
+CLI::App* add_pack(const Program& program, PackArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("pack",
+                                                 "make what goes to the shop, in one folder");
   command
       ->add_option("input", arguments.inputs, "files, folders, @lists, or the results of a batch")
       ->required()
@@ -115,20 +120,20 @@ CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments
       ->add_flag("--no-plan", arguments.no_plan,
                  "do not find out whether a press brake can bend each part")
       ->group("Shop");
-  add_many_parts(*command, catalogue, arguments.how, arguments.options);
+  add_many_parts(*command, program.catalogue, arguments.how, arguments.options);
   command->footer(kPackExamples);
   return command;
 }
 
-int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments) {
+int run_pack(const Program& program, const PackArguments& arguments) {
   const auto options = options_of_pack(arguments);
-  if (!options) return complain(options.error());
+  if (!options) return complain(options.error(), arguments.how);
   std::optional<Telling> telling(std::in_place, arguments.how);
   const auto result = pack::make_pack(
-      arguments.inputs, arguments.output, *options, catalogue,
+      arguments.inputs, arguments.output, *options, program.catalogue,
       [&](const batch::BatchProgress& at) { (*telling)(at); }, interrupted);
   telling.reset();
-  if (!result) return complain(result.error());
+  if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result, arguments.output));
   return 0;
 }

@@ -157,7 +157,7 @@ Result<void> check_files(const Arguments& arguments, const Plan& plan) {
 std::vector<fs::path> inputs_of(const Arguments& arguments) {
   std::vector<std::string> names{arguments.input};
   for (const job::OptionUse& use : arguments.maker->options)
-    if (job::option(use.name).kind == job::OptionKind::file)
+    if (use.entry().kind == job::OptionKind::file)
       names.push_back(arguments.options.text(use.name));
   std::vector<fs::path> inputs = files_named(names);
   if (!arguments.maker->named_files || arguments.input == "-") return inputs;

@@ -64,8 +64,9 @@ class Plates : public Command {
 
 }  // namespace
 
-CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments) {
-  CLI::App* command = app.add_subcommand("plates", "the flanges of a part as plates to connect");
+CLI::App* add_plates(const Program& program, PlatesArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("plates",
+                                                 "the flanges of a part as plates to connect");
   add_step_input(*command, arguments.input);
   add_text(*command, "-o,--output", arguments.output, "FILE",
            "plates file to write; - for standard output; default FILE_plates.json beside it");
@@ -78,7 +79,7 @@ CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments) {
   return command;
 }
 
-int run_plates(const PlatesArguments& arguments) {
+int run_plates(const Program&, const PlatesArguments& arguments) {
   if (const auto error = unwritable(arguments)) return complain(*error);
   Plates plates(arguments);
   return run_apart(plates, {arguments.input, "", false, arguments.limits});

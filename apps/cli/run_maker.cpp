@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "output_files.hpp"
 #include "plan.hpp"
+#include "refusals.hpp"
 
 #include <planish/job/codes.hpp>
 #include <planish/job/outputs.hpp>
@@ -43,7 +44,7 @@ Outcome failed_outcome(const Arguments& arguments, const job::Request& request,
                        const Error& failure) {
   Error error = failure;
   if (error.code == code::no_such_body && request.body.empty())
-    error.message += "; or take all of them with --all -o FOLDER/";
+    say_after(error, error_of(refuse::or_all_bodies, {}));
   return {.json = arguments.maker->failed(request, error)->json(), .error = error};
 }
 
@@ -205,8 +206,9 @@ class AllParts : public MakerCommand {
       return std::nullopt;
     Error none = *reports.front().refusal;
     if (reports.size() > 1)
-      none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",
-                                 reports.size(), none.message);
+      say_before(none, tell("None of the {count} bodies has a flat pattern. The first: ",
+                            {{"count", reports.size()}})
+                           .sentence);
     return none;
   }
 

@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/job/schemas.hpp>
@@ -26,26 +27,28 @@ std::string names_of(const std::vector<const job::Artifact*>& artifacts) {
 
 }  // namespace
 
-CLI::App* add_schema(CLI::App& app, std::string& name) {
-  CLI::App* command = app.add_subcommand("schema",
-                                         "print the JSON Schema of an input or of a report");
-  add_text(*command, "name", name, "NAME", "which one; if left out, their names are printed");
+CLI::App* add_schema(const Program& program, SchemaArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand(
+      "schema", "print the JSON Schema of an input or of a report");
+  add_text(*command, "name", arguments.name, "NAME",
+           "which one; if left out, their names are printed");
   command->footer(kSchemaExamples);
   return command;
 }
 
-int run_schema(const job::Catalogue& catalogue, const std::string& name) {
-  const auto names = job::schema_names(catalogue);
+int run_schema(const Program& program, const SchemaArguments& arguments) {
+  const auto names = job::schema_names(program.catalogue);
+  const std::string& name = arguments.name;
   if (name.empty()) {
     fmt::print("{}\n", fmt::join(names, "\n"));
     return 0;
   }
-  const std::string text = job::schema_text(name, catalogue);
+  const std::string text = job::schema_text(name, program.catalogue);
   if (text.empty())
     return complain(
-        {code::bad_option,
-         fmt::format("there is no schema \"{}\"; there are {}", name, fmt::join(names, ", ")),
-         {}});
+        error_of(refuse::no_such_name, {{"what", "schema"},
+                                        {"name", name},
+                                        {"known", fmt::format("{}", fmt::join(names, ", "))}}));
   fmt::print("{}", text);
   return 0;
 }

@@ -2,6 +2,7 @@
 #include "completion.hpp"
 #include "manual.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -43,23 +44,21 @@ std::string day_of_manual() {
 
 Error no_such(const std::string& what, const std::string& name,
               const std::vector<std::string>& names) {
-  return {code::bad_option,
-          fmt::format("there is no {} \"{}\"; there are {}", what, name, listed(names)),
-          {}};
+  return error_of(refuse::no_such_name, {{"what", what}, {"name", name}, {"known", listed(names)}});
 }
 
 }  // namespace
 
-CLI::App* add_completion(CLI::App& app, std::string& shell) {
-  CLI::App* command = app.add_subcommand("completion",
-                                         "print what completes command lines in a shell");
-  add_text(*command, "shell", shell, "bash|zsh|fish", "which shell")->required();
+CLI::App* add_completion(const Program& program, CompletionArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("completion",
+                                                 "print what completes command lines in a shell");
+  add_text(*command, "shell", arguments.shell, "bash|zsh|fish", "which shell")->required();
   command->footer(kCompletionExamples);
   return command;
 }
 
-CLI::App* add_manual(CLI::App& app, ManualArguments& arguments) {
-  CLI::App* command = app.add_subcommand("manual", "print the manual page of a command");
+CLI::App* add_manual(const Program& program, ManualArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("manual", "print the manual page of a command");
   add_text(*command, "command", arguments.command, "COMMAND",
            "which one; if left out, the page of the program itself");
   add_text(*command, "-o,--output", arguments.folder, "FOLDER/",
@@ -68,8 +67,9 @@ CLI::App* add_manual(CLI::App& app, ManualArguments& arguments) {
   return command;
 }
 
-int run_completion(const CLI::App& app, const job::Catalogue& catalogue, const std::string& shell) {
-  const auto table = command_table(app, catalogue);
+int run_completion(const Program& program, const CompletionArguments& arguments) {
+  const auto table = command_table(program.app, program.catalogue);
+  const std::string& shell = arguments.shell;
   if (shell == "bash")
     fmt::print("{}", bash_completion(table));
   else if (shell == "zsh")
@@ -81,23 +81,22 @@ int run_completion(const CLI::App& app, const job::Catalogue& catalogue, const s
   return 0;
 }
 
-int run_manual(const CLI::App& app, const job::Catalogue& catalogue,
-               const ManualArguments& arguments) {
-  const auto table = command_table(app, catalogue);
+int run_manual(const Program& program, const ManualArguments& arguments) {
+  const auto table = command_table(program.app, program.catalogue);
   const std::string day = day_of_manual();
   std::vector<std::string> names;
   for (const TableCommand& command : table) {
-    const bool program = &command == &table.front();
+    const bool whole = &command == &table.front();
     const std::string page = manual_page(table, command, day, PLANISH_VERSION);
     if (!arguments.folder.empty()) {
       const auto name = page_name(table, command) + ".1";
       if (const auto done = write_file(std::filesystem::path(arguments.folder) / name, page); !done)
         return complain(done.error());
-    } else if (arguments.command.empty() ? program : command.name == arguments.command) {
+    } else if (arguments.command.empty() ? whole : command.name == arguments.command) {
       fmt::print("{}", page);
       return 0;
     }
-    if (!program) names.push_back(command.name);
+    if (!whole) names.push_back(command.name);
   }
   return arguments.folder.empty() ? complain(no_such("command", arguments.command, names)) : 0;
 }

@@ -1,6 +1,7 @@
 #include "apart.hpp"
 #include "commands.hpp"
 #include "many_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/serve/serve.hpp>
@@ -25,8 +26,8 @@ More in docs/serve.md.)";
 
 }  // namespace
 
-CLI::App* add_serve(CLI::App& app, ServeArguments& arguments) {
-  CLI::App* command = app.add_subcommand(
+CLI::App* add_serve(const Program& program, ServeArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand(
       "serve", "answer requests of other programs: JSON-RPC, Model Context Protocol");
   command->add_flag("--stdio", arguments.stdio, "over standard input and output")->required();
   command->add_option("--jobs", arguments.how.workers, "requests at a time; default one a core")
@@ -38,14 +39,14 @@ CLI::App* add_serve(CLI::App& app, ServeArguments& arguments) {
   return command;
 }
 
-int run_serve(const job::Catalogue& catalogue, const ServeArguments& arguments) {
+int run_serve(const Program& program, const ServeArguments& arguments) {
   // Standard output is for answers alone: whatever else is printed goes where errors go.
   const int output = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  if (output < 0) return complain({code::cannot_write, "cannot write to standard output", {}});
+  if (output < 0) return complain(error_of(refuse::no_standard_output, {}));
   if (dup2(STDERR_FILENO, STDOUT_FILENO) < 0) close(STDOUT_FILENO);
   const serve::ServeOptions options{workers_of(arguments.how), arguments.how.limits,
                                     PLANISH_VERSION};
-  return serve::serve(STDIN_FILENO, output, options, catalogue, interrupted);
+  return serve::serve(STDIN_FILENO, output, options, program.catalogue, interrupted);
 }
 
 }  // namespace planish::cli

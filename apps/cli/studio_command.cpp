@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ constexpr auto kStudioExamples = R"(Examples:
   planish studio chair.json              the same, with a file open
   planish studio --no-browser --port 8731
 
-It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
+It serves this machine alone and ends with Ctrl-C. More in docs/studio.md.)";
 
 const job::Option kPort{.name = "port",
                         .kind = job::OptionKind::whole,
@@ -44,12 +45,22 @@ std::filesystem::path own_path() {
   return std::filesystem::read_symlink("/proc/self/exe", unknown);
 }
 
+// "STEP, plates, transition or slit"
+std::string any_input_of(const job::Catalogue& catalogue) {
+  std::string text;
+  for (const job::Maker& maker : catalogue.makers) {
+    const bool last = &maker == &catalogue.makers.back();
+    text += fmt::format("{}{}", text.empty() ? "" : last ? " or " : ", ", maker.input);
+  }
+  return text;
+}
+
 }  // namespace
 
-CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
-  CLI::App* command = app.add_subcommand("studio", "see and change parts in a browser");
+CLI::App* add_studio(const Program& program, StudioArguments& arguments) {
+  CLI::App* command = program.app.add_subcommand("studio", "see and change parts in a browser");
   add_text(*command, "input", arguments.input, "FILE",
-           "file to open: STEP, plates, transition or slit file");
+           fmt::format("file to open: {} file", any_input_of(program.catalogue)));
   add_option(*command, kPort, std::string(kPort.description), "N", arguments.options);
   add_option(*command, kTimeLimit, std::string(kTimeLimit.description), "SECONDS",
              arguments.options);
@@ -60,7 +71,7 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
   return command;
 }
 
-int run_studio(const StudioArguments& arguments) {
+int run_studio(const Program&, const StudioArguments& arguments) {
   const auto given = [&](const char* name) {
     const auto value = arguments.options.number(name);
     return value ? std::to_string(static_cast<int>(*value)) : std::string();
@@ -77,11 +88,8 @@ int run_studio(const StudioArguments& arguments) {
   std::ranges::transform(words, raw.begin(), [](std::string& word) { return word.data(); });
   execv(program.c_str(), raw.data());
   const int reason = errno;
-  return complain({code::internal,
-                   fmt::format("the studio cannot be started, {} ({}): it belongs beside planish, "
-                               "and is not built with PLANISH_STUDIO=OFF",
-                               std::strerror(reason), program.string()),
-                   {}});
+  return complain(error_of(refuse::no_studio,
+                           {{"reason", std::strerror(reason)}, {"program", program.string()}}));
 }
 
 }  // namespace planish::cli

@@ -40,7 +40,7 @@ std::string sentence(const Error& error) {
   std::string text = "planish: ";
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == code::internal) text += "internal error, please report it: ";
-  text += continued(spelled(error.message));
+  text += continued(spelled(error));
   if (text.back() == '.') text.pop_back();  // the sentence continues
   if (error.code == code::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));

@@ -81,6 +81,8 @@ def text_of(catalogue):
         "bend", "Find the order of strokes in which a press brake bends what a STEP file or a maker's input describes.",
         "what the makers take", list(bending.values()), "BendPlan",
         "plan(input, options, name=name, progress=progress)"))
+    names = ", ".join(f'"{maker["name"]}"' for maker in makers)
+    parts[0] += f'\n__all__ = ["bend", {names}]\n'
     return "\n\n".join(parts)
 
 

@@ -60,7 +60,8 @@ std::string places_text(const std::vector<const Place*>& places) {
                      std::ranges::all_of(places, [&](const Place* p) { return p->kind == kind; });
   for (const Place* place : places)
     names.push_back(alike ? id_text(*place) : text_of(*place));
-  return alike ? fmt::format("{}s {}", kind_name(kind), listed(names)) : listed(names);
+  const std::string many = kind == PlaceKind::body ? "bodies" : fmt::format("{}s", kind_name(kind));
+  return alike ? fmt::format("{} {}", many, listed(names)) : listed(names);
 }
 
 std::optional<std::string> text_in(const Slot& slot, const Facts& facts) {
@@ -76,20 +77,72 @@ std::optional<std::string> text_in(const Slot& slot, const Facts& facts) {
   return texts.empty() ? std::nullopt : std::optional(listed(texts));
 }
 
-std::string filled(std::string_view pattern, const Facts& facts) {
-  std::string text;
-  for (std::size_t at = 0; at < pattern.size();) {
-    const std::size_t open = pattern.find('{', at);
-    const std::size_t close = pattern.find('}', open == std::string_view::npos ? at : open);
-    if (open == std::string_view::npos || close == std::string_view::npos)
-      return text.append(pattern.substr(at));
-    text.append(pattern.substr(at, open - at));
-    const Slot slot = slot_of(pattern.substr(open + 1, close - open - 1));
-    const auto filling = text_in(slot, facts);
-    text += filling ? *filling : std::string(pattern.substr(open, close - open + 1));
-    at = close + 1;
+/// The only place of a name.
+const Place* one_place(std::string_view name, const Facts& facts) {
+  const Place* found = nullptr;
+  for (const Fact& fact : facts) {
+    if (fact.name() != name || !fact.place()) continue;
+    if (found) return nullptr;
+    found = fact.place();
   }
-  return text;
+  return found;
+}
+
+/// A template with its slots filled, and what it names.
+class Filling {
+ public:
+  Filling(std::string_view pattern, const Facts& facts) : facts_(facts) {
+    for (std::size_t at = 0; at < pattern.size();) {
+      const std::size_t mark = std::min(pattern.find_first_of("{`", at), pattern.size());
+      text_.append(pattern.substr(at, mark - at));
+      at = mark == pattern.size() ? mark : pattern[mark] == '`' ? tick(mark) : slot(pattern, mark);
+    }
+  }
+
+  std::string text_;
+  std::vector<Named> named_;
+
+ private:
+  /// A backtick opens the name of an option or closes it.
+  std::size_t tick(std::size_t at) {
+    constexpr std::string_view kOfOptions = "abcdefghijklmnopqrstuvwxyz_0123456789";
+    text_ += '`';
+    if (!open_) {
+      open_ = text_.size() - 1;
+      return at + 1;
+    }
+    const std::string quoted = text_.substr(*open_);
+    const std::string name = quoted.substr(1, quoted.size() - 2);
+    if (!name.empty() && name.find_first_not_of(kOfOptions) == std::string::npos)
+      named_.push_back({*open_, quoted, name});
+    open_.reset();
+    return at + 1;
+  }
+
+  std::size_t slot(std::string_view pattern, std::size_t open) {
+    const std::size_t close = std::min(pattern.find('}', open), pattern.size() - 1);
+    const Slot slot = slot_of(pattern.substr(open + 1, close - open - 1));
+    const auto filling = text_in(slot, facts_);
+    const Place* place = slot.is_place && filling ? one_place(slot.name, facts_) : nullptr;
+    if (place) named_.push_back({text_.size(), *filling, {}, *place});
+    text_ += filling ? *filling : std::string(pattern.substr(open, close - open + 1));
+    return close + 1;
+  }
+
+  const Facts& facts_;
+  std::optional<std::size_t> open_;  // backtick
+};
+
+std::string filled(std::string_view pattern, const Facts& facts) {
+  return Filling(pattern, facts).text_;
+}
+
+/// With the names in it moved to behind `before`.
+void append_named(std::vector<Named>& to, const std::vector<Named>& named, std::size_t before) {
+  for (Named one : named) {
+    one.at += before;
+    to.push_back(std::move(one));
+  }
 }
 
 /// A sentence begins with a capital, whatever its first place is.
@@ -111,7 +164,10 @@ std::string where_of(const std::vector<Place>& places) {
 }  // namespace
 
 Told tell(std::string_view pattern, const Facts& facts) {
-  Told told{sentence(filled(pattern, facts), pattern), {}, {}};
+  Filling filling(pattern, facts);
+  Told told{sentence(std::move(filling.text_), pattern), {}, {}, std::move(filling.named_)};
+  for (Named& named : told.named)
+    named.text = told.sentence.substr(named.at, named.text.size());
   for (const Fact& fact : facts) {
     if (fact.place()) told.places.push_back(*fact.place());
     if (fact.quantity()) told.numbers.push_back({std::string(fact.name()), *fact.quantity()});
@@ -142,14 +198,51 @@ std::string listed(std::span<const std::string> words) {
 
 Error error_of(const Refusal& refusal, const Facts& facts, std::string where) {
   Told told = tell(refusal.pattern, facts);
-  Error error{refusal.code, std::move(told.sentence), std::move(where), std::move(told.places),
-              std::move(told.numbers)};
+  Error error{refusal.code,           std::move(told.sentence), std::move(where),
+              std::move(told.places), std::move(told.numbers),  {},
+              std::move(told.named)};
   if (error.where.empty()) error.where = where_of(error.places);
-  const std::string change = filled(refusal.change, facts);
-  if (!change.empty()) error.message += " " + change;
+  const Filling more(refusal.change, facts);
+  const std::string& change = more.text_;
+  if (!change.empty()) {
+    append_named(error.named, more.named_, error.message.size() + 1);
+    error.message += " " + change;
+  }
   if (!change.empty() || !refusal.option.empty())
     error.remedies.push_back({std::string(refusal.option), filled(refusal.value, facts), change});
   return error;
+}
+
+std::vector<Piece> wording(const Error& error) {
+  std::vector<Piece> pieces;
+  std::size_t done = 0;
+  const auto plain_until = [&](std::size_t at) {
+    if (at > done) pieces.push_back({error.message.substr(done, at - done)});
+    done = at;
+  };
+  for (const Named& named : error.named) {
+    // A message that someone has written anew has no such parts any more.
+    if (named.at < done || named.at > error.message.size() ||
+        error.message.compare(named.at, named.text.size(), named.text) != 0)
+      continue;
+    plain_until(named.at);
+    done += named.text.size();
+    pieces.push_back({named.text, named.option});
+    if (named.option.empty()) pieces.back().place = named.place;
+  }
+  plain_until(error.message.size());
+  return pieces;
+}
+
+void say_before(Error& error, std::string_view text) {
+  error.message.insert(0, text);
+  for (Named& named : error.named)
+    named.at += text.size();
+}
+
+void say_after(Error& error, const Error& more) {
+  append_named(error.named, more.named, error.message.size() + 1);
+  error.message += " " + more.message;
 }
 
 }  // namespace planish

@@ -134,6 +134,13 @@ std::vector<std::string> packed(const Error& error) {
     out.text(remedy.value);
     out.text(remedy.change);
   }
+  out.whole(std::ssize(error.named));
+  for (const Named& named : error.named) {
+    out.whole(static_cast<long long>(named.at));
+    out.text(named.text);
+    out.text(named.option);
+    out.place(named.place);
+  }
   return out.take();
 }
 
@@ -155,6 +162,11 @@ std::optional<Error> unpacked(std::span<const std::string> texts) {
   for (long long left = in.count(); left > 0 && in.fine(); --left) {
     Remedy remedy{in.text(), in.text(), in.text()};
     error.remedies.push_back(std::move(remedy));
+  }
+  for (long long left = in.count(); left > 0 && in.fine(); --left) {
+    Named named{static_cast<std::size_t>(in.whole(0, kMostWhole)), in.text(), in.text()};
+    named.place = in.place();
+    error.named.push_back(std::move(named));
   }
   if (!in.fine() || !in.at_end()) return std::nullopt;
   return error;

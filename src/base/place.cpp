@@ -1,5 +1,6 @@
 #include <planish/base/message.hpp>
 #include <planish/base/place.hpp>
+#include <planish/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -27,6 +28,11 @@ std::string coordinates_text(const std::vector<double>& at) {
   return text + ")";
 }
 
+std::string pointer_text(const std::string& pointer) {
+  constexpr std::size_t kShown = 200;  // bytes
+  return pointer.empty() ? "the whole input" : shortened(pointer, kShown);
+}
+
 }  // namespace
 
 std::string_view kind_name(PlaceKind kind) { return *(kKinds.begin() + static_cast<int>(kind)); }
@@ -36,6 +42,7 @@ std::string id_text(const Place& place) {
     return std::to_string(counts_from_zero(place.kind) ? *number + 1 : *number);
   const std::string* name = std::get_if<std::string>(&place.id);
   if (!name) return coordinates_text(place.at);
+  if (place.kind == PlaceKind::pointer) return pointer_text(*name);
   return place.kind == PlaceKind::plate ? fmt::format("\"{}\"", *name) : *name;
 }
 

@@ -84,7 +84,7 @@ bool falls_to(const Shard& shard, const Input& input) {
 std::string tried_with(const std::vector<PartDone>& parts, const process::Limits& limits) {
   const auto ended_by = [&](ErrorCode code) {
     return std::ranges::any_of(
-        parts, [&](const PartDone& part) { return part.refusal == code_name(code); });
+        parts, [&](const PartDone& part) { return part.record.reason == code_name(code); });
   };
   if (ended_by(code::worker_died)) return "lost";
   if (ended_by(code::time_limit) || ended_by(code::out_of_memory))
@@ -154,7 +154,7 @@ class Running {
   }
 
   void work() {
-    Worker worker(options_.limits, catalogue_, [this] { return cancelled_() || ends(); });
+    BatchWorker worker(options_.limits, catalogue_, [this] { return cancelled_() || ends(); });
     for (;;) {
       const std::size_t at = next_++;
       if (at >= tasks_.size() || ends()) return;
@@ -163,7 +163,7 @@ class Running {
     }
   }
 
-  std::optional<Error> work_on(const Task& task, Worker& worker) {
+  std::optional<Error> work_on(const Task& task, BatchWorker& worker) {
     const Input& input = inputs_[task.input];
     const bool first = task.share.number == 1;
     if (!falls_to(options_.shard, input)) {
@@ -195,7 +195,8 @@ class Running {
     if (--all.left > 0) return std::nullopt;
     std::ranges::stable_sort(all.parts, {}, &PartDone::body);
     // A file that cannot be read is one part, whichever share says so.
-    const auto [first, last] = std::ranges::unique(all.parts, {}, &PartDone::folder);
+    const auto [first, last] = std::ranges::unique(
+        all.parts, {}, [](const PartDone& part) { return part.record.folder; });
     all.parts.erase(first, last);
     return std::move(all.parts);
   }
@@ -215,7 +216,7 @@ class Running {
   /// The end of the key of an input that these limits were too small for.
   std::string tried_with_these() const {
     PartDone late;
-    late.refusal = code_name(code::time_limit);
+    late.record.reason = code_name(code::time_limit);
     return tried_with({late}, options_.limits);
   }
 
@@ -231,8 +232,8 @@ class Running {
                                           parts);
         !added)
       return added.error();
-    progress_.refused += static_cast<std::size_t>(
-        std::ranges::count_if(parts, [](const PartDone& part) { return !part.refusal.empty(); }));
+    progress_.refused += static_cast<std::size_t>(std::ranges::count_if(
+        parts, [](const PartDone& part) { return !part.record.reason.empty(); }));
     tell();
     return std::nullopt;
   }

@@ -1,5 +1,6 @@
 #include "identical.hpp"
 
+#include "refusals.hpp"
 #include "state.hpp"
 
 #include <planish/io/flat_json.hpp>
@@ -24,7 +25,8 @@ Result<std::size_t> IdenticalParts::group_of(const std::string& shape, const Pla
   const std::string hash = hash_of(shape);
   if (const auto known = texts_.find(hash); known != texts_.end()) return known->second;
   const auto pattern = read_flat_json(shape);
-  if (!pattern) return fail(code::cannot_read, pattern.error().message, place.input);
+  if (!pattern)
+    return fail(refuse::shape_unread, {{"reason", pattern.error().message}}, place.input);
   const std::size_t group = pieces_.add(*pattern);
   if (group == firsts_.size()) firsts_.push_back(place);
   texts_.emplace(hash, group);

@@ -1,3 +1,6 @@
+#include "refusals.hpp"
+
+#include <planish/base/text.hpp>
 #include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
 #include <planish/schema/text_file.hpp>
@@ -37,8 +40,7 @@ class Collecting {
     std::error_code none;
     if (fs::is_directory(path, none)) return add_folder(path);
     if (!fs::is_regular_file(path, none))
-      return Error{code::cannot_read, fmt::format("{} is no file or folder", path.string()),
-                   path.string()};
+      return error_of(refuse::no_file_or_folder, {{"file", path.string()}}, path.string());
     // In a list of many folders the names of files alone may be the same.
     const fs::path below = path.lexically_normal().lexically_relative(beside.lexically_normal());
     const bool is_below = !beside.empty() && !below.empty() && *below.begin() != "..";
@@ -54,15 +56,12 @@ class Collecting {
       const bool fresh = taken.insert(fs::absolute(input.file).lexically_normal()).second;
       if (!fresh) continue;
       if (!inputs.empty() && inputs.back().name == input.name)
-        return fail(code::bad_option,
-                    fmt::format("two inputs are called {}: {} and {}; give the folder above both",
-                                input.name, inputs.back().file.string(), input.file.string()));
+        return fail(refuse::same_input_name, {{"name", input.name},
+                                              {"first", inputs.back().file.string()},
+                                              {"second", input.file.string()}});
       inputs.push_back(std::move(input));
     }
-    if (inputs.empty())
-      return fail(code::no_input,
-                  "there is nothing to work on: no file ends in .step or .stp or is a JSON file "
-                  "that planish reads");
+    if (inputs.empty()) return fail(refuse::nothing_to_do);
     return inputs;
   }
 
@@ -71,8 +70,7 @@ class Collecting {
     std::error_code none;
     const fs::path whole = fs::weakly_canonical(list, none);
     if (std::ranges::find(lists_, whole) != lists_.end())
-      return Error{code::cannot_read, fmt::format("the list {} names itself", list.string()),
-                   list.string()};
+      return error_of(refuse::list_in_itself, {{"file", list.string()}}, list.string());
     const auto text = schema::read_text(list, "list");
     if (!text) return text.error();
     lists_.push_back(whole);
@@ -83,12 +81,14 @@ class Collecting {
         line.pop_back();
       ++number;
       if (line.empty() || line.starts_with('#')) continue;
-      const auto error = add(line, list.has_parent_path() ? list.parent_path() : ".");
-      if (error && line.starts_with('@')) return error;
-      if (error)
-        return Error{error->code,
-                     fmt::format("{}, line {}: {}", list.string(), number, error->message),
-                     error->where};
+      auto error = add(line, list.has_parent_path() ? list.parent_path() : ".");
+      if (!error) continue;
+      if (!line.starts_with('@')) {
+        error->message = continued(std::move(error->message));
+        error->places.push_back(place::line(number));
+        say_before(*error, fmt::format("{}, line {}: ", list.string(), number));
+      }
+      return error;
     }
     lists_.pop_back();
     return std::nullopt;
@@ -99,12 +99,8 @@ class Collecting {
     const fs::path whole = fs::weakly_canonical(folder, failed);
     const auto [end, rest] = std::ranges::mismatch(whole, out_);
     if (end == whole.end())
-      return Error{
-          code::bad_option,
-          fmt::format("the results would go into {}, which is in the input folder {}: name "
-                      "a folder outside with -o",
-                      out_.string(), folder.string()),
-          "output"};
+      return error_of(refuse::output_in_input,
+                      {{"output", out_.string()}, {"folder", folder.string()}}, "output");
     auto entry = fs::recursive_directory_iterator(folder, failed);
     for (; !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed)) {
       if (is_hidden(entry->path())) {
@@ -117,9 +113,8 @@ class Collecting {
             {entry->path(), entry->path().lexically_relative(folder).generic_string()});
     }
     if (!failed) return std::nullopt;
-    return Error{code::cannot_read,
-                 fmt::format("cannot read the folder {}: {}", folder.string(), failed.message()),
-                 folder.string()};
+    return error_of(refuse::folder_unread,
+                    {{"file", folder.string()}, {"reason", failed.message()}}, folder.string());
   }
 
   bool is_input(const fs::path& file) const {

@@ -1,5 +1,7 @@
 #include "journal.hpp"
 
+#include "refusals.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -15,24 +17,11 @@ using Json = nlohmann::ordered_json;
 // Between the head of a line, {"name": ..., "key": ...}, and its parts.
 constexpr char kBehindHead = '\t';
 
-tl::unexpected<Error> broken(ErrorCode code, const std::filesystem::path& file) {
-  const bool reads = code == code::cannot_read;
-  return fail(code,
-              fmt::format("cannot {} {}: {}", reads ? "read" : "write", file.string(),
-                          std::strerror(errno)),
-              file.string());
+tl::unexpected<Error> broken(const Refusal& refusal, const std::filesystem::path& file) {
+  return fail(refusal, {{"file", file.string()}, {"reason", std::strerror(errno)}}, file.string());
 }
 
 std::string json_text(const std::string& text) { return Json(text).dump(); }
-
-/// A report is JSON already: it is put in as it is. A shape has to come out again to the byte.
-std::string part_text(const PartDone& part) {
-  Json files = Json::array();
-  for (const PartFile& file : part.files)
-    files.push_back(file.name);
-  return fmt::format(R"({{"folder":{},"files":{},"report":{},"shapes":{}}})",
-                     json_text(part.folder), files.dump(), part.report, Json(part.shapes).dump());
-}
 
 }  // namespace
 
@@ -52,7 +41,7 @@ Result<Journal> Journal::read(const std::filesystem::path& file) {
   Journal journal;
   journal.file_ = file;
   journal.stream_.open(file, std::ios::in | std::ios::binary);
-  if (!journal.stream_) return broken(code::cannot_read, file);
+  if (!journal.stream_) return broken(refuse::batch_unread, file);
   journal.look_through();
   return journal;
 }
@@ -63,7 +52,7 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) std::ofstream(file, std::ios::binary);
   journal.stream_.open(file, std::ios::in | std::ios::out | std::ios::binary);
-  if (!journal.stream_) return broken(code::cannot_write, file);
+  if (!journal.stream_) return broken(refuse::batch_unwritten, file);
   journal.look_through();
   if (const auto size = std::filesystem::file_size(file, none);
       !none && size > static_cast<std::uintmax_t>(journal.end_))
@@ -85,7 +74,7 @@ std::vector<std::string> Journal::names() const {
 }
 
 tl::unexpected<Error> Journal::unwritten() {
-  const auto error = broken(code::cannot_write, file_);
+  const auto error = broken(refuse::batch_unwritten, file_);
   stream_.clear();
   return error;
 }
@@ -111,7 +100,7 @@ Result<void> Journal::add(const std::string& name, const std::string& key,
   std::string line = fmt::format(R"({{"name":{},"key":{}}}{}[)", json_text(name), json_text(key),
                                  kBehindHead);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    line += (i == 0 ? "" : ",") + part_text(parts[i]);
+    line += (i == 0 ? "" : ",") + record_text(parts[i].record);
   if (auto added = append(name, key, line + "]"); !added) return added;
   return flush();
 }
@@ -128,32 +117,21 @@ Result<std::string> Journal::line_at(const Place& place) {
   stream_.seekg(place.at);
   stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (stream_) return line;
-  const auto error = broken(code::cannot_read, file_);
+  const auto error = broken(refuse::batch_unread, file_);
   stream_.clear();
   return error;
 }
 
-Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
+Result<std::vector<PartRecord>> Journal::parts_of(const std::string& name) {
   const auto place = places_.find(name);
-  if (place == places_.end()) return std::vector<Part>{};
+  if (place == places_.end()) return std::vector<PartRecord>{};
   const auto line = line_at(place->second);
   if (!line) return pass_on(line);
-  const Json json = Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1),
-                                nullptr, false);
-  if (!json.is_array())
-    return fail(code::cannot_read,
-                fmt::format("{} is damaged at {}: remove it, and run the batch again",
-                            file_.string(), name),
+  auto records = part_records(std::string_view(*line).substr(line->find(kBehindHead) + 1));
+  if (!records)
+    return fail(refuse::journal_damaged, {{"file", file_.string()}, {"name", name}},
                 file_.string());
-  std::vector<Part> parts;
-  for (const Json& one : json) {
-    Part& part = parts.emplace_back();
-    part.folder = one.at("folder").get<std::string>();
-    part.files = one.at("files").get<std::vector<std::string>>();
-    part.report = one.at("report").dump();
-    part.shapes = one.at("shapes").get<std::vector<std::string>>();
-  }
-  return parts;
+  return std::move(*records);
 }
 
 }  // namespace planish::batch

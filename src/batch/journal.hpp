@@ -26,13 +26,8 @@ class Journal {
   /// All names, in byte order.
   std::vector<std::string> names() const;
 
-  struct Part {
-    std::string folder, report;       ///< JSON on one line
-    std::vector<std::string> shapes;  ///< `flat_json`, one a piece
-    std::vector<std::string> files;   ///< names in the folder
-  };
   /// The parts of an input that it has, in the order of the file. Error: `cannot_read`.
-  Result<std::vector<Part>> parts_of(const std::string& name);
+  Result<std::vector<PartRecord>> parts_of(const std::string& name);
 
   /// Adds what was made of an input. Error: `cannot_write`.
   Result<void> add(const std::string& name, const std::string& key,

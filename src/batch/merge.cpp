@@ -1,3 +1,4 @@
+#include "refusals.hpp"
 #include "results.hpp"
 
 #include <fmt/format.h>
@@ -25,15 +26,11 @@ Result<std::vector<fs::path>> batches_in(const std::vector<fs::path>& folders) {
     for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
       if (is_shard(entry->path())) batches.push_back(entry->path());
     if (failed)
-      return fail(code::cannot_read,
-                  fmt::format("cannot read the folder {}: {}", folder.string(), failed.message()),
+      return fail(refuse::folder_unread, {{"file", folder.string()}, {"reason", failed.message()}},
                   folder.string());
     if (batches.size() > before) continue;
     if (!is_batch(folder))
-      return fail(
-          code::cannot_read,
-          fmt::format("{} holds no results of planish batch, nor shards of them", folder.string()),
-          folder.string());
+      return fail(refuse::no_batch, {{"folder", folder.string()}}, folder.string());
     batches.push_back(folder);
   }
   std::ranges::sort(batches);
@@ -56,36 +53,31 @@ Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
     auto record = read_record(folder);
     if (!record) return pass_on(record);
-    const auto refused = [&](const std::string& why) {
-      return fail(code::cannot_read, fmt::format("{} {}", folder.string(), why), folder.string());
+    const auto refused = [&](const Refusal& refusal, Facts facts) {
+      facts.emplace_back("folder", folder.string());
+      return fail(refusal, facts, folder.string());
     };
     const std::string shard = shard_text(record->shard);
-    if (!record->finished)
-      return refused(fmt::format("is not finished: run --shard {} again, then merge", shard));
+    if (!record->finished) return refused(refuse::shard_unfinished, {{"shard", shard}});
     const RunRecord& first = batches.empty() ? *record : batches.front().record;
     if (record->shard.of != first.shard.of || record->work != first.work)
-      return refused(fmt::format(
-          "and {} are not of one batch: shards have the same inputs, options, number of "
-          "shards and version of planish",
-          folders.front().string()));
+      return refused(refuse::other_batch, {{"other", folders.front().string()}});
     if (!numbers.insert(record->shard.number).second)
-      return refused(fmt::format("is shard {} for the second time", shard));
+      return refused(refuse::shard_twice, {{"shard", shard}});
     batches.push_back({folder, std::move(*record)});
   }
   const int count = batches.front().record.shard.of;
   for (int i = 1; i <= count; ++i)
     if (!numbers.contains(i))
-      return fail(
-          code::cannot_read,
-          fmt::format("shard {0} is missing: run --shard {0}, then merge", shard_text({i, count})));
+      return fail(refuse::shard_missing, {{"shard", shard_text({i, count})}});
   return batches;
 }
 
 /// Puts a part's files of one batch in place in another.
-Result<void> take_over(const Journal::Part& part, const fs::path& from, const fs::path& to) {
+Result<void> take_over(const PartRecord& part, const fs::path& from, const fs::path& to) {
   const auto failed = [&](const fs::path& what, const std::error_code& why) {
-    return fail(code::cannot_write,
-                fmt::format("cannot write {}: {}", what.string(), why.message()), what.string());
+    return fail(refuse::batch_unwritten, {{"file", what.string()}, {"reason", why.message()}},
+                what.string());
   };
   std::error_code error;
   if (!part.files.empty()) fs::create_directories(to, error);
@@ -127,7 +119,7 @@ class Merging {
     if (cancelled_()) return interruption();
     const auto parts = journal.parts_of(name);
     if (!parts) return parts.error();
-    for (const Journal::Part& part : *parts)
+    for (const PartRecord& part : *parts)
       if (auto taken = take_over(part, part_folder(folder, part.folder),
                                  state_.folder_of(part.folder));
           !taken)
@@ -158,9 +150,7 @@ Result<BatchResult> merge_batches(const std::vector<fs::path>& folders, const fs
   if (!found) return pass_on(found);
   for (const fs::path& folder : *found)
     if (std::error_code none; fs::equivalent(folder, out, none))
-      return fail(code::bad_option,
-                  fmt::format("{} is to be merged: name another folder with -o", out.string()),
-                  "output");
+      return fail(refuse::merged_into_itself, {{"folder", out.string()}}, "output");
   const auto batches = all_shards(*found);
   if (!batches) return pass_on(batches);
   auto state = State::open(out);

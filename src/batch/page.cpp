@@ -3,10 +3,12 @@
 #include "page_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string_view>
 
 namespace planish::batch {
@@ -16,7 +18,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostShown = 50'000;
 
-Json number_in(const std::string& text) { return text.empty() ? Json(nullptr) : Json::parse(text); }
+template <typename Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// Why a part was refused, or the codes of what was found, each once.
+std::string message_of(const PartRecord& part) {
+  if (!part.message.empty()) return part.message;
+  std::set<std::string> codes;
+  for (const RecordedFinding& warning : warnings_of(part))
+    codes.insert(warning.code);
+  return fmt::format("{}", fmt::join(codes, ", "));
+}
 
 /// A path as it stands in an address.
 std::string in_address(const std::string& path) {
@@ -42,25 +56,25 @@ std::string in_script(const Json& json) {
 
 }  // namespace
 
-void Page::add(const Row& row, std::optional<std::size_t> distinct) {
+void Page::add(const PartRecord& part, std::optional<std::size_t> distinct) {
   ++all_;
   if (distinct && *distinct >= copies_.size()) copies_.resize(*distinct + 1, 0);
   if (distinct) ++copies_[*distinct];
-  auto& rows = row.status == "refused" ? refused_ : row.status == "warning" ? warnings_ : ok_;
+  auto& rows = part.status == "refused" ? refused_ : part.status == "warning" ? warnings_ : ok_;
   if (rows.size() == kMostShown) return;
-  rows.push_back(in_script({{"name", row.folder},
-                            {"folder", "parts/" + in_address(row.folder)},
-                            {"status", row.status},
-                            {"reason", row.reason},
-                            {"message", row.message.empty() ? row.findings : row.message},
-                            {"same", distinct ? Json(*distinct) : Json(nullptr)},
-                            {"quantity", number_in(row.quantity)},
-                            {"material", row.material},
-                            {"thickness", number_in(row.thickness)},
-                            {"length", number_in(row.length)},
-                            {"width", number_in(row.width)},
-                            {"bends", number_in(row.bends)},
-                            {"openings", number_in(row.openings)}}));
+  rows.push_back(in_script({{"name", part.folder},
+                            {"folder", "parts/" + in_address(part.folder)},
+                            {"status", part.status},
+                            {"reason", part.reason},
+                            {"message", message_of(part)},
+                            {"same", or_null(distinct)},
+                            {"quantity", or_null(part.quantity)},
+                            {"material", part.material},
+                            {"thickness", or_null(part.thickness)},
+                            {"length", or_null(part.length)},
+                            {"width", or_null(part.width)},
+                            {"bends", or_null(part.bends)},
+                            {"openings", or_null(part.openings)}}));
 }
 
 std::string Page::text() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rows.hpp"
+#include <planish/batch/part_record.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -14,7 +14,7 @@ namespace planish::batch {
 class Page {
  public:
   /// `distinct`: the number of the distinct part that it is one of.
-  void add(const Row& row, std::optional<std::size_t> distinct);
+  void add(const PartRecord& part, std::optional<std::size_t> distinct);
   std::string text() const;
 
  private:

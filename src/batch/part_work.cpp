@@ -34,13 +34,12 @@ std::string sketch_of(const job::Made& made) {
 }
 
 /// The folded pieces, for those who draw them.
-void add_views(PartDone& part, const job::Made& made) {
+void add_views(std::vector<PartFile>& files, const job::Made& made) {
   for (int piece = 0; piece < made.pieces(); ++piece) {
     const job::Report& report = made.piece(piece);
     if (report.sheet.faces.empty()) continue;
-    part.files.push_back(
-        {view_name(static_cast<std::size_t>(piece)),
-         drawing::view_json(drawing::isometric_view(report.sheet, report.layout))});
+    files.push_back({view_name(static_cast<std::size_t>(piece)),
+                     drawing::view_json(drawing::isometric_view(report.sheet, report.layout))});
   }
 }
 
@@ -48,7 +47,8 @@ void add_views(PartDone& part, const job::Made& made) {
 PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task,
                   const job::Request& request, const job::Catalogue& catalogue,
                   const std::string& folder, const std::string& stem) {
-  PartDone part{.folder = folder, .report = {}};
+  std::vector<PartFile> done;
+  std::vector<std::string> shapes;
   job::Report& report = made.report();
   report.input = task.name;
   for (const std::string& format : task.formats) {
@@ -64,23 +64,21 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
       break;
     }
     for (job::WrittenArtifact& file : *files)
-      part.files.push_back({std::move(file.name), std::move(file.bytes)});
+      done.push_back({std::move(file.name), std::move(file.bytes)});
   }
   if (report.refusal) {
-    part.files.clear();
-    part.refusal = code_name(report.refusal->code);
+    done.clear();
   } else {
-    for (const PartFile& file : part.files)
+    for (const PartFile& file : done)
       report.files.push_back(folder + "/" + file.name);
     for (int piece = 0; piece < made.pieces(); ++piece)
-      part.shapes.push_back(flat_json(made.piece(piece).flat));
-    part.files.push_back({kSketch, sketch_of(made)});
-    if (std::ranges::count(task.formats, kViews)) add_views(part, made);
+      shapes.push_back(flat_json(made.piece(piece).flat));
+    done.push_back({kSketch, sketch_of(made)});
+    if (std::ranges::count(task.formats, kViews)) add_views(done, made);
   }
   const std::string json = made.json();
-  if (std::ranges::count(task.formats, "json")) part.files.push_back({"report.json", json});
-  part.report = on_one_line(json);
-  return part;
+  if (std::ranges::count(task.formats, "json")) done.push_back({"report.json", json});
+  return part_done(folder, on_one_line(json), std::move(shapes), std::move(done));
 }
 
 /// What the files of the only part of an input are called: bodies of such files have any names.
@@ -110,6 +108,15 @@ void unfold(const FileTask& task, const job::Maker& maker, const job::Request& r
 
 }  // namespace
 
+PartDone part_done(std::string folder, std::string report, std::vector<std::string> shapes,
+                   std::vector<PartFile> files, int body) {
+  std::vector<std::string> names;
+  for (const PartFile& file : files)
+    names.push_back(file.name);
+  return {part_record(std::move(folder), std::move(report), std::move(shapes), std::move(names)),
+          std::move(files), body};
+}
+
 std::string view_name(std::size_t piece) { return fmt::format("view-{}.json", piece + 1); }
 
 PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, const Error& error) {
@@ -121,11 +128,9 @@ PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, cons
   const auto made = maker->failed(request, error);
   made->report().input = task.name;
   const std::string json = made->json();
-  PartDone part{.folder = task.name,
-                .report = on_one_line(json),
-                .refusal = std::string(code_name(error.code))};
-  if (std::ranges::count(task.formats, "json")) part.files.push_back({"report.json", json});
-  return part;
+  std::vector<PartFile> files;
+  if (std::ranges::count(task.formats, "json")) files.push_back({"report.json", json});
+  return part_done(task.name, on_one_line(json), {}, std::move(files));
 }
 
 void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listener& listener) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/batch/part_record.hpp>
 #include <planish/job/artifact.hpp>
 #include <planish/process/child_process.hpp>
 
@@ -32,13 +33,12 @@ struct PartFile {
 
 /// One part that was made or refused.
 struct PartDone {
-  std::string folder;        ///< below that of all parts; equal for the same input always
-  std::string report;        ///< JSON on one line, without a line end
-  std::string refusal = {};  ///< the code of the reason; empty: it was made
-  std::vector<std::string> shapes = {};  ///< the pattern of each piece, as `flat_json`
-  std::vector<PartFile> files = {};
-  int body = 0;  ///< of its file, from 0
+  PartRecord record;
+  std::vector<PartFile> files = {};  ///< those that the record names
+  int body = 0;                      ///< of its file, from 0
 };
+PartDone part_done(std::string folder, std::string report, std::vector<std::string> shapes,
+                   std::vector<PartFile> files, int body = 0);
 
 /// Hears of each body, from 0, before it is worked on, and of each part that is done.
 struct Listener {

@@ -1,3 +1,4 @@
+#include "refusals.hpp"
 #include "state.hpp"
 
 #include <planish/batch/parts.hpp>
@@ -11,19 +12,16 @@ Result<void> for_each_part(const std::filesystem::path& out,
   const auto record = read_record(out);
   if (!record) return pass_on(record);
   if (!record->finished)
-    return fail(code::cannot_read,
-                fmt::format("the batch in {} is not finished: run it again to go on", out.string()),
-                out.string());
+    return fail(refuse::batch_unfinished, {{"folder", out.string()}}, out.string());
   auto journal = read_journal(out);
   if (!journal) return pass_on(journal);
   for (const std::string& name : record->names) {
     auto parts = journal->parts_of(name);
     if (!parts) return pass_on(parts);
-    for (Journal::Part& part : *parts)
-      if (auto taken = take({part.folder, std::move(part.report), std::move(part.shapes),
-                             part_folder(out, part.folder)});
-          !taken)
-        return taken;
+    for (PartRecord& part : *parts) {
+      const auto folder = part_folder(out, part.folder);
+      if (auto taken = take({std::move(part), folder}); !taken) return taken;
+    }
   }
   return {};
 }

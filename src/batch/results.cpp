@@ -2,7 +2,8 @@
 
 #include "identical.hpp"
 #include "page.hpp"
-#include "rows.hpp"
+#include "refusals.hpp"
+#include "summary_csv.hpp"
 
 #include <planish/io/flat_writers.hpp>
 
@@ -45,10 +46,9 @@ class Growing {
     if (whole && !failed) return {};
     std::error_code none;
     fs::remove(draft_, none);
-    return fail(
-        code::cannot_write,
-        fmt::format("cannot write {}: {}", target_.string(), failed ? failed.message() : why),
-        target_.string());
+    return fail(refuse::batch_unwritten,
+                {{"file", target_.string()}, {"reason", failed ? failed.message() : why}},
+                target_.string());
   }
 
  private:
@@ -89,27 +89,27 @@ class Writing {
   }
 
  private:
-  Result<void> add(const std::string& name, std::size_t at, const Journal::Part& part) {
+  Result<void> add(const std::string& name, std::size_t at, const PartRecord& part) {
     const auto distinct = identical_.number_of(name, at, part.shapes);
     if (!distinct) return pass_on(distinct);
     lines_.add(part.report + "\n");
-    Row row = row_of(part.folder, part.report);
+    std::string same_as;
     if (*distinct && **distinct == firsts_.size())
       firsts_.push_back(part.folder);
     else if (*distinct)
-      row.same_as = firsts_[**distinct];
-    table_.add(csv_of(row));
-    page_.add(row, *distinct);
-    count(row);
+      same_as = firsts_[**distinct];
+    table_.add(csv_of(part, same_as));
+    page_.add(part, *distinct);
+    count(part);
     return {};
   }
 
-  void count(const Row& row) {
+  void count(const PartRecord& part) {
     ++result_.parts;
-    if (row.status == "ok") ++result_.ok;
-    if (row.status == "warning") ++result_.warnings;
-    if (row.status == "refused") ++result_.refused;
-    if (!row.reason.empty()) ++reasons_[row.reason];
+    if (part.status == "ok") ++result_.ok;
+    if (part.status == "warning") ++result_.warnings;
+    if (part.status == "refused") ++result_.refused;
+    if (!part.reason.empty()) ++reasons_[part.reason];
   }
 
   std::string summary() const {

@@ -1,5 +1,7 @@
 #include "state.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -44,11 +46,7 @@ Result<State> State::open(const fs::path& out) {
   state.lock_ = ::open((out / kState / kLock).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, kForAll);
   // File systems that know no locks are taken as they are.
   if (state.lock_ >= 0 && flock(state.lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    return fail(code::cannot_write,
-                fmt::format("another batch is writing to {}: wait until it is done, or name "
-                            "another folder with -o",
-                            out.string()),
-                out.string());
+    return fail(refuse::folder_taken, {{"folder", out.string()}}, out.string());
   auto journal = Journal::open(out / kState / kJournal);
   if (!journal) return pass_on(journal);
   state.journal_ = std::make_unique<Journal>(std::move(*journal));
@@ -77,21 +75,21 @@ Result<void> State::record(const RunRecord& record) const {
 fs::path State::folder_of(const std::string& part) const { return part_folder(out_, part); }
 
 Result<void> State::store(const std::vector<PartDone>& parts,
-                          const std::vector<Journal::Part>& before) const {
+                          const std::vector<PartRecord>& before) const {
   std::error_code none;
-  for (const Journal::Part& part : before)
+  for (const PartRecord& part : before)
     for (const std::string& file : part.files)
       fs::remove(folder_of(part.folder) / file, none);
   for (const PartDone& part : parts) {
     if (part.files.empty()) continue;
-    if (auto made = make_folder(folder_of(part.folder)); !made) return made;
-    remove_drafts(folder_of(part.folder));
+    const fs::path folder = folder_of(part.record.folder);
+    if (auto made = make_folder(folder); !made) return made;
+    remove_drafts(folder);
     for (const PartFile& file : part.files)
-      if (auto written = write_file(folder_of(part.folder) / file.name, file.bytes); !written)
-        return written;
+      if (auto written = write_file(folder / file.name, file.bytes); !written) return written;
   }
   // What is left empty of before.
-  for (const Journal::Part& part : before)
+  for (const PartRecord& part : before)
     for (fs::path folder = part.folder; !folder.empty(); folder = folder.parent_path())
       if (!fs::remove(folder_of(folder.string()), none)) break;
   return {};
@@ -116,16 +114,13 @@ Result<RunRecord> read_record(const fs::path& out) {
                      json.at("finished"),
                      json.at("names")};
   } catch (const Json::exception&) {
-    return fail(code::cannot_read,
-                fmt::format("{} is damaged: run that batch again", file.string()), file.string());
+    return fail(refuse::record_damaged, {{"file", file.string()}}, file.string());
   }
 }
 
 Result<Journal> read_journal(const fs::path& out) { return Journal::read(out / kState / kJournal); }
 
-Error interruption() {
-  return {code::cancelled, "interrupted: run the same command again to go on", {}};
-}
+Error interruption() { return error_of(refuse::interrupted, {}); }
 
 std::string hash_of(const std::string& text) {
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

@@ -35,7 +35,7 @@ class State {
   /// Writes the files of an input's parts in place of those that an earlier run left of it. Error:
   /// `cannot_write`.
   Result<void> store(const std::vector<PartDone>& parts,
-                     const std::vector<Journal::Part>& before) const;
+                     const std::vector<PartRecord>& before) const;
   std::filesystem::path folder_of(const std::string& part) const;
 
  private:

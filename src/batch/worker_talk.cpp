@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr auto kBody = "body", kPart = "part";
+constexpr auto kBody = "body", kDone = "done", kPart = "part";
 
 /// A number of texts that follow, and these.
 class Reading {
@@ -75,34 +75,38 @@ std::optional<FileTask> task_in(const process::Texts& texts) {
 }
 
 process::Texts texts_of(const PartDone& part) {
-  process::Texts texts{kPart,
-                       part.folder,
-                       part.report,
-                       part.refusal,
-                       std::to_string(part.body),
-                       std::to_string(part.shapes.size())};
-  texts.insert(texts.end(), part.shapes.begin(), part.shapes.end());
+  process::Texts texts{kPart, part.record.folder, part.record.report, std::to_string(part.body),
+                       std::to_string(part.record.shapes.size())};
+  texts.insert(texts.end(), part.record.shapes.begin(), part.record.shapes.end());
   for (const PartFile& file : part.files)
     texts.insert(texts.end(), {file.name, file.bytes});
   return texts;
 }
 
 std::optional<PartDone> part_in(const process::Texts& texts) {
-  constexpr std::ptrdiff_t kOwn = 6;
+  constexpr std::ptrdiff_t kOwn = 5;
   Reading reading(texts);
   if (!reading.has(kOwn) || reading.next() != kPart) return std::nullopt;
-  PartDone part{.folder = reading.next(), .report = reading.next(), .refusal = reading.next()};
-  part.body = static_cast<int>(reading.count());
-  const auto shapes = reading.count();
-  if (shapes < 0 || !reading.has(shapes)) return std::nullopt;
-  part.shapes = reading.next(shapes);
+  const std::string &folder = reading.next(), &report = reading.next();
+  const auto body = static_cast<int>(reading.count());
+  const auto count = reading.count();
+  if (count < 0 || !reading.has(count) || !Json::accept(report)) return std::nullopt;
+  std::vector<std::string> shapes = reading.next(count);
+  std::vector<PartFile> files;
   while (!reading.at_end()) {
     if (!reading.has(2)) return std::nullopt;
-    PartFile& file = part.files.emplace_back();
+    PartFile& file = files.emplace_back();
     file.name = reading.next();
     file.bytes = reading.next();
   }
-  return part;
+  return part_done(folder, report, std::move(shapes), std::move(files), body);
+}
+
+process::Texts texts_of(const FileDone&) { return {kDone}; }
+
+std::optional<FileDone> file_done_in(const process::Texts& texts) {
+  if (texts != process::Texts{kDone}) return std::nullopt;
+  return FileDone();
 }
 
 process::Texts beginning(int body) { return {kBody, std::to_string(body)}; }

@@ -1,14 +1,11 @@
 #include "workers.hpp"
 
-#include "worker_talk.hpp"
+#include "refusals.hpp"
 
 #include <planish/batch/batch.hpp>
 #include <planish/batch/codes.hpp>
 
-#include <fmt/format.h>
-
-#include <cstdlib>
-#include <filesystem>
+#include <string>
 #include <utility>
 
 namespace planish::batch {
@@ -16,17 +13,11 @@ namespace {
 
 using process::ChildEnd;
 
-const process::Texts kDone{"done"};
-
 /// What a report says of a part whose worker was lost.
 Error error_of_part(const ChildEnd& end, const std::string& input, const process::Limits& limits) {
   if (end.from_outside)
-    return {
-        code::worker_died,
-        fmt::format("the process that worked on {} was ended from outside twice ({}): if it was "
-                    "the system, memory is short: use fewer --jobs, and run the batch again",
-                    input, end.reason),
-        input};
+    return planish::error_of(refuse::ended_from_outside, {{"input", input}, {"reason", end.reason}},
+                             input);
   Error error = process::error_of(end, input, limits);
   if (end.cause == ChildEnd::Cause::crashed) error.code = code::worker_died;
   if (end.cause == ChildEnd::Cause::out_of_time) error.code = code::time_limit;
@@ -35,65 +26,51 @@ Error error_of_part(const ChildEnd& end, const std::string& input, const process
 
 }  // namespace
 
-std::optional<ChildEnd> Worker::ask(const FileTask& task, Heard& heard) {
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point until = Clock::now() + limits_.time;
-  process::Parent parent;
-  parent.note = [&](const process::Texts& note) {
-    until = Clock::now() + limits_.time;
-    if (const auto body = body_in(note)) heard.body = body;
-    if (auto part = part_in(note)) heard.parts.push_back(std::move(*part));
-  };
-  const auto late = [&] { return Clock::now() > until; };
-  parent.progress.cancelled = [&] { return cancelled_() || late(); };
-  const auto answer = child_->ask(texts_of(task), std::chrono::hours(24 * 365), parent);
-  if (answer && *answer == kDone) return std::nullopt;
-  if (answer) return ChildEnd{ChildEnd::Cause::crashed, process::kDamagedAnswer};
-  ChildEnd end = answer.error();
-  if (end.cause == ChildEnd::Cause::cancelled && !cancelled_())
-    end.cause = ChildEnd::Cause::out_of_time;
-  return end;
-}
+BatchWorker::BatchWorker(const process::Limits& limits, const job::Catalogue& catalogue,
+                         std::function<bool()> cancelled)
+    : limits_(limits),
+      catalogue_(catalogue),
+      cancelled_(std::move(cancelled)),
+      worker_(process::program_again({"batch-worker", std::to_string(limits.memory)}),
+              file_done_in) {}
 
-Result<void> Worker::begin() {
-  if (child_ && child_->is_alive()) return {};
-  auto child = process::ChildProcess::program({"batch-worker", std::to_string(limits_.memory)},
-                                              std::filesystem::current_path());
-  if (!child) return pass_on(child);
-  child_ = std::move(*child);
-  return {};
-}
-
-Result<std::vector<PartDone>> Worker::work_on(FileTask task) {
+Result<std::vector<PartDone>> BatchWorker::work_on(FileTask task) {
   bool tried_again = false;
   for (;;) {
-    if (const auto begun = begin(); !begun) return pass_on(begun);
-    Heard heard;
-    const auto end = ask(task, heard);
-    if (!end) return std::move(heard.parts);
-    child_.reset();
+    if (const auto begun = worker_.begin(); !begun) return pass_on(begun);
+    std::optional<int> body;  // begun last
+    std::vector<PartDone> parts;
+    const auto hear = [&](const process::Texts& note) {
+      if (const auto begun = body_in(note)) body = begun;
+      if (auto part = part_in(note)) parts.push_back(std::move(*part));
+    };
+    // Each body, and the reading of the file, has the time that the limits allow.
+    const auto done = worker_.work_on(task,
+                                      {.time = limits_.time,
+                                       .parent = {{.report = {}, .cancelled = cancelled_}, hear},
+                                       .by_step = true});
+    if (done) return parts;
+    const ChildEnd& end = done.error();
     // What ended it may have had nothing to do with the part.
-    if (end->from_outside && !std::exchange(tried_again, true)) continue;
-    const Error error = error_of_part(*end, task.name, limits_);
-    if (end->cause == ChildEnd::Cause::cancelled) return tl::unexpected(error);
+    if (end.from_outside && !std::exchange(tried_again, true)) continue;
+    const Error error = error_of_part(end, task.name, limits_);
+    if (end.cause == ChildEnd::Cause::cancelled) return tl::unexpected(error);
     // A body that ends the process, or takes all the time, is left out of the next try.
-    if (heard.body && task.given_up.emplace(*heard.body, error).second) continue;
+    if (body && task.given_up.emplace(*body, error).second) continue;
     return std::vector{failed_part(task, catalogue_, error)};
   }
 }
 
 int run_batch_worker(const std::string& parent, std::uint64_t memory,
                      const job::Catalogue& catalogue) {
-  const auto answering = [&](const process::Texts& question, const process::Parent& asking) {
-    const auto task = task_in(question);
-    if (!task) return process::Texts{};
-    work_on(*task, catalogue,
+  const auto perform = [&](const FileTask& task, const process::Parent& asking) {
+    work_on(task, catalogue,
             {.begins = [&](int body) { asking.note(beginning(body)); },
              .done = [&](PartDone part) { asking.note(texts_of(part)); },
              .progress = asking.progress});
-    return kDone;
+    return FileDone();
   };
-  return process::answer_parent(parent, answering, {}, memory);
+  return process::answer_parent(parent, process::answering<FileTask>(task_in, perform), {}, memory);
 }
 
 }  // namespace planish::batch

@@ -3,9 +3,9 @@
 // math.md#closing-hems).
 #include "fits.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/tolerance.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,27 +22,35 @@ double largest_tool_angle(const BrakeLine& line, const PlanOptions& options) {
 
 bool bears(const std::optional<double>& most, double force) { return !most || *most >= force; }
 
-std::string no_tool_sentence(const BrakeLine& line, const BrakeTools& tools,
-                             const PlanOptions& options, bool punches, double force) {
+std::string_view no_tool_pattern(const BrakeLine& line, const BrakeTools& tools,
+                                 const PlanOptions& options, bool punches) {
   const double most = largest_tool_angle(line, options);
-  if (is_hem(line.angle) && !line.closed_by) return "no flat punch and flat die to close a hem";
-  if (most <= 0.0)
-    return fmt::format("no tool that bends by {:.4g}° or more: it has to be rolled",
-                       180.0 - options.springback.degrees());
+  if (is_hem(line.angle) && !line.closed_by) return say::no_flat_tools;
+  if (most <= 0.0) return say::has_to_be_rolled;
   const auto sharp = [&](const auto& tool) { return tool.angle.radians() <= most; };
-  const double degrees = Angle::radians(most).degrees();
   if (punches && std::none_of(tools.punches.begin(), tools.punches.end(), sharp))
-    return fmt::format("no punch of {:.4g}° or less", degrees);
+    return say::no_sharp_punch;
   const bool fine = std::ranges::any_of(tools.punches, [&](const Punch& punch) {
     return sharp(punch) && punch.tip_radius <= line.inside_radius + kWritten;
   });
-  if (punches)
-    return fmt::format("no punch of {:.4g}° or less with a tip radius of at most {:.4g} mm{}",
-                       degrees, line.inside_radius,
-                       fine ? fmt::format(" that bears {:.4g} kN per metre", force) : "");
-  if (std::none_of(tools.dies.begin(), tools.dies.end(), sharp))
-    return fmt::format("no die of {:.4g}° or less", degrees);
-  return fmt::format("no die of {:.4g}° or less that bears the force", degrees);
+  if (punches) return fine ? say::no_strong_punch : say::no_fine_punch;
+  if (std::none_of(tools.dies.begin(), tools.dies.end(), sharp)) return say::no_sharp_die;
+  return say::no_strong_die;
+}
+
+/// Why no tool bears the line, with its numbers.
+void say_why(FittingTools& fitting, const BrakeLine& line, const BrakeTools& tools,
+             const PlanOptions& options, double force) {
+  const std::string_view pattern = no_tool_pattern(line, tools, options, fitting.punches.empty());
+  const double most = Angle::radians(largest_tool_angle(line, options)).degrees();
+  const Facts all{{"tool_angle", most, unit::degrees},
+                  {"bend_angle", 180.0 - options.springback.degrees(), unit::degrees},
+                  {"tip_radius", line.inside_radius, unit::mm},
+                  {"force", force, say::kPerMetre}};
+  for (const Fact& fact : all)
+    if (pattern.find("{" + std::string(fact.name()) + "}") != std::string_view::npos)
+      fitting.facts.push_back(fact);
+  fitting.why = tell(pattern, fitting.facts).sentence;
 }
 
 }  // namespace
@@ -95,8 +103,7 @@ FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
   };
   add(tools.punches, fitting.punches);
   add(tools.dies, fitting.dies);
-  if (fitting.punches.empty() || fitting.dies.empty())
-    fitting.why = "no flat punch and flat die that bear the force of closing a hem";
+  if (fitting.punches.empty() || fitting.dies.empty()) fitting.why = say::no_strong_flat_tools;
   return fitting;
 }
 
@@ -132,7 +139,7 @@ FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
       fitting.punches.push_back(i);
   }
   if (fitting.punches.empty() || fitting.dies.empty()) {
-    fitting.why = no_tool_sentence(line, tools, options, fitting.punches.empty(), force);
+    say_why(fitting, line, tools, options, force);
   }
   return fitting;
 }

@@ -49,13 +49,13 @@ std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
     if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
     const BrakeLine& line = inputs.work.lines[i];
     const std::string name = name_of(line.bends.front());
-    return error_of(refuse::no_tool_bears,
-                    {{"bend", place::bend(name)},
-                     {"angle", line.angle.degrees(), unit::degrees},
-                     {"radius", line.inside_radius, unit::mm},
-                     {"thickness", line.bend.thickness, unit::mm},
-                     {"why", fitting.why}},
-                    name);
+    Facts facts{{"bend", place::bend(name)},
+                {"angle", line.angle.degrees(), unit::degrees},
+                {"radius", line.inside_radius, unit::mm},
+                {"thickness", line.bend.thickness, unit::mm},
+                {"why", fitting.why}};
+    facts.insert(facts.end(), fitting.facts.begin(), fitting.facts.end());
+    return error_of(refuse::no_tool_bears, facts, name);
   }
   return std::nullopt;
 }

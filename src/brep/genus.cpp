@@ -14,9 +14,9 @@ namespace {
 
 /// Faces taken for themselves, as if nothing lay beyond their outer edges. Costs what they have of
 /// edges, whatever the size of the model.
-class Patch {
+class PartSkin {
  public:
-  Patch(const SolidModel& model, const std::vector<int>& faces)
+  PartSkin(const SolidModel& model, const std::vector<int>& faces)
       : edges_(edges_of(model, faces)), uses_(edges_.size(), 0), corners_(2 * count()) {
     for (const int f : faces) {
       const auto& loops = model.faces[f].loops;
@@ -100,19 +100,19 @@ std::vector<int> all_faces(const SolidModel& model) {
 
 std::optional<int> genus_of(const SolidModel& model) {
   if (!is_closed(model)) return {};
-  const int missing = 2 * shells_of(model) - Patch(model, all_faces(model)).euler();
+  const int missing = 2 * shells_of(model) - PartSkin(model, all_faces(model)).euler();
   if (missing < 0 || missing % 2 != 0) return {};
   return missing / 2;
 }
 
 int openings_through(const SolidModel& model, const std::vector<int>& faces) {
-  Patch patch(model, faces);
+  PartSkin patch(model, faces);
   return (patch.borders([](int) { return true; }) - patch.euler()) / 2;
 }
 
 int closed_borders(const SolidModel& model, const std::vector<int>& faces,
                    const std::function<bool(int edge)>& wanted) {
-  return Patch(model, faces).borders(wanted);
+  return PartSkin(model, faces).borders(wanted);
 }
 
 }  // namespace planish::brep

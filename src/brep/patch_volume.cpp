@@ -41,9 +41,9 @@ std::vector<double> knots_of(const BRepAdaptor_Surface& surface, bool along_v, d
 }
 
 /// A patch with the parameter that is integrated across first: the one with fewer spans.
-class Patch {
+class IntegratedPatch {
  public:
-  Patch(const TopoDS_Face& face, const Vec3& centre)
+  IntegratedPatch(const TopoDS_Face& face, const Vec3& centre)
       : surface_(face, false), centre_(centre.x(), centre.y(), centre.z()) {
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
@@ -105,7 +105,7 @@ class Patch {
 /// Parameters at which the border's form is not smooth: its own knots, and on a straight border
 /// those of the patch. Curved borders cross the patch's knots anywhere; there halving intervals
 /// must suffice.
-std::vector<double> breaks_of(const Patch& patch, const Geom2dAdaptor_Curve& border) {
+std::vector<double> breaks_of(const IntegratedPatch& patch, const Geom2dAdaptor_Curve& border) {
   TColStd_Array1OfReal own(1, border.NbIntervals(GeomAbs_CN) + 1);
   border.Intervals(own, GeomAbs_CN);
   std::vector<double> breaks(own.begin(), own.end());
@@ -121,7 +121,7 @@ std::vector<double> breaks_of(const Patch& patch, const Geom2dAdaptor_Curve& bor
   return breaks;
 }
 
-double along_border(const Patch& patch, const Geom2dAdaptor_Curve& border, double error) {
+double along_border(const IntegratedPatch& patch, const Geom2dAdaptor_Curve& border, double error) {
   const auto form = [&](double t) {
     gp_Pnt2d p;
     gp_Vec2d d;
@@ -139,7 +139,7 @@ double along_border(const Patch& patch, const Geom2dAdaptor_Curve& border, doubl
 
 double patch_volume(const TopoDS_Face& face, const Vec3& centre, double error) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-  const Patch patch(forward, centre);
+  const IntegratedPatch patch(forward, centre);
   double sum = 0.0;
   for (TopExp_Explorer edges(forward, TopAbs_EDGE); edges.More(); edges.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());

@@ -27,7 +27,7 @@
 namespace planish::brep {
 namespace {
 
-Result<void> check_input(const Sheet& sheet) {
+Result<void> check_reference_radii(const Sheet& sheet) {
   if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
@@ -159,7 +159,7 @@ class ShellMaker {
 }  // namespace
 
 Result<TopoDS_Shape> reference_shell(const Sheet& given, const ReferenceShellOptions& options) {
-  if (auto sound = check_input(given); !sound) return pass_on(sound);
+  if (auto sound = check_reference_radii(given); !sound) return pass_on(sound);
   const Sheet sheet = without_gaping_joints(given, options.joint_tolerance);
   const std::vector<TopoDS_Shell> shells = ShellMaker(sheet, options).shells();
   for (const TopoDS_Shell& shell : shells)

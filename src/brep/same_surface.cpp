@@ -14,11 +14,11 @@ struct Agreement {
 };
 
 Agreement agreement_of(const SolidFace& f, const SolidFace& g, double size) {
-  constexpr double kDrawn = 1e-4;   // mm: dimensions are rounded
-  constexpr double kFitted = 10.0;  // times the deviation of fits, which locate an axis less
-                                    // accurately
+  constexpr double kRounded = 1e-4;  // mm: dimensions are rounded
+  constexpr double kFitted = 10.0;   // times the deviation of fits, which locate an axis less
+                                     // accurately
   constexpr double kAngle = 1e-3;
-  return {tolerance::kFileDigits * size + kDrawn + kFitted * (f.fitted + g.fitted), kAngle};
+  return {tolerance::kFileDigits * size + kRounded + kFitted * (f.fitted + g.fitted), kAngle};
 }
 
 bool same(const Cylinder& a, const Cylinder& b, const Agreement& within) {

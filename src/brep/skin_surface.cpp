@@ -74,23 +74,23 @@ SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, do
 /// Radius of curvature across the ruling at a point of the reference skin, positive if it curves
 /// towards the material; not positive if the skin itself folds over.
 double radius_towards_material(const Face& face, const Vec2& uv) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr double kNeverTight = std::numeric_limits<double>::infinity();
   constexpr double kDeeper = 1.0;  // mm; the speed is linear in the depth
   const double speed = speed_across(face, uv, 0.0);
   if (speed <= 0.0) return 0.0;
   const double loss = speed - speed_across(face, uv, kDeeper);
-  return loss > 0.0 ? kDeeper * speed / loss : kInfinite;
+  return loss > 0.0 ? kDeeper * speed / loss : kNeverTight;
 }
 
 double smallest_ruled_radius(const Face& face, double depth) {
-  constexpr int kSamples = 32;
+  constexpr int kBorderSamples = 32;
   double smallest = std::numeric_limits<double>::infinity();
   for (const BorderLoop& loop : face.loops)
     for (const Border& border : loop)
-      for (int i = 0; i <= kSamples; ++i)
-        smallest = std::min(smallest,
-                            radius_towards_material(
-                                face, point_at(border.curve, static_cast<double>(i) / kSamples)));
+      for (int i = 0; i <= kBorderSamples; ++i)
+        smallest = std::min(
+            smallest, radius_towards_material(
+                          face, point_at(border.curve, static_cast<double>(i) / kBorderSamples)));
   return smallest - depth;
 }
 
@@ -108,9 +108,9 @@ SkinSurface skin_surface(const Face& face, double depth, double tolerance) {
 }
 
 double smallest_radius(const Face& face, double depth) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr double kNeverTight = std::numeric_limits<double>::infinity();
   const auto* surface = std::get_if<Developable>(&face.surface);
-  if (surface == nullptr) return kInfinite;
+  if (surface == nullptr) return kNeverTight;
   if (const auto* cylinder = std::get_if<Cylinder>(surface))
     return cylinder->radius - face.sense * depth;
   if (const auto* cone = std::get_if<Cone>(surface))

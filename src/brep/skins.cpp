@@ -34,10 +34,10 @@ struct Components {
 
 /// Whether both faces are planes that face the same way.
 bool in_one_plane(const SolidFace& a, const SolidFace& b) {
-  constexpr double kParallel = 0.9995;  // cosine; 1.8°
+  constexpr double kNearlyParallel = 0.9995;  // cosine; 1.8°
   const auto* first = std::get_if<Frame>(&a.surface);
   const auto* second = std::get_if<Frame>(&b.surface);
-  return first && second && first->z.dot(second->z) > kParallel;
+  return first && second && first->z.dot(second->z) > kNearlyParallel;
 }
 
 std::vector<std::vector<int>> skin_neighbours(const SolidModel& model,

@@ -25,11 +25,11 @@ double distance_to_circle(const SpaceCurve& curve, const Vec3& p) {
 
 /// Coarse search, then golden section about the best sample.
 double distance_to_other(const SpaceCurve& curve, const Vec3& p) {
-  constexpr int kSamples = 64;
-  const double step = (curve.t1 - curve.t0) / kSamples;
+  constexpr int kFirstTries = 64;
+  const double step = (curve.t1 - curve.t0) / kFirstTries;
   int best = 0;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= kSamples; ++i) {
+  for (int i = 0; i <= kFirstTries; ++i) {
     const double d = (curve.point(curve.t0 + i * step) - p).norm();
     if (d < best_distance) {
       best_distance = d;
@@ -37,7 +37,7 @@ double distance_to_other(const SpaceCurve& curve, const Vec3& p) {
     }
   }
   double a = curve.t0 + std::max(best - 1, 0) * step;
-  double b = curve.t0 + std::min(best + 1, kSamples) * step;
+  double b = curve.t0 + std::min(best + 1, kFirstTries) * step;
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kRefinements = 40;
   for (int i = 0; i < kRefinements; ++i) {

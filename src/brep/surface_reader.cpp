@@ -32,7 +32,7 @@ struct Domain {
 };
 
 /// The kernel's surface, with the parameter range that the face uses.
-struct Patch {
+struct KernelPatch {
   BRepAdaptor_Surface surface;
   Domain domain;
   bool reversed;
@@ -47,7 +47,7 @@ struct Patch {
   }
 };
 
-std::vector<SurfaceSample> samples_of(const Patch& patch) {
+std::vector<SurfaceSample> samples_of(const KernelPatch& patch) {
   constexpr int kGrid = 7;
   std::vector<SurfaceSample> taken;
   for (int i = 0; i < kGrid; ++i)
@@ -89,7 +89,7 @@ Cone towards(Cone cone, const Vec3& point) {
 }
 
 /// The point of the face's border that is farthest from the apex: there the nappe is certain.
-SurfaceSample sample_of_cone(const Patch& patch, const TopoDS_Face& face) {
+SurfaceSample sample_of_cone(const KernelPatch& patch, const TopoDS_Face& face) {
   const gp_Cone cone = patch.surface.Cone();
   gp_Pnt farthest = cone.Apex();
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
@@ -108,7 +108,7 @@ SurfaceSample sample_of_cone(const Patch& patch, const TopoDS_Face& face) {
 /// A parameter direction along which the patch is straight, with its rulings.
 class RulingReader {
  public:
-  RulingReader(const Patch& patch, bool along_v) : patch_(patch), along_v_(along_v) {}
+  RulingReader(const KernelPatch& patch, bool along_v) : patch_(patch), along_v_(along_v) {}
 
   double first() const { return along_v_ ? patch_.domain.u0 : patch_.domain.v0; }
   double last() const { return along_v_ ? patch_.domain.u1 : patch_.domain.v1; }
@@ -196,14 +196,14 @@ class RulingReader {
     return vec((along_v_ ? du : dv).XYZ());
   }
 
-  const Patch& patch_;
+  const KernelPatch& patch_;
   bool along_v_;
 };
 
 /// mm; far below the accuracy of borders.
 constexpr double kInterpolation = 1e-7;
 
-std::optional<Ruled> ruled_of(const Patch& patch, double tolerance) {
+std::optional<Ruled> ruled_of(const KernelPatch& patch, double tolerance) {
   for (const bool along_v : {true, false}) {
     const RulingReader reader(patch, along_v);
     if (reader.developable(tolerance)) return reader.ruled(kInterpolation);
@@ -229,7 +229,7 @@ std::string kind_name(GeomAbs_SurfaceType type) {
   }
 }
 
-SolidFace fitted_face(const Patch& patch, double tolerance) {
+SolidFace fitted_face(const KernelPatch& patch, double tolerance) {
   SolidFace face;
   const std::vector<SurfaceSample> taken = samples_of(patch);
   face.surface = DoublyCurved{kind_name(patch.surface.GetType())};
@@ -254,7 +254,7 @@ SolidFace fitted_face(const Patch& patch, double tolerance) {
 }  // namespace
 
 SolidFace read_surface(const TopoDS_Face& face, double tolerance) {
-  Patch patch{BRepAdaptor_Surface(face, false), {}, face.Orientation() == TopAbs_REVERSED};
+  KernelPatch patch{BRepAdaptor_Surface(face, false), {}, face.Orientation() == TopAbs_REVERSED};
   SolidFace result;
   const GeomAbs_SurfaceType type = patch.surface.GetType();
   if (type == GeomAbs_Plane) {

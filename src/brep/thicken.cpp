@@ -40,7 +40,7 @@ std::string row_text(const BorderRef& ref) {
   return fmt::format("face {}, loop {}, border {}", index_of(ref.face), ref.loop, ref.border);
 }
 
-Result<void> check_input(const Sheet& sheet) {
+Result<void> check_inside_radii(const Sheet& sheet) {
   if (auto right = valid_input(sheet); !right) return right;
   for (const FaceId id : sheet.faces.ids())
     if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
@@ -285,7 +285,7 @@ Result<TopoDS_Solid> checked_solid(const TopoDS_Shell& shell) {
 }  // namespace
 
 Result<TopoDS_Solid> thicken(const Sheet& sheet, const ThickenOptions& options) {
-  if (auto sound = check_input(sheet); !sound) return pass_on(sound);
+  if (auto sound = check_inside_radii(sheet); !sound) return pass_on(sound);
   SheetCorners corners(sheet);
   auto points = corner_points(sheet, corners);
   if (!points) return pass_on(points);

@@ -45,14 +45,14 @@ std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& out
 
 std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
   constexpr double kLeastShare = 0.1;  // of the smaller face: less is a coincidence
-  constexpr double kParallel = 0.1;    // spread, of the depth
+  constexpr double kEven = 0.1;        // spread, of the depth
   Vote vote{std::numeric_limits<double>::infinity(), 0.0};
   for (int b = 0; b < std::ssize(outlines); ++b) {
     if (a == b || outlines[b].flat.empty()) continue;
     const auto seen = opposite(model, outlines, a, b);
     if (!seen || seen->depth <= 0 || seen->depth >= vote.depth) continue;
     if (seen->overlap < kLeastShare * std::min(outlines[a].area, outlines[b].area)) continue;
-    if (seen->spread > kParallel * seen->depth) continue;
+    if (seen->spread > kEven * seen->depth) continue;
     vote = {seen->depth, seen->overlap};
   }
   if (vote.area <= 0) return {};

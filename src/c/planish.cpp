@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/job/run.hpp>
 #include <planish/job/schemas.hpp>
 #include <planish/planish.h>
@@ -51,7 +53,6 @@ void set_result(planish_result& result, job::RunResult made) {
     case job::Status::refused:
       result.status = PLANISH_REFUSED;
   }
-  if (made.refusal) set_error(result, *made.refusal);
   result.report = std::move(made.report);
   result.summary = std::move(made.summary);
   result.files = std::move(made.artifacts);
@@ -102,20 +103,14 @@ planish::Result<planish_options> read_options(const planish_options* given) {
   planish_options options = PLANISH_OPTIONS_INIT;
   if (!given) return options;
   if (given->size < sizeof options)
-    return planish::fail(code::bad_option,
-                         fmt::format("planish_options.size must be at least {}, not {}: begin with "
-                                     "PLANISH_OPTIONS_INIT",
-                                     sizeof options, given->size),
+    return planish::fail(planish::refuse::options_too_short,
+                         {{"least", sizeof options}, {"size", given->size}},
                          "planish_options.size");
   options = *given;
   if (options.where != PLANISH_APART && options.where != PLANISH_HERE)
-    return planish::fail(code::bad_option,
-                         "planish_options.where must be PLANISH_APART or PLANISH_HERE",
-                         "planish_options.where");
+    return planish::fail(planish::refuse::where_unknown, {}, "planish_options.where");
   if (!(options.time_limit >= 0.0 && options.time_limit <= kLongestTime))
-    return planish::fail(code::bad_option,
-                         "planish_options.time_limit must be a number of seconds, at least 0",
-                         "planish_options.time_limit");
+    return planish::fail(planish::refuse::time_limit_wrong, {}, "planish_options.time_limit");
   return options;
 }
 
@@ -129,11 +124,12 @@ process::Limits limits_of(const planish_options& options) {
   return limits;
 }
 
-planish::Result<job::RunResult> run(const char* request, const planish_options* given) {
-  if (!request)
-    return planish::fail(code::invalid_input, "request: it is a null pointer, not JSON");
+job::Ran failed(Error error) { return tl::unexpected(job::RunFailure{std::move(error)}); }
+
+job::Ran run(const char* request, const planish_options* given) {
+  if (!request) return failed(planish::error_of(planish::refuse::no_request, {}));
   const auto options = read_options(given);
-  if (!options) return pass_on(options);
+  if (!options) return failed(options.error());
   Caller caller(*options);
   if (options->where == PLANISH_HERE) return job::run(request, caller.progress());
   return job::run_apart(request, caller.progress(), limits_of(*options));
@@ -142,10 +138,9 @@ planish::Result<job::RunResult> run(const char* request, const planish_options* 
 void run_into(planish_result& result, const char* request, const planish_options* options) {
   try {
     auto made = run(request, options);
-    if (made)
-      set_result(result, std::move(*made));
-    else
-      set_error(result, made.error());
+    if (!made) set_error(result, made.error());
+    if (made || made.error().shown)
+      set_result(result, std::move(made ? *made : *made.error().shown));
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& defect) {

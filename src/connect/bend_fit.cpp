@@ -1,5 +1,6 @@
 #include "bend_fit.hpp"
 
+#include "corners.hpp"
 #include "general_fit.hpp"
 #include "outline_run.hpp"
 #include "refusals.hpp"
@@ -23,18 +24,10 @@
 namespace planish::connect_detail {
 namespace {
 
-using Corners = std::array<std::vector<Vec2>, 2>;
 using Spread = std::pair<double, double>;
 
 // A corner within this share of the extent of the tangent ruling lies on it.
 constexpr double kOnRuling = tolerance::kComputed;
-
-double extent_of(const FitTask& task) {
-  double extent = 0.0;
-  for (const PlacedPlate* plate : task.plates)
-    if (plate != nullptr) extent = std::max(extent, plate->extent);
-  return extent;
-}
 
 RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corners& corners) {
   RunEnds ends;
@@ -226,6 +219,13 @@ LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
 }
 
 }  // namespace
+
+double extent_of(const FitTask& task) {
+  double extent = 0.0;
+  for (const PlacedPlate* plate : task.plates)
+    if (plate != nullptr) extent = std::max(extent, plate->extent);
+  return extent;
+}
 
 Facts about(const FitTask& task, Facts facts) {
   Facts all;

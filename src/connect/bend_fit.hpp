@@ -72,6 +72,9 @@ struct FitTask {
   bool shares_edges = false;  ///< uses no more of an edge than lies opposite the other plate
 };
 
+/// Extent of the larger plate of the task, mm.
+double extent_of(const FitTask& task);
+
 /// Facts of a refusal, with the plates of the task before them, named "plate".
 Facts about(const FitTask& task, Facts facts);
 

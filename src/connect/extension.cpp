@@ -1,3 +1,4 @@
+#include "corners.hpp"
 #include "refusals.hpp"
 #include "tangent_program.hpp"
 
@@ -18,12 +19,10 @@ namespace {
 
 using namespace connect_detail;
 
-using Corners = std::array<std::vector<Vec2>, 2>;
-
-struct Envelopes {
+struct SideEnvelopes {
   std::vector<RunEnvelope> chains;
   std::array<CornerRange, 2> sides;
-  explicit Envelopes(const Corners& corners) {
+  explicit SideEnvelopes(const Corners& corners) {
     for (const auto& side : corners)
       chains.emplace_back(side);
     for (std::size_t i = 0; i < 2; ++i)
@@ -81,7 +80,7 @@ double extension_area(const Corners& corners, EdgeKind kind, const TangentLine& 
 Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind kind,
                                              const GivenLine& given) {
   PLANISH_ASSERT(!corners[0].empty() && !corners[1].empty());
-  const Envelopes envelopes(corners);
+  const SideEnvelopes envelopes(corners);
   TangentCost cost;
   cost.linear = -sign_of(kind) * area_of_line(corners);
   const auto best = cheapest_tangent(envelopes.sides, kind, cost, given, size_of(envelopes.sides));
@@ -93,7 +92,7 @@ std::optional<Range> feasible_slopes(const Corners& corners, EdgeKind kind) {
   PLANISH_ASSERT(!corners[0].empty() && !corners[1].empty());
   if (kind == EdgeKind::averted)
     return Range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  const Envelopes envelopes(corners);
+  const SideEnvelopes envelopes(corners);
   const double size = size_of(envelopes.sides);
   const auto low = last_slope(envelopes.sides, kind, size, -1.0),
              high = last_slope(envelopes.sides, kind, size, 1.0);

@@ -1,5 +1,6 @@
 #include "general_fit.hpp"
 
+#include "corners.hpp"
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -19,19 +20,14 @@
 namespace planish::connect_detail {
 namespace {
 
-using Corners = std::array<std::vector<Vec2>, 2>;
-
 // An apex within this share of the extent beyond the first corner counts as being at it.
 constexpr double kAtEnd = tolerance::kComputed;
 // A tangent point within this share of the extent of the intersection line lies on it.
-constexpr double kOnLine = 1e-5;
+constexpr double kPointOnLine = 1e-5;
 // Largest deviation of the surface between knots, as a share of the extent.
 constexpr double kSurfaceTolerance = 1e-11;
 // Number of places at which the tightest ruling is sought.
 constexpr int kSamples = 64;
-
-double low_x(const Corners& c) { return std::min(c[0].front().x(), c[1].front().x()); }
-double high_x(const Corners& c) { return std::max(c[0].back().x(), c[1].back().x()); }
 
 // The steepest line from the apex that does not cut a side.
 std::optional<TangentLine> line_from(double apex, const std::vector<Vec2>& side) {
@@ -101,12 +97,12 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
                                    double extent) {
   const Vec3 foot = frame.origin + (point - frame.origin).dot(frame.d) * frame.d;
   const double off = (point - foot).norm();
-  if (off > kOnLine * extent)
+  if (off > kPointOnLine * extent)
     return fail(refuse::tangent_point_off, {{"at", place::point(point)},
                                             {"off", off, unit::mm},
                                             {"foot", place::point(foot)},
                                             {"field", place::pointer("/tangent_point")}});
-  if ((foot - apex).norm() <= kOnLine * extent)
+  if ((foot - apex).norm() <= kPointOnLine * extent)
     return fail(refuse::tangent_point_at_apex,
                 {{"at", place::point(point)}, {"field", place::pointer("/tangent_point")}});
   return foot;

@@ -213,8 +213,7 @@ std::optional<Error> too_far(const Problem& problem, UnionFind& groups, int p,
 /// The error of the nearest pair of a plate that stays alone. The request of that pair is not in
 /// the file, so neither are its fields.
 Error alone_because(const Place& plate, const std::string& pointer, Error why) {
-  why.message = tell("{@plate} cannot be joined to the others.", {{"plate", plate}}).sentence +
-                " " + why.message;
+  say_before(why, tell("{@plate} cannot be joined to the others. ", {{"plate", plate}}).sentence);
   std::erase_if(why.places, [&](const Place& place) {
     return place.kind == PlaceKind::pointer || (place.at.empty() && place == plate);
   });

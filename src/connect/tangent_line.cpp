@@ -1,5 +1,6 @@
 #include "tangent_line.hpp"
 
+#include "corners.hpp"
 #include "refusals.hpp"
 #include "tolerances.hpp"
 
@@ -19,8 +20,6 @@
 namespace planish::connect_detail {
 namespace {
 
-using Corners = std::array<std::vector<Vec2>, 2>;
-
 // Plates whose edges come within this share of their extent of the intersection line touch there.
 constexpr double kTouching = tolerance::kFileDigits;
 // A value within this share of the extent of a limit is at the limit.
@@ -28,10 +27,6 @@ constexpr double kOnBound = tolerance::kComputed;
 
 double mid_radius_of(double inside_radius, const FitTask& task) {
   return inside_radius + 0.5 * task.thickness;
-}
-
-double extent_of(const FitTask& task) {
-  return std::max(task.plates[0]->extent, task.plates[1]->extent);
 }
 
 Corners shifted(Corners corners, double x, double y) {
@@ -97,9 +92,6 @@ tl::unexpected<Error> too_sharp(const FitTask& task, const PairChoice& choice,
                            {"least", 0.5 * task.thickness, unit::mm},
                            {"distance", least_height(task, choice.frame), unit::mm}}));
 }
-
-double low_x(const Corners& c) { return std::min(c[0].front().x(), c[1].front().x()); }
-double high_x(const Corners& c) { return std::max(c[0].back().x(), c[1].back().x()); }
 
 bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line,
                   double tolerance) {

@@ -27,7 +27,7 @@ struct RunSet {
 };
 using RunSets = std::array<RunSet, 2>;
 
-struct Problem {
+struct WidthProblem {
   const ChainPair& pair;
   double trade_off = 1.0;
   double noise = 0.0;   ///< mm: differences below it are rounding
@@ -53,12 +53,13 @@ struct Narrower {
   bool operator()(const Node& a, const Node& b) const { return a.widest < b.widest; }
 };
 
-planish::Interval left_range(const Problem& problem, const RunSets& sides, int side) {
+planish::Interval left_range(const WidthProblem& problem, const RunSets& sides, int side) {
   const RunSet& set = sides[side];
   return {problem.left(side, set.first.low), problem.left(side, set.first.high)};
 }
 
-planish::Interval mirrored_right_range(const Problem& problem, const RunSets& sides, int side) {
+planish::Interval mirrored_right_range(const WidthProblem& problem, const RunSets& sides,
+                                       int side) {
   const RunSet& set = sides[side];
   return {-problem.right(side, set.last.high), -problem.right(side, set.last.low)};
 }
@@ -103,7 +104,8 @@ bool same_core(const RunSet& a, const RunSet& b) {
   return a.has_core() && b.has_core() && a.first.high == b.first.high && a.last.low == b.last.low;
 }
 
-bool hopeless(const Problem& problem, const Node& node, const std::optional<EdgeChoice>& best) {
+bool hopeless(const WidthProblem& problem, const Node& node,
+              const std::optional<EdgeChoice>& best) {
   const double weight = 0.5 * problem.trade_off;
   const RunSets& sides = node.sides;
   const double ends = least_shift(left_range(problem, sides, 0), left_range(problem, sides, 1),
@@ -117,7 +119,7 @@ bool hopeless(const Problem& problem, const Node& node, const std::optional<Edge
 }
 
 /// The node of these runs; empty if it cannot contain anything better than `best`.
-std::optional<Node> opened(const Problem& problem, const RunSets& sides, const Node* parent,
+std::optional<Node> opened(const WidthProblem& problem, const RunSets& sides, const Node* parent,
                            const std::optional<EdgeChoice>& best) {
   Node node{sides, 0.0, {}, 0.0};
   for (int side = 0; side < 2; ++side)
@@ -140,7 +142,7 @@ std::optional<Node> opened(const Problem& problem, const RunSets& sides, const N
 }
 
 /// The only runs of a node, if they fit and are better than `best`.
-std::optional<EdgeChoice> taken(const Problem& problem, const Node& node,
+std::optional<EdgeChoice> taken(const WidthProblem& problem, const Node& node,
                                 const std::optional<EdgeChoice>& best) {
   const auto choice = measured(problem.pair,
                                {std::pair{node.sides[0].first.low, node.sides[0].last.low},
@@ -165,7 +167,7 @@ std::vector<RunSets> by_middle(const RunSets& sides, int side) {
 
 /// Divides runs without a common edge on one side by their middle edge, others where their ends are
 /// spread most.
-std::vector<RunSets> divided(const Problem& problem, const RunSets& sides) {
+std::vector<RunSets> divided(const WidthProblem& problem, const RunSets& sides) {
   for (int side = 0; side < 2; ++side)
     if (!sides[side].has_core()) return by_middle(sides, side);
   int side = 0;
@@ -206,8 +208,8 @@ RunSets all_runs(const ChainPair& pair) {
 std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference,
                                       double trade_off, const std::optional<EdgeChoice>& best) {
   const double noise = kEqualWidths * pair.size;
-  const Problem problem{pair, trade_off, noise,
-                        reference.span - trade_off * reference.width + noise};
+  const WidthProblem problem{pair, trade_off, noise,
+                             reference.span - trade_off * reference.width + noise};
   std::optional<EdgeChoice> known = best;
   bool found = false;
   Frontier<Node, Narrower> open;

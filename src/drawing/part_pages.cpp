@@ -1,3 +1,4 @@
+#include "filling.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/drawing/page_parts.hpp>
@@ -15,8 +16,6 @@ namespace planish::drawing {
 using namespace schema;
 namespace {
 
-constexpr double kSheetWidth = 210.0, kSheetHeight = 297.0, kEdge = 12.0;
-constexpr double kInner = kSheetWidth - 2.0 * kEdge, kBelow = kSheetHeight - kEdge;
 constexpr double kLine = 4.8;                 // between lines of text, mm
 constexpr double kText = 3.2;                 // of letters, mm
 constexpr double kOutlineChord = 0.05;        // of curves on paper, mm
@@ -78,49 +77,11 @@ void name_bends(Page& page, const FlatPattern& flat, const Fit& fit) {
   }
 }
 
-/// Pages that are filled from above.
-class Filling {
- public:
-  explicit Filling(const PartDrawing& drawing) : drawing_(drawing) { begin(); }
-
-  Page& page() { return pages_.back(); }
-  double top() const { return top_; }
-  void skip(double height) { top_ += height; }
-  /// Goes on on the next page where there is no room.
-  void need(double height) {
-    if (top_ + height > kBelow) begin();
-  }
-
-  void line(const std::string& text, const TextStyle& style = {.size = kText}) {
-    need(kLine);
-    page().text({kEdge, top_ + style.size}, text, style);
-    top_ += kLine;
-  }
-
-  std::vector<Page> take() && {
-    for (std::size_t p = 0; pages_.size() > 1 && p < pages_.size(); ++p)
-      pages_[p].text({kSheetWidth - kEdge, kEdge + 5.0},
-                     fmt::format("{} / {}", p + 1, pages_.size()),
-                     {.size = 3.5, .anchor = TextAnchor::end, .colour = kPageGrey});
-    return std::move(pages_);
-  }
-
- private:
-  void begin() {
-    Page& page = pages_.emplace_back(kSheetWidth, kSheetHeight);
-    constexpr double kRoom = 165.0, kLargest = 6.5, kSmaller = 4.2;
-    page.text({kEdge, kEdge + 5.0}, drawing_.title,
-              {.size = fitting_size(drawing_.title, kRoom, kLargest), .bold = true});
-    page.text({kEdge, kEdge + 12.0}, drawing_.subtitle,
-              {.size = fitting_size(drawing_.subtitle, kInner, kSmaller)});
-    page.line({kEdge, kEdge + 15.0}, {kSheetWidth - kEdge, kEdge + 15.0}, {.width = 0.4});
-    top_ = kEdge + 19.0;
-  }
-
-  const PartDrawing& drawing_;
-  std::vector<Page> pages_;
-  double top_ = 0.0;
-};
+void write_line(Filling& filling, const std::string& text, const TextStyle& style) {
+  filling.need(kLine);
+  filling.page().text({kEdge, filling.top() + style.size}, text, style);
+  filling.skip(kLine);
+}
 
 /// The folded part on the left, the facts on the right.
 void write_facts(Filling& filling, const PartDrawing& drawing) {
@@ -216,7 +177,7 @@ void write_sentences(Filling& filling, const std::vector<std::string>& sentences
   constexpr std::size_t kLetters = 108;
   for (const std::string& sentence : sentences)
     for (const std::string& line : wrapped(sentence, kLetters))
-      filling.line(line, {.size = kText, .colour = colour});
+      write_line(filling, line, {.size = kText, .colour = colour});
 }
 
 }  // namespace
@@ -242,7 +203,7 @@ void draw_flat(Page& page, const FlatPattern& flat, const Vec2& corner, const Ve
 
 std::vector<Page> part_pages(const PartDrawing& drawing) {
   PLANISH_ASSERT(drawing.flat && !drawing.flat->outer.loop.empty());
-  Filling filling(drawing);
+  Filling filling(drawing.title, drawing.subtitle, PageNumbers::where_several);
   write_facts(filling, drawing);
   write_flat(filling, drawing);
   write_bends(filling, drawing);

@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/drawing/part_view.hpp>
 #include <planish/sheet/facets.hpp>
 
@@ -307,7 +309,7 @@ Result<PartView> read_view_json(std::string_view text) {
       return PartView{lines_in(json.at("edges")), lines_in(json.at("bends"))};
   } catch (const ViewJson::exception&) {
   }
-  return fail(code::invalid_input, "the stored view cannot be read: it is damaged");
+  return fail(refuse::view_damaged);
 }
 
 }  // namespace planish::drawing

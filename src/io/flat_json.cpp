@@ -212,7 +212,7 @@ tl::unexpected<Error> unreadable(const char* why) {
 /// A pattern that breaks a rule of `check`.
 tl::unexpected<Error> against_rules(Error broken) {
   Error error = error_of(refuse::unreadable_pattern, {{"why", "it breaks a rule of patterns"}});
-  error.message += " " + broken.message;
+  say_after(error, broken);
   error.places = std::move(broken.places);
   error.numbers = std::move(broken.numbers);
   return fail(std::move(error));

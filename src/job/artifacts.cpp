@@ -1,4 +1,5 @@
 #include "part_drawing.hpp"
+#include "sentences.hpp"
 
 #include <planish/brep/step.hpp>
 #include <planish/io/flat_writers.hpp>
@@ -100,11 +101,8 @@ void note_missing(Report& report, const Artifact& artifact, const Error& why) {
   const std::string code = mould ? "mould" : "folded_solid";
   if (std::ranges::any_of(report.findings, [&](const Finding& one) { return one.code == code; }))
     return;
-  report.findings.push_back({code,
-                             Severity::warning,
-                             fmt::format("no {} could be made, so its file is not written: {}",
-                                         mould ? "mould" : "folded part", why.message),
-                             {}});
+  report.findings.push_back(
+      finding_of(code, say::file_missing, why, {{"what", mould ? "mould" : "folded part"}}));
 }
 
 Result<std::vector<WrittenArtifact>> write(const Artifact& artifact, const Made& made,

@@ -1,5 +1,6 @@
 #include "asked.hpp"
 
+#include "refusals.hpp"
 #include "request_schema.hpp"
 
 #include <planish/base/text.hpp>
@@ -29,17 +30,15 @@ const Maker& info_options() {
 
 Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
                                      const std::string& pointer) {
-  if (const auto wrong = first_mistake(options_schema(files), options)) {
+  if (const auto wrong = first_mistake(options_schema(files, maker), options)) {
     const std::string where = pointer + wrong->pointer;
-    return fail_at(code::invalid_input,
-                   fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
+    return fail_at(*wrong->refusal, where, wrong->facts);
   }
   for (const auto& [name, value] : options.items())
     if (!maker.takes(name) && !value.is_null())
-      return fail_at(code::bad_option,
-                     fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
-                     pointer + "/" + name);
-  OptionValues values = values_of(options);
+      return fail_at(refuse::not_an_option, pointer + "/" + name,
+                     {{"option", shortened(name)}, {"task", maker.name}});
+  OptionValues values = values_of(options, maker);
   if (files == OptionFiles::content) values.read_no_files();
   return values;
 }
@@ -49,15 +48,13 @@ Result<void> check_folder(const Maker& maker, const InputFile& file) {
   if (file.folder || !maker.named_files) return {};
   const auto named = maker.named_files(file.content);
   if (named.empty()) return {};
-  return fail_at(
-      code::invalid_input,
-      fmt::format("request: /input/folder is missing: the {} names the file {} at {}; say "
-                  "in which folder it is",
-                  maker.input_kind(), named.front().file, named.front().pointer),
-      "/input/folder");
+  return fail_at(refuse::folder_unsaid, "/input/folder",
+                 {{"kind", maker.input_kind()},
+                  {"file", named.front().file},
+                  {"named", place::pointer("/input/content" + named.front().pointer)}});
 }
 
-void read_input(Asked& asked, const Json& input) {
+void read_input_key(Asked& asked, const Json& input) {
   if (input.is_string()) {
     asked.request.input = input.get<std::string>();
     return;
@@ -123,14 +120,13 @@ Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& ca
     const auto name = names[i].get<std::string>();
     const Artifact* artifact = written(asked, name, catalogue);
     if (!artifact && asked.task == Task::info)
-      return fail_at(code::bad_option, "info writes no files: leave `artifacts` out",
-                     fmt::format("/artifacts/{}", i));
+      return fail_at(refuse::info_writes_nothing, fmt::format("/artifacts/{}", i));
     if (!artifact)
-      return fail_at(code::bad_option,
-                     fmt::format("{} cannot write \"{}\"; it writes {}",
-                                 asked.task == Task::bend ? kBend : asked.maker->name,
-                                 shortened(name), fmt::join(names_written(asked, catalogue), ", ")),
-                     fmt::format("/artifacts/{}", i));
+      return fail_at(
+          refuse::not_written_by, fmt::format("/artifacts/{}", i),
+          {{"task", asked.task == Task::bend ? kBend : asked.maker->name},
+           {"artifact", shortened(name)},
+           {"known", fmt::format("{}", fmt::join(names_written(asked, catalogue), ", "))}});
     asked.artifacts.push_back(artifact);
   }
   return {};
@@ -145,7 +141,7 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
   if (reading.error()) return tl::unexpected(*reading.error());
   const Json& json = reading.document();
   Asked asked;
-  read_input(asked, json["input"]);
+  read_input_key(asked, json["input"]);
   if (bytes && asked.content) asked.content->content = std::move(*bytes);
   if (auto chosen = choose_maker(asked, json["maker"].get<std::string>(), catalogue); !chosen)
     return pass_on(chosen);
@@ -157,8 +153,7 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
     asked.request.bending.ask = Bending::Ask::plan;
   }
   asked.sheets = json.value("sheets", false);
-  if (asked.sheets && asked.task != Task::info)
-    return fail_at(code::bad_option, "`sheets` is of info alone: leave it out", "/sheets");
+  if (asked.sheets && asked.task != Task::info) return fail_at(refuse::sheets_of_info, "/sheets");
   if (json.contains("artifacts"))
     if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
       return pass_on(known);
@@ -178,9 +173,9 @@ Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& pro
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
                                   const std::string& pointer) {
   if (const auto byte = too_deep_at(json))
-    return fail(code::invalid_input, "the options " + too_deep_sentence(json, *byte), pointer);
+    return fail(too_deep(json, *byte, "The options", pointer));
   const Json options = Json::parse(json, nullptr, false);
-  if (options.is_discarded()) return fail(code::invalid_input, "the options are not JSON", pointer);
+  if (options.is_discarded()) return fail_at(refuse::options_not_json, pointer);
   return checked_options(options, maker, files, pointer);
 }
 

@@ -33,7 +33,12 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
 /// Errors: those of the maker's input.
 Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& progress);
 
-Result<RunResult> run_bend(const Asked& asked, const Progress& progress);
-Result<RunResult> run_info(const Asked& asked, const Progress& progress);
+/// What was done for a request, refused or not.
+struct RunDone : RunResult {
+  std::optional<Error> refusal = {};
+};
+
+Result<RunDone> run_bend(const Asked& asked, const Progress& progress);
+Result<RunDone> run_info(const Asked& asked, const Progress& progress);
 
 }  // namespace planish::job

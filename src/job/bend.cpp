@@ -14,7 +14,7 @@ Maker bending_with(const Maker& maker) {
   Maker bending = maker;
   bending.name = "bend";
   std::erase_if(bending.options, [](const OptionUse& use) {
-    return !is_of_sheet_to_bend(option(use.name)) && use.name != "material";
+    return !is_of_sheet_to_bend(use.entry()) && use.name != "material";
   });
   for (const std::string_view name : kPlanOptions)
     bending.options.push_back({name});

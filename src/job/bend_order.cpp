@@ -2,9 +2,11 @@
 #include "bending.hpp"
 #include "bending_options.hpp"
 #include "plan_report.hpp"
+#include "refusals.hpp"
 
 #include <planish/job/bend_order.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>
@@ -45,17 +47,20 @@ Result<std::vector<OrderedStroke>> parse_order(const std::string& json, const Re
     for (const JsonPlace& name : row["bends"].items())
       names.push_back(name.text());
     auto bends = bends_named(report, names);
-    if (!bends) return fail(code::invalid_input, bends.error().message, row.pointer());
+    if (!bends) {
+      Error error = std::move(bends.error());
+      error.code = code::invalid_input;
+      error.where = row.pointer();
+      error.places.push_back(place::pointer(row.pointer()));
+      return fail(std::move(error));
+    }
     OrderedStroke stroke{std::move(*bends)};
     if (row["press_line"].given()) stroke.press_line = row["press_line"].whole() - 1;
     stroke.flattening = row["flattening"].given() && row["flattening"].yes();
     order.push_back(std::move(stroke));
   }
   if (order.size() > kMostStrokes)
-    return fail(
-        code::invalid_input,
-        fmt::format("the order has {} strokes; at most {} are read", order.size(), kMostStrokes),
-        "/order");
+    return fail_at(refuse::long_order, "/order", {{"count", order.size()}, {"most", kMostStrokes}});
   return order;
 }
 

@@ -1,16 +1,68 @@
-#include "bend_pages.hpp"
 #include "bending.hpp"
+#include "proposal_report.hpp"
+#include "report_text.hpp"
 
+#include <planish/drawing/bend_pages.hpp>
 #include <planish/job/bend_plan_pages.hpp>
 
+#include <fmt/format.h>
+
+#include <filesystem>
+
 namespace planish::job {
+namespace {
+
+/// What the force and the angles are for.
+std::string metal_of(const Bending& bending) {
+  std::string text = fmt::format("{} {:g} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
+                                 bending.plan.tensile_strength);
+  const double springback = bending.plan.springback.degrees();
+  return springback == 0.0 ? text : text + fmt::format(", springback {:g}°", springback);
+}
+
+/// The part as its file is called, and its body where that has a name of its own.
+std::string title_of(const Report& report) {
+  const std::string file = std::filesystem::path(input_name(report)).stem().string();
+  return report.body.empty() || report.body == file ? file : file + " · " + report.body;
+}
+
+/// What keeps the part of a report from being bent; empty if it can be.
+std::vector<BlockedBend> obstacles_of(const Report& report) {
+  if (!report.plan || report.plan->status != PlanStatus::infeasible) return {};
+  return report.plan->blocked.empty() ? report.plan->in_the_way : report.plan->blocked;
+}
+
+drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
+  drawing::BendDrawing drawing{.title = title_of(report),
+                               .metal = metal_of(bending),
+                               .thickness = report.summary.thickness,
+                               .size = report.size,
+                               .mass = report.mass,
+                               .units = report.units,
+                               .flat = report.flat,
+                               .layout = report.layout,
+                               .plan = report.plan ? &*report.plan : nullptr,
+                               .blocked = {},
+                               .obstacles = {},
+                               .proposals = {}};
+  for (const BlockedBend& blocked : obstacles_of(report)) {
+    drawing.blocked.push_back(blocked.bend);
+    drawing.obstacles.push_back(blocked_sentence(blocked, report));
+  }
+  if (report.plan)
+    for (const Proposal& proposal : report.plan->proposals)
+      drawing.proposals.push_back(proposal_sentence(proposal, report));
+  return drawing;
+}
+
+}  // namespace
 
 std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending) {
-  if (!report.plan) return bend_pages(report, bending, {});
-  const BrakeTools& tools = tools_of(bending);
-  return bend_pages(
-      report, bending,
-      stroke_pictures(report.sheet, report.layout, tools, bending.plan, *report.plan));
+  std::vector<StrokePicture> pictures;
+  if (report.plan)
+    pictures = stroke_pictures(report.sheet, report.layout, tools_of(bending), bending.plan,
+                               *report.plan);
+  return drawing::bend_pages(drawing_of(report, bending), pictures);
 }
 
 std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending) {

@@ -2,6 +2,7 @@
 
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
+#include "refusals.hpp"
 #include "sentences.hpp"
 
 #include <planish/brake/codes.hpp>
@@ -69,25 +70,57 @@ void find_ungauged(Report& report, const Plan& plan) {
       finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {}));
 }
 
+/// What a sentence about a bend that is in the way states.
+void add_blocked(Facts& facts, const BlockedBend& blocked, const Report& report) {
+  facts.emplace_back("bend", part_place(report.flat, blocked.bend));
+  if (blocked.hits.empty()) return;
+  if (blocked.with) facts.emplace_back("flange", place::flange(index_of(*blocked.with) + 1));
+  facts.emplace_back("depth", blocked.depth, unit::mm);
+  if (blocked.at_turn) facts.emplace_back("turn", blocked.at_turn->degrees(), unit::degrees);
+}
+
+/// `where` is empty: the whole part is meant.
+Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending) {
+  std::string sentence = cannot_sentence(report, plan, bending);
+  sentence.front() = 'N';
+  Facts facts{{"sentence", std::move(sentence)}};
+  for (const BlockedBend& blocked : plan.blocked)
+    add_blocked(facts, blocked, report);
+  if (plan.blocked.empty())
+    for (const BendId bend : plan.unformed)
+      facts.emplace_back("bend", part_place(report.flat, bend));
+  Error error = error_of(refuse::cannot_bend, facts);
+  error.where.clear();
+  return error;
+}
+
 std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
   const bool only_finding = bending.ask == Bending::Ask::finding;
   std::optional<Error> refusal;
   name_once(plan.blocked);
   if (plan.status == PlanStatus::infeasible) {
-    const std::string sentence = cannot_sentence(report, plan, bending);
-    Finding finding{"cannot_bend", Severity::error, sentence, places_of(report, plan)};
-    for (const BlockedBend& blocked : plan.blocked)
-      finding.about.push_back(part_place(report.flat, blocked.bend));
-    if (plan.blocked.empty())
-      for (const BendId bend : plan.unformed)
-        finding.about.push_back(part_place(report.flat, bend));
-    if (only_finding)
-      report.findings.push_back(std::move(finding));
-    else
-      refusal = Error{code::cannot_bend, sentence, {}, std::move(finding.about)};
+    Error why = cannot_bend(report, plan, bending);
+    if (only_finding) {
+      why.message.pop_back();  // findings have no full stop
+      report.findings.push_back({"cannot_bend",
+                                 Severity::error,
+                                 continued(std::move(why.message)),
+                                 places_of(report, plan),
+                                 {},
+                                 std::move(why.places),
+                                 std::move(why.numbers)});
+    } else {
+      refusal = std::move(why);
+    }
   }
   if (plan.status == PlanStatus::gave_up)
-    report.findings.push_back({"no_plan", Severity::warning, gave_up_sentence(plan), {}});
+    report.findings.push_back({"no_plan",
+                               Severity::warning,
+                               gave_up_sentence(plan),
+                               {},
+                               {},
+                               {},
+                               {{"stages", {static_cast<double>(plan.states)}}}});
   number_bends(report.flat, plan);
   if (only_finding) return std::nullopt;
   find_ungauged(report, plan);
@@ -108,8 +141,8 @@ Result<std::vector<BendId>> bends_named(const Report& report,
       for (const FlatBend& bend : report.flat.bends)
         known.push_back(bend.id);
       return fail(
-          code::bad_option,
-          fmt::format("there is no bend \"{}\"; the bends are {}", name, fmt::join(known, ", ")),
+          refuse::no_such_bend,
+          {{"bend", place::bend(name)}, {"known", fmt::format("{}", fmt::join(known, ", "))}},
           "fix");
     }
     bends.push_back(found->bend);

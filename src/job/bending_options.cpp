@@ -1,5 +1,7 @@
 #include "bending_options.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/shop/tools_json.hpp>
 
 #include <fmt/format.h>
@@ -75,12 +77,7 @@ Result<void> set_weights(Request& to, const OptionValue& value) {
     const auto number = equals == std::string::npos ? std::nullopt
                                                     : parse_number(word.substr(equals + 1));
     if (weight == kStrokeWeights.end() || !number || *number < 0.0)
-      return fail(code::bad_option,
-                  fmt::format("`weights` must be like turn_over=3,rotate=2, each a number of at "
-                              "least 0 for one of turn_over, rotate, tool_change, stroke, "
-                              "ungauged, not \"{}\"",
-                              word),
-                  "weights");
+      return fail(refuse::bad_weights, {{"text", word}}, "weights");
     to.bending.plan.weights.*(weight->value) = *number;
   }
   return {};

@@ -11,9 +11,12 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails connect_report_details();  // connect_report.cpp
+
 namespace {
 
-constexpr auto kHelp = R"(Examples:
+constexpr auto kConnectHelp = R"(Examples:
   planish connect plates.json                  plates.step and plates.dxf beside it
   planish connect plates.json -o part.step --flat part.dxf --json report.json
   planish connect plates.json --flat part.svg  the flat pattern only, to look at
@@ -56,7 +59,9 @@ class MadeConnection : public MadeReport<ConnectReport> {
   std::vector<Plate> plates_;  // as in the input, joined or not
 };
 
-Result<PlatesFile> parse(const InputFile& input) { return parse_plates(input.content, input.name); }
+Result<PlatesFile> plates_in(const InputFile& input) {
+  return parse_plates(input.content, input.name);
+}
 
 Result<std::unique_ptr<Made>> make(const PlatesFile& file, const Request& request,
                                    const Progress& progress) {
@@ -65,8 +70,8 @@ Result<std::unique_ptr<Made>> make(const PlatesFile& file, const Request& reques
   return std::make_unique<MadeConnection>(std::move(*report), file.structure.plates);
 }
 
-Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
-  return SpecWork<PlatesFile>::open(input, parse, make);
+Result<std::unique_ptr<Work>> open_plates(const InputFile& input, const Progress&) {
+  return SpecWork<PlatesFile>::open(input, plates_in, make);
 }
 
 }  // namespace
@@ -78,7 +83,8 @@ Maker connect_maker() {
       .input = "plates",
       .format = "planish/plates",
       .mark = "plates",
-      .help = kHelp,
+      .examples = {{"planish connect plates.json", "joins plates by bends, and lays them flat"}},
+      .help = kConnectHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
       .options = with_bending_options({{"units", "that of the plates file"},
                                        {"k", "that of the plates file, or 0.44"},
@@ -96,7 +102,7 @@ Maker connect_maker() {
                                        {"no_rules"}}),
       .schema = plates_schema,
       .report_details = connect_report_details,
-      .open = open,
+      .open = open_plates,
       .failed = failed_as<MadeConnection, ConnectReport>,
   };
 }

@@ -1,5 +1,8 @@
 #include "folded.hpp"
 
+#include "refusals.hpp"
+#include "sentences.hpp"
+
 #include <planish/brep/step.hpp>
 
 #include <fmt/format.h>
@@ -10,13 +13,7 @@ namespace planish::job {
 namespace {
 
 Finding unmeasured(const Error& error) {
-  return {
-      "folded_solid",
-      Severity::warning,
-      fmt::format("no folded solid could be made, so neither the volume nor that it does not run "
-                  "through itself is verified: {}",
-                  error.message),
-      {}};
+  return finding_of("folded_solid", say::folded_unmade, error);
 }
 
 }  // namespace
@@ -25,7 +22,7 @@ std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Re
                           const Progress& progress) {
   progress.at("folding it", 0.3);
   auto folded = folded_body(to_fold, report.body);
-  if (progress.should_stop()) return Error{code::cancelled, "cancelled", {}};
+  if (progress.should_stop()) return error_of(refuse::cancelled, {});
   if (folded) {
     sheet.volume = folded->volume();
     solid = std::move(folded);
@@ -50,10 +47,8 @@ Result<std::string> checked_step(const Result<Body>& solid) {
   constexpr double kSame = 1e-4;  // of the volume: texts round, what is lost is more
   const double written = read->bodies.front().volume();
   if (std::abs(written - solid->volume()) <= kSame * solid->volume()) return text;
-  return fail(code::internal,
-              fmt::format("the folded solid has {:.9g} mm³ and, read back from its STEP text, "
-                          "{:.9g} mm³: a file of it would be wrong",
-                          solid->volume(), written),
+  return fail(refuse::step_is_wrong,
+              {{"solid", solid->volume(), unit::mm3}, {"written", written, unit::mm3}},
               solid->name());
 }
 

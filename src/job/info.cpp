@@ -1,5 +1,6 @@
 #include "found_sheet.hpp"
 #include "input.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
@@ -90,7 +91,7 @@ Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
   report.surface_bodies = file.surface_bodies;
   report.units = request.units;
   for (int i = first; i < last; ++i) {
-    if (progress.should_stop()) return fail(code::cancelled, "cancelled");
+    if (progress.should_stop()) return fail(refuse::cancelled);
     const Body& body = file.bodies[i];
     progress.at(fmt::format("body {} ({})", i + 1, body.name()),
                 double(i - first) / (last - first));

@@ -1,6 +1,8 @@
 #include "input.hpp"
 
-#include <planish/job/codes.hpp>
+#include "refusals.hpp"
+
+#include <planish/base/text.hpp>
 #include <planish/schema/text_file.hpp>
 #include <planish/schema/units.hpp>
 
@@ -50,7 +52,7 @@ Result<StepFile> read_input(const std::filesystem::path& input, const Progress& 
   if (input != "-") return read_step(input, progress);
   const auto text = read_text(input, "STEP file");
   if (!text) return pass_on(text);
-  if (progress.should_stop()) return fail(code::cancelled, "cancelled");
+  if (progress.should_stop()) return fail(refuse::cancelled);
   return read_step_text(*text, "standard input", progress);
 }
 
@@ -58,11 +60,7 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   const int n = static_cast<int>(file.bodies.size());
   if (wanted.empty()) {
     if (n == 1) return 0;
-    return fail(code::no_such_body,
-                fmt::format("the file holds {} different bodies: choose one with `body`, by its "
-                            "number or name; there are {}",
-                            n, body_list(file)),
-                "body");
+    return fail(refuse::body_unchosen, {{"count", n}, {"known", body_list(file)}}, "body");
   }
   // Numbers take precedence: a name can be anything, but every body has a number.
   if (const auto number = as_number(wanted); number && *number >= 1 && *number <= n) {
@@ -71,15 +69,13 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   const std::vector<int> named = bodies_named(file, wanted);
   if (named.size() == 1) return named.front();
   if (named.empty()) {
-    return fail(code::no_such_body,
-                fmt::format("there is no body \"{}\"; there {} {}", wanted, n == 1 ? "is" : "are",
-                            body_list(file)),
-                "body");
+    return fail(n == 1 ? refuse::not_the_body : refuse::no_body,
+                {{"body", shortened(wanted)}, {"known", body_list(file)}}, "body");
   }
-  return fail(code::no_such_body,
-              fmt::format("{} bodies are named \"{}\", choose one by its number; there are {}",
-                          named.size(), wanted, body_list(file)),
-              "body");
+  Facts facts{{"body", shortened(wanted)}, {"known", body_list(file)}};
+  for (const int i : named)
+    facts.emplace_back("same", place::body(i + 1));
+  return fail(refuse::body_name_twice, facts, "body");
 }
 
 }  // namespace planish::job

@@ -1,6 +1,7 @@
 #include "lay_flat.hpp"
 
 #include "bending.hpp"
+#include "refusals.hpp"
 #include "reliefs.hpp"
 #include "self_intersections.hpp"
 #include "taken_shop.hpp"
@@ -135,19 +136,44 @@ std::optional<Error> relieve(Report& report, const SheetToLay& given,
                                rules_of(given));
   if (!relieved) return relieved.error();
   if (mends && !overlaps.empty() && !contour_crossings(relieved->pattern).empty())
-    return Error{code::overlap, "contours cross elsewhere", {}};
+    return error_of(refuse::contours_cross, {});
   take_reliefs(report, std::move(*relieved));
   if (mends) overlaps.clear();
   return std::nullopt;
 }
 
+/// Where reliefs were declined and would mend all overlaps, they are what helps.
+void offer_reliefs(std::vector<Finding>& overlaps, const Report& report, const SheetToLay& given) {
+  if (!given.takes_relief || given.relief.shape != Relief::none || overlaps.empty()) return;
+  ReliefOptions tried = given.relief;
+  tried.shape = Relief::rip;
+  tried.beside_bends = Relief::none;
+  const auto relieved = with_reliefs(given.sheet, report.layout, report.flat,
+                                     double_covers(given.sheet, report.layout, report.flat), tried,
+                                     rules_of(given));
+  if (!relieved || !contour_crossings(relieved->pattern).empty()) return;
+  const std::vector<Remedy> reliefs{{"relief", "rip", "Cut a rip"},
+                                    {"relief", "square", "Cut a square relief"},
+                                    {"relief", "round", "Cut a round relief"}};
+  for (Finding& overlap : overlaps)
+    overlap.remedies.insert(overlap.remedies.begin(), reliefs.begin(), reliefs.end());
+}
+
+/// Why an overlap stays.
+Error no_relief_because(Error why) {
+  why.message = continued(std::move(why.message));
+  say_before(why, "No relief mends it: ");
+  return why;
+}
+
 std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   std::vector<Finding> overlaps = find_overlaps(given.sheet, report.layout, report.flat);
   const auto unmended = relieve(report, given, overlaps);
+  offer_reliefs(overlaps, report, given);
   append(report.findings, overlaps);
   if (!given.checks.write_overlapping) {
     if (auto refusal = overlap_refusal(overlaps)) {
-      if (unmended) refusal->message += "; no relief mends it: " + unmended->message;
+      if (unmended) say_after(*refusal, no_relief_because(*unmended));
       return refusal;
     }
   }

@@ -29,6 +29,7 @@ struct SheetToLay {
   const PatternChecks& checks;
   std::optional<FoldedBody> folded = {};  ///< empty if there is none, or if nobody asks
   ReliefOptions relief = {.shape = Relief::none};
+  bool takes_relief = false;  ///< whether `relief` is an option of who asks
 };
 
 SheetSummary summary_of(const Sheet& sheet);

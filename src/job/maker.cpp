@@ -1,8 +1,10 @@
 #include "folded.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/artifact.hpp>
 #include <planish/job/maker.hpp>
+#include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_depth.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/text_file.hpp>
@@ -16,7 +18,7 @@ using namespace schema;
 namespace {
 
 tl::unexpected<Error> not_made(const char* what) {
-  return fail(code::bad_option, fmt::format("{} cannot be made of this part", what));
+  return fail(refuse::not_made, {{"what", what}});
 }
 
 bool looks_like_json(const std::string& content) {
@@ -36,21 +38,17 @@ std::string listed(const std::vector<Maker>& makers, const Text& text) {
 
 }  // namespace
 
-Result<std::string> Made::folded_solid(int) const { return not_made("a folded solid"); }
-Result<Mesh> Made::folded_mesh() const { return not_made("a folded mesh"); }
-Result<Mesh> Made::mould_mesh() const { return not_made("a mould"); }
+Result<std::string> Made::folded_solid(int) const { return not_made("A folded solid"); }
+Result<Mesh> Made::folded_mesh() const { return not_made("A folded mesh"); }
+Result<Mesh> Made::mould_mesh() const { return not_made("A mould"); }
 
 Result<const Report*> piece_of(const Made& made, int piece) {
   if (piece < made.pieces()) return &made.piece(piece);
   if (made.report().refusal) return &made.report();
-  return fail(code::bad_option,
-              fmt::format("there is no piece {}; the last is {}", piece, made.pieces() - 1),
-              "piece");
+  return fail(refuse::no_such_piece, {{"piece", piece}, {"last", made.pieces() - 1}}, "piece");
 }
 
-Result<void> Work::edit(const InputFile&) {
-  return fail(code::bad_option, "this kind of input cannot be edited", "/spec");
-}
+Result<void> Work::edit(const InputFile&) { return fail_at(refuse::not_edited, "/spec"); }
 
 Result<InputFile> read_input_file(const std::filesystem::path& file, const std::string& kind) {
   auto content = read_text(file, kind);
@@ -63,7 +61,7 @@ Result<std::unique_ptr<Work>> open_input(const Maker& maker, const Request& requ
                                          const Progress& progress) {
   const auto input = read_input_file(request.input, maker.input_kind());
   if (!input) return pass_on(input);
-  if (progress.should_stop()) return fail(code::cancelled, "cancelled");
+  if (progress.should_stop()) return fail(refuse::cancelled);
   return maker.open(*input, progress);
 }
 
@@ -91,11 +89,15 @@ Result<const Maker*> Catalogue::maker_for(const std::string& name,
                                           const std::string& content) const {
   const bool json = looks_like_json(content);
   if (const auto byte = json ? too_deep_at(content) : std::nullopt)
-    return fail(code::invalid_input, fmt::format("{} {}", name, too_deep_sentence(content, *byte)),
-                name + ":" + line_and_column(content, *byte));
-  const Json document = json ? Json::parse(content, nullptr, false) : Json();
-  if (document.is_discarded())
-    return fail(code::invalid_input, fmt::format("{} is not JSON", name), name);
+    return fail(too_deep(content, *byte, name, name + ":"));
+  Json document;
+  try {
+    if (json) document = Json::parse(content);
+  } catch (const Json::parse_error& mistake) {
+    return fail(not_json(content, mistake.byte, name, name + ":"));
+  } catch (const Json::exception& mistake) {
+    return fail(refuse::no_json, {{"file", name}}, name);
+  }
   const bool told = document.is_object() && document.contains("format") &&
                     document["format"].is_string();
   const std::string format = told ? document["format"].get<std::string>() : "";
@@ -106,15 +108,16 @@ Result<const Maker*> Catalogue::maker_for(const std::string& name,
       return &maker;
   }
   if (told)
-    return fail(
-        code::invalid_input,
-        fmt::format("{} has the format \"{}\"; the known formats are {}", name, shortened(format),
-                    listed(makers, [](const Maker& m) { return std::string(m.format); })),
-        name + "/format");
-  return fail(code::invalid_input,
-              fmt::format("{} is JSON, but not one of these: {}", name,
-                          listed(makers, [](const Maker& m) { return m.input_kind(); })),
-              name);
+    return fail(refuse::unknown_format,
+                {{"file", name},
+                 {"format", shortened(format)},
+                 {"known", listed(makers, [](const Maker& m) { return std::string(m.format); })},
+                 {"field", place::pointer("/format")}},
+                name + "/format");
+  return fail(
+      refuse::no_known_file,
+      {{"file", name}, {"known", listed(makers, [](const Maker& m) { return m.input_kind(); })}},
+      name);
 }
 
 std::vector<const Artifact*> Catalogue::written_by(const Maker& maker) const {

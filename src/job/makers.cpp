@@ -2,6 +2,12 @@
 
 namespace planish::job {
 
+// Each in a file of its own, NAME_maker.cpp.
+Maker unfold_maker();
+Maker connect_maker();
+Maker transition_maker();
+Maker slit_maker();
+
 const std::vector<Maker>& makers() {
   static const std::vector<Maker> table{unfold_maker(), connect_maker(), transition_maker(),
                                         slit_maker()};

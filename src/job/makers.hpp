@@ -6,12 +6,6 @@
 
 namespace planish::job {
 
-/// The entries of the table of makers.
-Maker unfold_maker();
-Maker connect_maker();
-Maker transition_maker();
-Maker slit_maker();
-
 /// A maker's own options, followed by those of every flat pattern: DXF, overlaps, density.
 std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own);
 

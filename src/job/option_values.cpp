@@ -1,4 +1,5 @@
 
+#include "refusals.hpp"
 #include "taken_shop.hpp"
 
 #include <planish/job/options.hpp>
@@ -21,7 +22,7 @@ using ByBend = std::vector<std::pair<std::string, double>>;
 
 tl::unexpected<Error> must_be(const Option& option, const std::string& what,
                               const std::string& text) {
-  return fail(code::bad_option, fmt::format("must be {}, not \"{}\"", what, text),
+  return fail(refuse::bad_option_text, {{"option", option.name}, {"wanted", what}, {"text", text}},
               std::string(option.name));
 }
 
@@ -82,7 +83,7 @@ Result<OptionValue> value_of(const Option& option, const std::string& text) {
 // A condition under which a request makes no sense, and the message for it.
 struct Contradiction {
   bool holds;
-  const char* sentence;
+  const Refusal& refusal;
   const char* option;
 };
 
@@ -101,22 +102,14 @@ Result<OptionValue> read_file(const Option& option, const std::string& path) {
 }
 
 Error without_material(const Shop& shop, const std::string& name, bool reads_files) {
-  return {code::bad_option,
-          fmt::format("the shop profile has no material \"{}\"{}: it has {}", name,
-                      reads_files ? " and there is no such file" : "", material_names(shop)),
-          "material"};
+  return error_of(reads_files ? refuse::no_material_or_file : refuse::no_shop_material,
+                  {{"material", name}, {"known", material_names(shop)}}, "material");
 }
 
 Error not_a_content(const Option& option) {
-  return {code::bad_option,
-          fmt::format("`{}` is the name of a material only beside `shop`: give the content of the "
-                      "{}",
-                      option.name, option.file_kind),
-          std::string(option.name)};
+  return error_of(refuse::name_without_shop, {{"option", option.name}, {"kind", option.file_kind}},
+                  std::string(option.name));
 }
-
-constexpr auto kOneK =
-    "`k`, `k_table`, `din6935` and `material` each say where K comes from: give only one of them";
 
 /// `material` beside a shop: one of the shop's, or a file.
 Result<bool> enter_shop_material(const std::string& name, Request& request, bool reads_files) {
@@ -124,8 +117,21 @@ Result<bool> enter_shop_material(const std::string& name, Request& request, bool
   std::error_code ignored;
   if (!reads_files || !std::filesystem::exists(name, ignored))
     return tl::unexpected(without_material(request.shop->shop, name, reads_files));
-  if (request.allowance) return fail(code::bad_option, kOneK, "material");
+  if (request.allowance) return fail(refuse::one_k, {}, "material");
   return false;
+}
+
+/// Its row in the table of options; those of a maker's own come after them.
+std::ptrdiff_t rank_of(const Option& option) {
+  const auto all = options();
+  const auto row = std::ranges::find(all, option.name, &Option::name);
+  return row - all.begin();
+}
+
+Result<void> store(const Option& option, const OptionValue& value, Request& request) {
+  if (option.set) return option.set(request, value);
+  request.own.insert_or_assign(std::string(option.name), value);
+  return {};
 }
 
 Result<void> enter_one(const Option& option, const OptionValue& value, Request& request,
@@ -140,9 +146,9 @@ Result<void> enter_one(const Option& option, const OptionValue& value, Request& 
     if (!reads_files) return tl::unexpected(not_a_content(option));
     const auto content = read_file(option, *path);
     if (!content) return pass_on(content);
-    return option.set(request, *content);
+    return store(option, *content, request);
   }
-  auto done = option.set(request, value);
+  auto done = store(option, value, request);
   const auto* file = std::get_if<OptionFile>(&value);
   if (!done && file) return tl::unexpected(within_content(done.error(), option, *file));
   return done;
@@ -198,26 +204,23 @@ Result<void> OptionValues::check_together() const {
                             : given("din6935") ? "din6935"
                                                : "k_table";
   for (const Contradiction& one : {
-           Contradiction{k_rules > 1, kOneK, last_k_rule},
-           {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other",
-            "no_rules"},
-           {given("r12") && text("splines") == "keep",
-            "`splines` keep does not go with `r12`, which has no splines", "splines"},
-           {given("tick_length") && text("bend_marks") != "ticks",
-            "`tick_length` goes with `bend_marks` ticks", "tick_length"},
+           Contradiction{k_rules > 1, refuse::one_k, last_k_rule},
+           {given("no_rules") && given("rules"), refuse::rules_and_none, "no_rules"},
+           {given("r12") && text("splines") == "keep", refuse::kept_splines, "splines"},
+           {given("tick_length") && text("bend_marks") != "ticks", refuse::ticks_alone,
+            "tick_length"},
        })
-    if (one.holds) return fail(code::bad_option, one.sentence, one.option);
+    if (one.holds) return fail(one.refusal, {}, one.option);
   return {};
 }
 
 Result<void> OptionValues::enter(Request& request) const {
   if (auto fine = check_together(); !fine) return fine;
   // In the order of the table: a rules file changes the limits of the process.
-  for (const Option& option : options())
-    for (const auto& [given, value] : values_) {
-      if (given != &option) continue;
-      if (auto done = enter_one(option, value, request, reads_files_); !done) return done;
-    }
+  auto ordered = values_;
+  std::ranges::stable_sort(ordered, {}, [](const auto& one) { return rank_of(*one.first); });
+  for (const auto& [option, value] : ordered)
+    if (auto done = enter_one(*option, value, request, reads_files_); !done) return done;
   if (!request.shop) return {};
   // `planish bend --material steel` takes a word that it knows for the metal.
   if (!request.shop->material) take_material(request, text("metal"));

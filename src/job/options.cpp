@@ -1,4 +1,5 @@
 #include "bending_options.hpp"
+#include "refusals.hpp"
 #include "taken_shop.hpp"
 
 #include <planish/base/assert.hpp>
@@ -123,11 +124,7 @@ Done set_rip_edges(Request& to, const OptionValue& value) {
     int edge = 0;
     const auto [stop, error] = std::from_chars(at, end, edge);
     if (error != std::errc() || edge < 1 || (stop != end && *stop != ','))
-      return fail(code::bad_option,
-                  fmt::format("`rip_edges` must be numbers of edges with commas between them, as "
-                              "in 21,56, not \"{}\"",
-                              text),
-                  "rip_edges");
+      return fail(refuse::bad_rip_edges, {{"text", text}}, "rip_edges");
     to.rip_edges.push_back(edge);
     if ((at = stop) == end) return {};
   }
@@ -482,6 +479,8 @@ std::span<const Option> options() {
   }();
   return all;
 }
+
+const Option& OptionUse::entry() const { return own ? *own : option(name); }
 
 const Option& option(std::string_view name) {
   const auto all = options();

@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/job/output_paths.hpp>
 
 #include <fmt/format.h>
@@ -12,9 +14,8 @@ Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& i
   for (const fs::path& input : inputs) {
     std::error_code absent;
     if (fs::equivalent(output, input, absent) && !absent)
-      return fail(code::bad_option,
-                  fmt::format("the output {} is the input {}, which would be lost", output.string(),
-                              input.string()));
+      return fail(refuse::output_is_input,
+                  {{"output", output.string()}, {"input", input.string()}});
   }
   return {};
 }
@@ -23,8 +24,7 @@ Result<void> folder_exists(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return {};
-  return fail(code::cannot_write,
-              fmt::format("cannot write {}: there is no folder {}", file.string(), folder.string()),
+  return fail(refuse::no_folder, {{"file", file.string()}, {"folder", folder.string()}},
               file.string());
 }
 
@@ -33,8 +33,7 @@ Result<void> all_different(const std::vector<fs::path>& outputs) {
   for (const fs::path& path : outputs) {
     std::error_code ignored;
     if (!taken.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second)
-      return fail(code::bad_option,
-                  fmt::format("two outputs are to be written to {}", path.string()));
+      return fail(refuse::two_outputs, {{"file", path.string()}});
   }
   return {};
 }

@@ -50,6 +50,18 @@ Json breach_json(const FindingPlace& breach, const Units& units) {
   return json;
 }
 
+/// The message in pieces, where it names an option or a place.
+Json wording_json(const Error& error, const Units& units) {
+  Json json = Json::array();
+  for (const Piece& piece : wording(error)) {
+    Json& row = json.emplace_back();
+    row["text"] = piece.text;
+    if (!piece.option.empty()) row["option"] = piece.option;
+    if (piece.place) row["place"] = place_json(*piece.place, units);
+  }
+  return error.named.empty() ? Json::array() : json;
+}
+
 /// Of a finding that is no rule's: what it is about, else its points.
 Json about_json(const Finding& finding, const Units& units) {
   if (!finding.about.empty()) return places_json(finding.about, units);
@@ -117,6 +129,7 @@ Json reason_json(const std::optional<Error>& error, const Units& units) {
   Json reason;
   reason["code"] = code_name(error->code);
   reason["message"] = error->message;
+  if (const Json pieces = wording_json(*error, units); !pieces.empty()) reason["wording"] = pieces;
   reason["where"] = error->where;
   reason["places"] = places_json(error->places, units);
   reason["numbers"] = numbers_json(error->numbers);

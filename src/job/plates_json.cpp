@@ -1,4 +1,5 @@
 #include "input_schemas.hpp"
+#include "refusals.hpp"
 
 #include <planish/job/plates_json.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -13,8 +14,8 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kFormat = "planish/plates";
-constexpr int kVersion = 1;
+constexpr auto kPlatesFormat = "planish/plates";
+constexpr int kPlatesVersion = 1;
 constexpr schema::Range kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false,
                                   false};
 constexpr schema::Range kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
@@ -80,8 +81,8 @@ Schema defaults_schema() {
       .said("for every bend between two plates that gives nothing else");
 }
 
-Schema make_schema() {
-  std::vector<Field> fields = header_fields(kFormat, kVersion);
+Schema make_plates_schema() {
+  std::vector<Field> fields = header_fields(kPlatesFormat, kPlatesVersion);
   fields.push_back(optional("units", units()));
   fields.push_back(
       optional("k_factor", number(kShare).said("of every bend, unless an option sets K; "
@@ -119,8 +120,10 @@ std::vector<Plate> plates_at(const JsonPlace& place) {
     const auto same = std::find_if(plates.begin(), plates.end(),
                                    [&](const Plate& other) { return other.id == plate.id; });
     if (same != plates.end()) {
-      item["id"].mistake(fmt::format("is \"{}\", as is that of plate {}: give each plate its own",
-                                     plate.id, same - plates.begin()));
+      item["id"].mistake(
+          refuse::same_plate_id,
+          {{"id", plate.id},
+           {"other", place::pointer(fmt::format("/plates/{}", same - plates.begin()))}});
     }
     plates.push_back(std::move(plate));
   }
@@ -132,12 +135,9 @@ std::vector<std::string> ids_at(const JsonPlace& place) {
   for (const JsonPlace& item : place.items())
     ids.push_back(item.text());
   if (ids.size() > 2) {
-    place.mistake(
-        fmt::format("names {} plates: a bend joins two, has a free end (one id) or "
-                    "is a section by itself ([])",
-                    ids.size()));
+    place.mistake(refuse::many_plates_of_bend, {{"count", ids.size()}});
   } else if (ids.size() == 2 && ids[0] == ids[1]) {
-    place.mistake(fmt::format("names \"{}\" twice: a bend joins two different plates", ids[0]));
+    place.mistake(refuse::bend_to_itself, {{"plate", planish::place::plate(ids[0])}});
   }
   return ids;
 }
@@ -147,7 +147,7 @@ std::vector<int> edges_at(const JsonPlace& place) {
   for (const JsonPlace& item : place.items()) {
     const int edge = item.whole();
     if (std::find(edges.begin(), edges.end(), edge) != edges.end())
-      item.mistake(fmt::format("is {}, which is already in the list", edge));
+      item.mistake(refuse::edge_listed_twice, {{"edge", edge}});
     edges.push_back(edge);
   }
   return edges;
@@ -157,10 +157,10 @@ void read_edges(BendRequest& bend, const JsonPlace& place) {
   for (const auto& [id, list] : place.members()) {
     const auto side = std::find(bend.between.begin(), bend.between.end(), id);
     if (side == bend.between.end()) {
-      list.mistake(fmt::format("is not a plate of this bend, which has {}",
-                               bend.between.empty()
-                                   ? std::string("none")
-                                   : fmt::format("{}", fmt::join(bend.between, " and "))));
+      list.mistake(
+          refuse::not_of_this_bend,
+          {{"known", bend.between.empty() ? std::string("none")
+                                          : fmt::format("{}", fmt::join(bend.between, " and "))}});
       return;
     }
     bend.edges[side - bend.between.begin()] = edges_at(list);
@@ -213,27 +213,14 @@ void read_sizes(BendRequest& bend, const JsonPlace& place) {
 
 // Properties that exclude each other, whatever the plates are.
 void check_together(const BendRequest& bend, const JsonPlace& place) {
-  if (bend.inside_radius && bend.inside_radii)
-    place["inside_radii"].mistake("is given besides inside_radius: give only one of them");
-  if (bend.angle && *bend.angle == Angle{})
-    place["angle"].mistake(
-        "is 0, which bends nothing: give the angle that the section turns, or leave the section "
-        "out");
-  if (bend.angle && bend.between.size() == 2)
-    place["angle"].mistake(
-        "belongs to a section with a free end; between two plates it follows "
-        "from their positions: leave it out");
+  if (bend.inside_radius && bend.inside_radii) place["inside_radii"].mistake(refuse::two_radii);
+  if (bend.angle && *bend.angle == Angle{}) place["angle"].mistake(refuse::angle_of_nothing);
+  if (bend.angle && bend.between.size() == 2) place["angle"].mistake(refuse::angle_follows);
   if (bend.between.size() < 2)
     for (const char* key : {"slope", "apex", "aperture", "tangent_point", "lateral"})
       if (place[key].given() && place[key].text() != "auto" && place[key].text() != "arc")
-        place[key].mistake(
-            "belongs to a bend between two plates; a section has inside_radius or inside_radii, "
-            "angle and ends "
-            "at right angles to its axis: leave it out");
-  if (bend.length && !bend.between.empty())
-    place["length"].mistake(
-        "belongs to a section without plates; beside a plate it follows from "
-        "the plate's edges: leave it out");
+        place[key].mistake(refuse::key_of_joins);
+  if (bend.length && !bend.between.empty()) place["length"].mistake(refuse::length_follows);
 }
 
 BendRequest bend_at(const JsonPlace& place) {
@@ -250,7 +237,7 @@ BendRequest bend_at(const JsonPlace& place) {
 }  // namespace
 
 const Schema& plates_schema() {
-  static const Schema schema = make_schema();
+  static const Schema schema = make_plates_schema();
   return schema;
 }
 
@@ -281,7 +268,7 @@ Result<PlatesFile> parse_plates(const std::string& json, const std::string& name
   structure.largest_span = file["largest_span"].maybe_length();
   structure.root = file["root"].text();
   if (structure.plates.empty() && structure.bends.empty())
-    file["plates"].mistake("is empty: give plates, or bends that need no plate");
+    file["plates"].mistake(refuse::nothing_to_join);
   if (reading.error()) return tl::unexpected(*reading.error());
   return plates;
 }

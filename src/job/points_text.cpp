@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/job/slit_json.hpp>
 
 #include <fmt/format.h>
@@ -62,7 +64,7 @@ Result<std::vector<Vec3>> parse_points(const std::string& text, const std::strin
     }
     Vec3 p;
     if (!take_number(line, p.x()) || !take_number(line, p.y()) || !take_number(line, p.z()))
-      return fail(code::invalid_input, "a line of a scan must begin with three numbers, x y z",
+      return fail(refuse::bad_scan_line, {{"line", place::line(number)}},
                   fmt::format("{}:{}", name, number));
     points.push_back(scale * p);
   }

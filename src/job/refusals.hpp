@@ -1,7 +1,10 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/brake/codes.hpp>
+#include <planish/job/codes.hpp>
 #include <planish/sheet/codes.hpp>
+#include <planish/slit/codes.hpp>
 
 /// The sentences with which `job` refuses.
 namespace planish::refuse {
@@ -10,6 +13,8 @@ constexpr Refusal overlap_too_large{
     code::overlap,
     "{@part} overlap by {area}, {depth} deep. Corners are mended up to {most_area} and "
     "{most_depth}."};
+constexpr Refusal relief_took_other{code::pattern_wrong,
+                                    "A relief took {removed} where the sheet has {within}."};
 constexpr Refusal relief_parts_sheet{code::unsupported_shape, "A relief parts the sheet."};
 constexpr Refusal volume_wrong{
     code::pattern_wrong,
@@ -23,5 +28,183 @@ constexpr Refusal refold_wrong{
     code::pattern_wrong,
     "The refolded contour leaves the solid's edge by {off}. The pattern cannot be trusted and is "
     "not written."};
+
+// Requests and their options.
+constexpr Refusal cancelled{code::cancelled, "Cancelled."};
+constexpr Refusal bad_option_text{code::bad_option, "`{option}` must be {wanted}, not \"{text}\"."};
+constexpr Refusal not_an_option{code::bad_option, "`{option}` is not an option of {task}."};
+constexpr Refusal options_not_json{code::invalid_input, "The options are not JSON."};
+constexpr Refusal one_k{code::bad_option,
+                        "`k`, `k_table`, `din6935` and `material` each say where K comes from.",
+                        "Give only one of them."};
+constexpr Refusal rules_and_none{code::bad_option, "`rules` and `no_rules` contradict each other.",
+                                 "Leave one of them out."};
+constexpr Refusal kept_splines{code::bad_option,
+                               "`splines` keep does not go with `r12`, which has no splines.",
+                               "Leave one of them out."};
+constexpr Refusal ticks_alone{code::bad_option, "`tick_length` goes with `bend_marks` ticks.",
+                              "Set `bend_marks` to ticks.", "bend_marks", "ticks"};
+constexpr Refusal bad_rip_edges{
+    code::bad_option,
+    "`rip_edges` must be numbers of edges with commas between them, as in 21,56, not \"{text}\"."};
+constexpr Refusal bad_weights{code::bad_option,
+                              "`weights` must be like turn_over=3,rotate=2, each a number of at "
+                              "least 0 for one of turn_over, "
+                              "rotate, tool_change, stroke, ungauged, not \"{text}\"."};
+constexpr Refusal no_shop_material{
+    code::bad_option, "The shop profile has no material \"{material}\": it has {known}."};
+constexpr Refusal no_material_or_file{
+    code::bad_option,
+    "The shop profile has no material \"{material}\" and there is no such file: it has {known}."};
+constexpr Refusal name_without_shop{code::bad_option,
+                                    "`{option}` is the name of a material only beside `shop`.",
+                                    "Give the content of the {kind}."};
+constexpr Refusal material_unsaid{code::bad_option, "The shop profile has the materials {known}.",
+                                  "Choose one with `material`."};
+constexpr Refusal material_not_stocked{
+    code::bad_option,
+    "The part is of {material}, which the shop profile does not have; it has {known}.",
+    "Choose one with `material`."};
+constexpr Refusal k_of_transition{code::bad_option,
+                                  "A transition has no inside radius, so its K is one number.",
+                                  "Give it by `k`."};
+constexpr Refusal folder_unsaid{
+    code::invalid_input, "{@field} is missing: the {kind} names the file {file} at {@named}.",
+    "Say in which folder it is."};
+constexpr Refusal info_writes_nothing{code::bad_option, "Info writes no files.",
+                                      "Leave {@field} out."};
+constexpr Refusal info_makes_nothing{code::bad_option, "Info makes nothing.",
+                                     "Ask for it by `info` instead of {@field}."};
+constexpr Refusal not_written_by{code::bad_option,
+                                 "{task} cannot write \"{artifact}\"; it writes {known}."};
+constexpr Refusal sheets_of_info{code::bad_option, "{@field} is of info alone.", "Leave it out."};
+
+// Inputs and outputs.
+constexpr Refusal no_json{code::invalid_input, "{file} is not JSON: a number in it is too large."};
+constexpr Refusal unknown_format{
+    code::invalid_input, "{file} has the format \"{format}\"; the known formats are {known}."};
+constexpr Refusal no_known_file{code::invalid_input,
+                                "{file} is JSON, but not one of these: {known}."};
+constexpr Refusal bad_scan_line{code::invalid_input,
+                                "{@line} of a scan must begin with three numbers, x y z."};
+constexpr Refusal output_is_input{code::bad_option,
+                                  "The output {output} is the input {input}, which would be lost.",
+                                  "Name another file."};
+constexpr Refusal no_folder{code::cannot_write,
+                            "Cannot write {file}: there is no folder {folder}."};
+constexpr Refusal two_outputs{code::bad_option, "Two outputs are to be written to {file}.",
+                              "Give each a name of its own."};
+constexpr Refusal not_edited{code::bad_option, "This kind of input cannot be edited.",
+                             "Leave {@field} out."};
+
+// Bodies, faces, bends and pieces that are asked for.
+constexpr Refusal body_unchosen{code::no_such_body,
+                                "The file holds {count} different bodies; there are {known}.",
+                                "Choose one with `body`, by its number or name."};
+constexpr Refusal no_body{code::no_such_body, "There is no body \"{body}\"; there are {known}."};
+constexpr Refusal not_the_body{code::no_such_body,
+                               "There is no body \"{body}\"; there is {known}."};
+constexpr Refusal body_name_twice{code::no_such_body,
+                                  "{@same} are named \"{body}\"; there are {known}.",
+                                  "Choose one by its number."};
+constexpr Refusal bad_face_number{
+    code::bad_option, "`{option}` must be {words} or the number of a face, not \"{text}\"."};
+constexpr Refusal not_a_root{code::no_such_face,
+                             "{@face} is not a flange of the skin that is unfolded.",
+                             "Choose one of {known} as `root`."};
+constexpr Refusal not_on_skin{
+    code::no_such_face, "{@face} is not on the reference skin, which has {known}.",
+    "Set `up` to other to make the opposite skin face up.", "up", "other"};
+constexpr Refusal no_bends{code::bad_option, "There is no {@bend}: the sheet has no bends."};
+constexpr Refusal no_such_bend{code::bad_option, "There is no {@bend}; the bends are {known}."};
+constexpr Refusal no_such_piece{code::bad_option, "`piece` is {piece}; the last piece is {last}."};
+constexpr Refusal not_made{code::bad_option, "{what} cannot be made of this part."};
+constexpr Refusal long_order{code::invalid_input,
+                             "{@field} has {count:stroke}; at most {most} are read."};
+
+// Results.
+constexpr Refusal cannot_bend{code::cannot_bend, "{sentence}."};
+constexpr Refusal unfolding_crashed{code::crashed, "Unfolding it crashed ({reason})."};
+constexpr Refusal step_is_wrong{
+    code::internal,
+    "The folded solid has {solid:9} and, read back from its STEP text, {written:9}: a file of it "
+    "would be wrong."};
+constexpr Refusal pattern_overlaps{code::overlap, "{what}.",
+                                   "Set `write_overlapping` to write the pattern anyway."};
+constexpr Refusal pattern_overlaps_more{code::overlap, "{what}, and at {more:more place}.",
+                                        "Set `write_overlapping` to write the pattern anyway."};
+constexpr Refusal contours_cross{code::overlap, "Contours cross elsewhere."};
+constexpr Refusal strip_turned{
+    code::out_of_reach,
+    "The end of {@strip} is where it must be, but no folding was found in which it also points the "
+    "right way: half a turn is missing.",
+    "Turn its direction, its ridge or the second panel around, or leave one of them out."};
+constexpr Refusal strip_short{code::out_of_reach,
+                              "{@strip} does not reach where it must end: it is {shortfall} short.",
+                              "Make it longer, bring the leg curves nearer, or loosen the end."};
+constexpr Refusal strips_short{
+    code::out_of_reach,
+    "{count:strip} do not reach where they must end: {@strip} are {shortfall} short.",
+    "Make the strips longer, bring the leg curves nearer, or loosen the ends."};
+constexpr Refusal many_strips_short{
+    code::out_of_reach,
+    "{count:strip} do not reach where they must end: among them, {@strip} are {shortfall} short.",
+    "Make the strips longer, bring the leg curves nearer, or loosen the ends."};
+
+// Plates files.
+constexpr Refusal same_plate_id{code::invalid_input,
+                                "{@field} is \"{id}\", as is that of {@other}.",
+                                "Give each plate its own."};
+constexpr Refusal many_plates_of_bend{
+    code::invalid_input,
+    "{@field} names {count} plates: a bend joins two, has a free end (one id) or is a section by "
+    "itself ([])."};
+constexpr Refusal bend_to_itself{code::invalid_input, "{@field} names {@plate} twice.",
+                                 "Name two different plates."};
+constexpr Refusal edge_listed_twice{code::invalid_input,
+                                    "{@field} is {edge}, which is already in the list."};
+constexpr Refusal not_of_this_bend{code::invalid_input,
+                                   "{@field} is not a plate of this bend, which has {known}."};
+constexpr Refusal two_radii{code::invalid_input, "{@field} is given besides inside_radius.",
+                            "Give only one of them."};
+constexpr Refusal angle_of_nothing{
+    code::invalid_input, "{@field} is 0, which bends nothing.",
+    "Give the angle that the section turns, or leave the section out."};
+constexpr Refusal angle_follows{
+    code::invalid_input,
+    "{@field} belongs to a section with a free end; between two plates it follows from their "
+    "positions.",
+    "Leave it out."};
+constexpr Refusal key_of_joins{
+    code::invalid_input,
+    "{@field} belongs to a bend between two plates; a section has inside_radius or inside_radii, "
+    "angle and ends at right angles to its axis.",
+    "Leave it out."};
+constexpr Refusal length_follows{
+    code::invalid_input,
+    "{@field} belongs to a section without plates; beside a plate it follows from the plate's "
+    "edges.",
+    "Leave it out."};
+constexpr Refusal nothing_to_join{code::invalid_input, "{@field} is empty.",
+                                  "Give plates, or bends that need no plate."};
+
+// Transition and slit files.
+constexpr Refusal x_along_normal{code::invalid_input, "{@field} is parallel to the normal.",
+                                 "Give a direction in the profile's plane."};
+constexpr Refusal no_such_strip{code::invalid_input,
+                                "{@field} is {strip}; it must be from 0 to {last}."};
+constexpr Refusal strip_end_twice{code::invalid_input,
+                                  "{@field} is {strip}, whose end is given already."};
+constexpr Refusal panel_of_symmetric{
+    code::invalid_input,
+    "{@field} is given, but the other half of a symmetric sheet is its mirror image.",
+    "Leave it out, or set symmetric to false."};
+constexpr Refusal ends_of_symmetric{
+    code::invalid_input,
+    "{@field} is given, but strips of symmetric sheets end at the symmetry plane.",
+    "Leave it out, or set symmetric to false."};
+constexpr Refusal ends_and_panel{code::invalid_input,
+                                 "{@field} is given, but the strips end at the second panel.",
+                                 "Leave one of them out."};
 
 }  // namespace planish::refuse

@@ -104,9 +104,9 @@ Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout
   const double slack = kContactShare * relieved.pattern.thickness * length(outline);
   const double within = area.within(outline, relieved.cutouts);
   if (!(std::abs(removed - within) <= slack))
-    return fail(
-        code::pattern_wrong,
-        fmt::format("a relief took {:.4g} mm² where the sheet has {:.4g} mm²", removed, within));
+    return fail(refuse::relief_took_other, {{"removed", removed, unit::mm2},
+                                            {"within", within, unit::mm2},
+                                            {"at", place::point(cutout.middle)}});
   if (parts(relieved.pattern, *left, cutout))
     return fail(refuse::relief_parts_sheet, {{"at", place::point(cutout.middle)}});
   relieved.pattern = std::move(*left);
@@ -262,19 +262,6 @@ void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const SheetArea& a
   relieved.findings.push_back(cut_beside(reliefs, shape));
 }
 
-std::string ripped_text(int ripped, int left, double width) {
-  const std::string rips = ripped == 1 ? "1 slit is cut as a rip"
-                                       : fmt::format("{} slits are cut as rips", ripped);
-  if (ripped == 0)
-    return fmt::format("rips {:.3g} mm wide would meet others or part the sheet: {} stay lines",
-                       width, counted(left, "slit"));
-  std::string text = fmt::format("{} {:.3g} mm wide", rips, width);
-  if (left > 0)
-    text += fmt::format("; {} a line, as a rip there would meet another or part the sheet",
-                        left == 1 ? "1 stays" : fmt::format("{} stay", left));
-  return text;
-}
-
 /// A slit that cannot be given a width stays a line.
 void rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& options) {
   std::vector<Vec2> places;
@@ -285,8 +272,12 @@ void rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& o
   const int ripped = static_cast<int>(places.size()),
             left = static_cast<int>(slits.size()) - ripped;
   if (places.empty()) places.push_back((slits.front().a + slits.front().b) / 2);
-  relieved.findings.push_back(
-      {"ripped_slit", Severity::info, ripped_text(ripped, left, options.width), std::move(places)});
+  relieved.findings.push_back(finding_of(
+      "ripped_slit", Severity::info,
+      ripped == 0 ? say::no_rips_cut
+      : left > 0  ? say::rips_left_out
+                  : say::rips_cut,
+      {{"ripped", ripped}, {"left", left}, {"width", options.width, unit::mm}}, std::move(places)));
 }
 
 }  // namespace

@@ -13,10 +13,6 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-Json line_json(const Segment& line, const Units& units) {
-  return Json::array({point_json(line.a, units), point_json(line.b, units)});
-}
-
 Json sheet_json(const Report& report, const Units& units) {
   if (!sheet_known(report)) return nullptr;
   const SheetSummary& sheet = report.summary;

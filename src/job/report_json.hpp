@@ -11,6 +11,9 @@ namespace planish::job {
 /// A whole report as defined in formats.md#report.
 schema::Json report_value(const UnfoldReport& report);
 
+/// The ends of a line: [[x, y], [x, y]].
+schema::Json line_json(const Segment& line, const schema::Units& units);
+
 /// Whether a report lists its bends one by one.
 enum class BendList { shown, left_out };
 

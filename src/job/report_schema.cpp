@@ -124,6 +124,10 @@ Schema reason_schema() {
       required("code", text()), required("message", any_text()), required("where", any_text()),
       required("places", list(object(place_fields()))), required("numbers", numbers_schema())};
   append(reason, remedy_fields());
+  const Schema piece = object({required("text", any_text()),
+                               optional("option", text().said("that it names, as requests do")),
+                               optional("place", object(place_fields()).said("that it names"))});
+  reason.push_back(optional("wording", list(piece).said("the message in pieces")));
   return object(std::move(reason));
 }
 

@@ -11,10 +11,6 @@ namespace planish::job {
 struct ReportDetails {
   std::vector<schema::Field> report, bend;
 };
-ReportDetails unfold_report_details();
-ReportDetails connect_report_details();
-ReportDetails transition_report_details();
-ReportDetails slit_report_details();
 
 /// Schemas of outputs: reports of all makers, the summary of several bodies, `planish info`.
 schema::Schema report_schema(const Catalogue& catalogue);

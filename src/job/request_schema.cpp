@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 
 namespace planish::job {
 using namespace shop;
@@ -84,17 +85,31 @@ Schema effort_schema() {
 
 Schema sheets_schema() { return flag().said("of info: the sheet in each body, or why none"); }
 
-Schema options_that(OptionFiles files, const std::function<bool(const Option&)>& taken) {
+/// All shared options, and the own ones of makers.
+std::vector<const Option*> entries(std::span<const Maker> makers) {
+  std::vector<const Option*> all;
+  for (const Option& option : options())
+    all.push_back(&option);
+  for (const Maker& maker : makers)
+    for (const OptionUse& use : maker.options)
+      if (use.own) all.push_back(use.own);
+  return all;
+}
+
+Schema options_that(OptionFiles files, std::span<const Maker> makers,
+                    const std::function<bool(const Option&)>& taken) {
   std::vector<Field> fields;
-  for (const Option& option : options()) {
-    if (!taken(option)) continue;
-    std::string said(option.description);
-    if (!option.otherwise.empty()) said += fmt::format("; default {}", option.otherwise);
-    fields.push_back(optional(std::string(option.name),
-                              bare_schema(option, files).or_null().said(std::move(said))));
+  for (const Option* option : entries(makers)) {
+    if (!taken(*option)) continue;
+    std::string said(option->description);
+    if (!option->otherwise.empty()) said += fmt::format("; default {}", option->otherwise);
+    fields.push_back(optional(std::string(option->name),
+                              bare_schema(*option, files).or_null().said(std::move(said))));
   }
   return object(std::move(fields));
 }
+
+bool every_option(const Option&) { return true; }
 
 OptionValue value_of(const Option& option, const Json& value) {
   switch (option.kind) {
@@ -125,8 +140,8 @@ OptionValue value_of(const Option& option, const Json& value) {
 
 }  // namespace
 
-Schema options_schema(OptionFiles files) {
-  return options_that(files, [](const Option&) { return true; });
+Schema options_schema(OptionFiles files, const Maker& maker) {
+  return options_that(files, {&maker, 1}, every_option);
 }
 
 Schema request_schema(const Catalogue& catalogue) {
@@ -138,8 +153,8 @@ Schema request_schema(const Catalogue& catalogue) {
   fields.push_back(required("maker", words(names).said("or bend or info, which are none")));
   fields.push_back(required("input", input_schema()));
   fields.push_back(
-      optional("options",
-               options_schema(OptionFiles::path_or_content).said("options that the maker takes")));
+      optional("options", options_that(OptionFiles::path_or_content, catalogue.makers, every_option)
+                              .said("options that the maker takes")));
   fields.push_back(
       optional("artifacts",
                list(words(artifact_names(catalogue))).said("artifacts that the maker can write")));
@@ -155,8 +170,9 @@ Schema request_schema(const std::string& maker, const Catalogue& catalogue) {
     return std::ranges::any_of(
         catalogue.makers, [&](const Maker& one) { return bending_with(one).takes(option.name); });
   };
-  std::vector<Field> fields{required("input", input_schema()),
-                            optional("options", options_that(OptionFiles::path_or_content, taken))};
+  std::vector<Field> fields{
+      required("input", input_schema()),
+      optional("options", options_that(OptionFiles::path_or_content, catalogue.makers, taken))};
   if (maker == kInfo) {
     fields.push_back(optional("sheets", sheets_schema()));
     return object(std::move(fields));
@@ -172,10 +188,12 @@ Schema request_schema(const std::string& maker, const Catalogue& catalogue) {
   return object(std::move(fields));
 }
 
-OptionValues values_of(const Json& options) {
+OptionValues values_of(const Json& options, const Maker& maker) {
   OptionValues values;
-  for (const auto& [key, value] : options.items())
-    if (!value.is_null()) values.set(option(key), value_of(option(key), value));
+  for (const Option* option : entries({&maker, 1})) {
+    const auto given = options.find(std::string(option->name));
+    if (given != options.end() && !given->is_null()) values.set(*option, value_of(*option, *given));
+  }
   return values;
 }
 

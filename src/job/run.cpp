@@ -1,8 +1,10 @@
 #include "asked.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/packed_error.hpp>
 #include <planish/job/options.hpp>
 #include <planish/job/run.hpp>
+#include <planish/process/worker.hpp>
 #include <planish/schema/fail_at.hpp>
 
 #include <mutex>
@@ -19,10 +21,10 @@ std::shared_mutex& working_here() {
   return *one;
 }
 
-Result<RunResult> run_maker(const Asked& asked, const Progress& progress) {
+Result<RunDone> run_maker(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
-  RunResult result;
+  RunDone result;
   Report& report = (*made)->report();
   const std::string stem = report.body;
   for (const Artifact* artifact : asked.artifacts) {
@@ -51,7 +53,7 @@ Result<T> at_request(Result<T> result) {
   return result;
 }
 
-Result<RunResult> done(const Asked& asked, const Progress& progress) {
+Result<RunDone> done(const Asked& asked, const Progress& progress) {
   return at_request(asked.task == Asked::Task::info   ? run_info(asked, progress)
                     : asked.task == Asked::Task::bend ? run_bend(asked, progress)
                                                       : run_maker(asked, progress));
@@ -59,7 +61,9 @@ Result<RunResult> done(const Asked& asked, const Progress& progress) {
 
 constexpr std::size_t kOfResult = 5, kOfFile = 4;
 
-Texts texts_of(const RunResult& result) {
+Texts texts_of(const Result<RunDone>& done) {
+  if (!done) return packed(done.error());
+  const RunDone& result = *done;
   const Texts refusal = result.refusal ? packed(*result.refusal) : Texts();
   Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report,
               result.summary, std::to_string(refusal.size())};
@@ -69,14 +73,15 @@ Texts texts_of(const RunResult& result) {
   return texts;
 }
 
-std::optional<RunResult> result_in(const Texts& texts) {
+std::optional<Result<RunDone>> result_in(const Texts& texts) {
+  if (auto error = unpacked(texts)) return tl::unexpected(std::move(*error));
   if (texts.size() < kOfResult || texts[0] != "result") return std::nullopt;
   const auto of_refusal = parse_number(texts[4]);
   if (!of_refusal || *of_refusal < 0 || *of_refusal > static_cast<double>(texts.size() - kOfResult))
     return std::nullopt;
   const std::size_t head = kOfResult + static_cast<std::size_t>(*of_refusal);
   if ((texts.size() - head) % kOfFile != 0) return std::nullopt;
-  RunResult result;
+  RunDone result;
   for (const Status status : {Status::ok, Status::warning, Status::refused})
     if (texts[1] == std::to_string(static_cast<int>(status))) result.status = status;
   result.report = texts[2];
@@ -87,14 +92,23 @@ std::optional<RunResult> result_in(const Texts& texts) {
   return result;
 }
 
+Ran failed(Error error) { return tl::unexpected(RunFailure{std::move(error)}); }
+
+/// What the caller gets: a refusal is an error that has something to show.
+Ran told(RunDone done) {
+  if (!done.refusal) return Ran(std::move(static_cast<RunResult&>(done)));
+  Error refusal = std::move(*done.refusal);
+  return tl::unexpected(RunFailure{std::move(refusal), std::move(static_cast<RunResult&>(done))});
+}
+
 }  // namespace
 
-Result<RunResult> run(const std::string& request, const Progress& progress,
-                      const Catalogue& catalogue) {
+Ran run(const std::string& request, const Progress& progress, const Catalogue& catalogue) {
   const std::shared_lock here(working_here());
   const auto asked = read_asked(request, catalogue);
-  if (!asked) return pass_on(asked);
-  return done(*asked, progress);
+  if (!asked) return failed(asked.error());
+  auto result = done(*asked, progress);
+  return result ? told(std::move(*result)) : failed(std::move(result.error()));
 }
 
 Result<MadeRequest> make(const std::string& request, const Progress& progress,
@@ -102,35 +116,33 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress,
   const std::shared_lock here(working_here());
   auto asked = read_asked(request, catalogue, std::move(bytes));
   if (!asked) return pass_on(asked);
-  if (!asked->maker)
-    return schema::fail_at(code::bad_option, "info makes nothing: ask for it by `info`", "/maker");
+  if (!asked->maker) return schema::fail_at(refuse::info_makes_nothing, "/maker");
   auto made = at_request(make_asked(*asked, progress));
   if (!made) return pass_on(made);
   (*made)->report().of_bending = asked->task == Asked::Task::bend;
   return MadeRequest{asked->maker, std::move(asked->request), std::move(*made)};
 }
 
-Result<RunResult> run_apart(const std::string& request, const Progress& progress,
-                            const Limits& limits, const Catalogue& catalogue) {
+Ran run_apart(const std::string& request, const Progress& progress, const Limits& limits,
+              const Catalogue& catalogue) {
   std::unique_lock alone(working_here());
   const auto answering = [&](const Texts&, const Parent& parent) {
     alone.unlock();  // the copy's own
     const auto asked = read_asked(request, catalogue);
     if (!asked) return packed(asked.error());
     parent.note({asked->request.input.string()});
-    const auto result = done(*asked, parent.progress);
-    return result ? texts_of(*result) : packed(result.error());
+    return texts_of(done(*asked, parent.progress));
   };
-  const auto child = ChildProcess::copy(answering, limits.memory);
+  Worker<AsAgreed, Result<RunDone>> worker(
+      [&] { return ChildProcess::copy(answering, limits.memory); }, result_in);
+  const auto begun = worker.begin();
   alone.unlock();
-  if (!child) return pass_on(child);
+  if (!begun) return failed(begun.error());
   std::string input = "the request";
   const auto name = [&](const Texts& note) { input = note.empty() ? input : note.front(); };
-  const auto answer = (*child)->ask({}, limits.time, {progress, name});
-  if (!answer) return tl::unexpected(error_of(answer.error(), input, limits));
-  if (auto error = unpacked(*answer)) return tl::unexpected(std::move(*error));
-  if (auto result = result_in(*answer)) return std::move(*result);
-  return tl::unexpected(error_of({{}, kDamagedAnswer}, input, limits));
+  auto result = worker.work_on({}, {.time = limits.time, .parent = {progress, name}});
+  if (!result) return failed(error_of(result.error(), input, limits));
+  return *result ? told(std::move(**result)) : failed(std::move(result->error()));
 }
 
 }  // namespace planish::job

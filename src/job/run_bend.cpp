@@ -15,12 +15,12 @@ Result<std::string> bytes_of(const Artifact& artifact, const Made& made,
 
 }  // namespace
 
-Result<RunResult> run_bend(const Asked& asked, const Progress& progress) {
+Result<RunDone> run_bend(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
   Report& report = (*made)->report();
   report.of_bending = true;
-  RunResult result;
+  RunDone result;
   // A page shows why a part cannot be bent.
   const bool drawn = !report.refusal || report.plan;
   std::vector<Page> pages;

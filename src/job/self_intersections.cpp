@@ -71,11 +71,7 @@ Finding meeting_of(const FlatPattern& flat, const std::pair<PartId, PartId>& par
 }
 
 Finding untested(const Error& error) {
-  return {
-      "folded_solid",
-      Severity::warning,
-      fmt::format("whether the folded solid runs through itself is not known: {}", error.message),
-      {}};
+  return finding_of("folded_solid", say::folded_untested, error);
 }
 
 Finding unnamed(const SelfIntersection& found) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/base/message.hpp>
+#include <planish/base/result.hpp>
 #include <planish/base/text.hpp>
 #include <planish/inspect/findings.hpp>
 
@@ -19,6 +19,38 @@ constexpr std::string_view
     relief_cut_beside = "a {shape} of {length:3} by {width:3} is cut beside {@bend}";
 constexpr std::string_view reliefs_cut_beside =
     "{count} are cut beside bends; the first, beside {@bend}, is {length:3} by {width:3}";
+
+constexpr std::string_view
+    rips_cut = "{ripped:slit is cut as a rip/slits are cut as rips} {width:3} wide";
+constexpr std::string_view rips_left_out =
+    "{ripped:slit is cut as a rip/slits are cut as rips} {width:3} wide; {left:stays a line/stay "
+    "lines}, as a rip there would meet another or part the sheet";
+constexpr std::string_view no_rips_cut =
+    "rips {width:3} wide would meet others or part the sheet: {left:slit stays a line/slits stay "
+    "lines}";
+
+constexpr std::string_view
+    volume_off = "flat area at K = ½ times thickness is {ratio:7} of the solid's volume";
+constexpr std::string_view
+    because_of_forms = "; the sheet has {forms}, which a flat pattern only outlines";
+constexpr std::string_view without_forms = "; without them it is {explained:7}";
+constexpr std::string_view slanted_or_missed =
+    "; cut edges that are not normal to the sheet, or a missed feature, cause this";
+constexpr std::string_view slanted_cuts =
+    "{count:cut edge} {are} not normal to the sheet; the pattern follows one skin "
+    "there";
+constexpr std::string_view
+    pilot_holes = "{count:hole} {are} cut smaller than in the solid, from which the form is drawn";
+constexpr std::string_view uncut_openings =
+    "{count:opening} of the solid, within formed features or between edges that touch, {are} not "
+    "cut";
+constexpr std::string_view folded_unmade =
+    "no folded solid could be made, so neither the volume nor that it does not run through itself "
+    "is verified: {reason}";
+constexpr std::string_view
+    folded_untested = "whether the folded solid runs through itself is not known: {reason}";
+constexpr std::string_view
+    file_missing = "no {what} could be made, so its file is not written: {reason}";
 
 constexpr std::string_view length_off =
     "an edge of the solid and its image in the pattern differ in length by {off}, more than "
@@ -55,6 +87,18 @@ inline Finding finding_of(std::string code, Severity severity, std::string_view 
   Finding finding{std::move(code), severity, continued(std::move(told.sentence)), std::move(at)};
   finding.about = std::move(told.places);
   finding.numbers = std::move(told.numbers);
+  return finding;
+}
+
+/// A finding about an error that is none of the whole, with its data.
+inline Finding finding_of(std::string code, std::string_view pattern, const Error& why,
+                          Facts facts = {}) {
+  std::string reason = continued(why.message);
+  if (reason.ends_with('.')) reason.pop_back();
+  facts.emplace_back("reason", std::move(reason));
+  Finding finding = finding_of(std::move(code), Severity::warning, pattern, facts, {});
+  finding.about = why.places;
+  finding.numbers = why.numbers;
   return finding;
 }
 

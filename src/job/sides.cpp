@@ -1,5 +1,7 @@
 #include "sides.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/schema/schema.hpp>
 #include <planish/sheet/codes.hpp>
 
@@ -38,16 +40,19 @@ std::vector<int> numbers(const Sheet& sheet, const FaceTest& wanted) {
   return found;
 }
 
+/// "faces 1, 3, 4".
+std::string faces_text(const Sheet& sheet, const FaceTest& wanted) {
+  return fmt::format("faces {}", fmt::join(numbers(sheet, wanted), ", "));
+}
+
 Result<int> face_number(const std::string& text, const std::string& option,
                         const std::string& words) {
   int number = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error == std::errc() && stop == end) return number;
-  return fail(
-      code::bad_option,
-      fmt::format("`{}` must be {} or the number of a face, not \"{}\"", option, words, text),
-      option);
+  return fail(refuse::bad_face_number, {{"option", option}, {"words", words}, {"text", text}},
+              option);
 }
 
 Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& root) {
@@ -56,12 +61,9 @@ Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& r
   if (!number) return pass_on(number);
   const auto found = face_numbered(sheet, *number, is_flange_face);
   if (found) return found;
-  return fail(
-      code::no_such_face,
-      fmt::format("face {} is not a flange of the skin that is unfolded; the faces that can be "
-                  "the root are {}",
-                  *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
-      "root");
+  return fail(refuse::not_a_root,
+              {{"face", place::face(*number)}, {"known", faces_text(sheet, is_flange_face)}},
+              "root");
 }
 
 Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
@@ -72,11 +74,8 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
   if (!number) return pass_on(number);
   const FaceTest any = [](const Face&) { return true; };
   if (face_numbered(sheet, *number, any)) return UpSide::reference;
-  return fail(code::no_such_face,
-              fmt::format("face {} is not on the reference skin, which has the faces {}; "
-                          "`up` other makes the opposite skin face up",
-                          *number, fmt::join(numbers(sheet, any), ", ")),
-              "up");
+  return fail(refuse::not_on_skin,
+              {{"face", place::face(*number)}, {"known", faces_text(sheet, any)}}, "up");
 }
 
 Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
@@ -88,10 +87,8 @@ Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
     while (number < count && id != fmt::format("B{}", number + 1))
       ++number;
     if (number == count)
-      return fail(code::bad_option,
-                  count == 0
-                      ? fmt::format("there is no bend \"{}\": the sheet has none", id)
-                      : fmt::format("there is no bend \"{}\"; the bends are B1 to B{}", id, count),
+      return fail(count == 0 ? refuse::no_bends : refuse::no_such_bend,
+                  {{"bend", place::bend(id)}, {"known", fmt::format("B1 to B{}", count)}},
                   "bend_k/" + escaped_token(id));
     rows.emplace_back(BendId{number}, k);
   }

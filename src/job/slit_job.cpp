@@ -2,6 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
+#include "refusals.hpp"
 #include "strip_meetings.hpp"
 
 #include <planish/job/slit.hpp>
@@ -18,7 +19,7 @@ namespace planish::job {
 namespace {
 
 /// All borders are straight hinges or cuts, so their images are exact (mm).
-constexpr double kOutline = 1e-9;
+constexpr double kExactOutline = 1e-9;
 
 Result<void> solve(SlitSession& session, const Progress& progress) {
   const auto done = session.solve({}, progress);
@@ -74,34 +75,30 @@ std::vector<double> leg_scales(const SlitDesign& solved, const SlitDesign& asked
 
 /// A refusal if strips do not reach the place where they must end.
 std::optional<Error> out_of_reach(const SlitReport& report) {
-  std::string which;
-  int first = -1, count = 0;
-  for (std::size_t i = 0; i < report.strips.size(); ++i) {
-    const StripState& strip = report.strips[i];
+  constexpr double kThere = 1e-6;  // mm
+  constexpr int kMostNamed = 8;
+  Facts facts;
+  int count = 0;
+  for (int i = 0; i < std::ssize(report.strips); ++i) {
+    const StripState& strip = report.strips[static_cast<std::size_t>(i)];
     if (strip.status != StripStatus::out_of_reach) continue;
-    constexpr double kThere = 1e-6;  // mm
     if (strip.shortfall < kThere)
-      return Error{
-          code::out_of_reach,
-          fmt::format("the end of strip {} is where it must be, but no folding was found "
-                      "in which it also points the right way: half a turn is missing; turn "
-                      "its direction, its ridge or the second panel around, or leave one of them "
-                      "out",
-                      i),
-          report.design.second_panel ? "/second_panel" : fmt::format("/ends/{}", i)};
-    if (first < 0) first = static_cast<int>(i);
-    constexpr int kMostNamed = 8;
-    if (++count <= kMostNamed)
-      which += fmt::format("{}{} by {:.4g} mm", which.empty() ? "" : ", ", i,
-                           report.strips[i].shortfall);
+      return error_of(
+          refuse::strip_turned,
+          {{"strip", place::strip(i)},
+           {"field", place::pointer(report.design.second_panel ? "/second_panel"
+                                                               : fmt::format("/ends/{}", i))}});
+    if (++count > kMostNamed) continue;
+    facts.emplace_back("strip", place::strip(i));
+    facts.emplace_back("shortfall", strip.shortfall, unit::mm);
+    facts.emplace_back("field", place::pointer(fmt::format("/sheet/strips/{}", i)));
   }
   if (count == 0) return std::nullopt;
-  return Error{code::out_of_reach,
-               fmt::format("{} not reach where {} must end: strip {}; make the strips longer, "
-                           "bring the leg curves nearer, or loosen the ends",
-                           counted(count, "strip") + (count == 1 ? " does" : " do"),
-                           count == 1 ? "it" : "they", which),
-               fmt::format("/sheet/strips/{}", first)};
+  facts.emplace_back("count", count);
+  return error_of(count == 1            ? refuse::strip_short
+                  : count <= kMostNamed ? refuse::strips_short
+                                        : refuse::many_strips_short,
+                  facts);
 }
 
 Vec2 flat_middle(const SlitReport& report, std::size_t strip, int ridge) {
@@ -180,7 +177,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   report.summary = summary_of(sheet);
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "hinges of the middle surface"};
-  options.curve_tolerance = options.merge_tolerance = kOutline;
+  options.curve_tolerance = options.merge_tolerance = kExactOutline;
   options.root = FaceId{0};  // its coordinates are the whole flat sheet's
   options.keep_root = true;
   options.up = UpSide::reference;

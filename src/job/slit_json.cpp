@@ -1,4 +1,5 @@
 #include "input_schemas.hpp"
+#include "refusals.hpp"
 
 #include <planish/job/slit_json.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -13,8 +14,8 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kFormat = "planish/slits";
-constexpr int kVersion = 1;
+constexpr auto kSlitsFormat = "planish/slits";
+constexpr int kSlitsVersion = 1;
 
 // What the library takes.
 constexpr int kMostStrips = 10000, kFewestRidges = 3, kMostRidges = 1000;
@@ -95,7 +96,7 @@ Schema strip_schema() {
 }
 
 /// A number of strips of equal width, or a list of strips.
-Schema sheet_schema() {
+Schema slit_sheet_schema() {
   const auto with = [](std::vector<Field> strips) {
     strips.push_back(
         required("panel_height", length(kLength).said("of the uncut part of the sheet")));
@@ -142,12 +143,12 @@ Schema weights_schema() {
   return object(std::move(fields)).said("of the terms of the objective");
 }
 
-Schema make_schema() {
+Schema make_slits_schema() {
   const SlitDesign usual;
-  std::vector<Field> fields = header_fields(kFormat, kVersion);
+  std::vector<Field> fields = header_fields(kSlitsFormat, kSlitsVersion);
   const auto add = [&](Field field) { fields.push_back(std::move(field)); };
   add(optional("units", units()));
-  add(required("sheet", sheet_schema()));
+  add(required("sheet", slit_sheet_schema()));
   add(required("thickness", length(kLength).said("of the sheet")));
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
   add(optional("min_inside_radius",
@@ -226,12 +227,12 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   for (const JsonPlace& item : place.items()) {
     const int strip = item["strip"].whole();
     if (strip >= static_cast<int>(strips)) {
-      item["strip"].mistake(
-          fmt::format("is {}; the sheet has strips 0 to {}", strip, static_cast<int>(strips) - 1));
+      item["strip"].mistake(refuse::no_such_strip,
+                            {{"strip", strip}, {"last", static_cast<int>(strips) - 1}});
       return ends;
     }
     if (!given.insert(strip).second) {
-      item["strip"].mistake(fmt::format("is {}, whose end is given already", strip));
+      item["strip"].mistake(refuse::strip_end_twice, {{"strip", strip}});
       return ends;
     }
     ends.resize(std::max(ends.size(), static_cast<std::size_t>(strip) + 1));
@@ -266,10 +267,7 @@ std::vector<ScanPlace> scans_at(const JsonPlace& place) {
 
 SecondPanel second_panel_at(const JsonPlace& document) {
   const JsonPlace place = document["second_panel"];
-  if (document["symmetric"].yes())
-    place.mistake(
-        "is given, but the other half of a symmetric sheet is its mirror image: leave it out, or "
-        "set symmetric to false");
+  if (document["symmetric"].yes()) place.mistake(refuse::panel_of_symmetric);
   const JsonPlace leg = place["leg_curve"];
   return {curve_at(leg), place["height"].length(), leg["lean"].angle(), leg["fit"].yes()};
 }
@@ -303,12 +301,9 @@ SlitDesign design_at(const JsonPlace& place) {
   for (const JsonPlace& anchor : place["anchors"].items())
     design.anchors.push_back(anchor_at(anchor));
   if (design.sheet.symmetric && place["ends"].given())
-    place["ends"].mistake(
-        "is given, but strips of symmetric sheets end at the symmetry plane: leave it out, or set "
-        "symmetric to false");
+    place["ends"].mistake(refuse::ends_of_symmetric);
   else if (design.second_panel && place["ends"].given())
-    place["ends"].mistake(
-        "is given, but the strips end at the second panel: leave one of them out");
+    place["ends"].mistake(refuse::ends_and_panel);
   design.ends = ends_at(place["ends"], design.sheet.strips.size());
   return design;
 }
@@ -336,7 +331,7 @@ Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& path, 
 }  // namespace
 
 const Schema& slits_schema() {
-  static const Schema schema = make_schema();
+  static const Schema schema = make_slits_schema();
   return schema;
 }
 

@@ -13,9 +13,12 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails slit_report_details();  // slit_report.cpp
+
 namespace {
 
-constexpr auto kHelp = R"(Examples:
+constexpr auto kSlitHelp = R"(Examples:
   planish slit chair.json                      chair.step and chair.dxf beside it
   planish slit chair.json -o folded.step --flat pattern.dxf --mould mould.stl --json report.json
   planish slit chair.json -o folded.stl --flat pattern.svg     to look at
@@ -141,7 +144,7 @@ class SlitWork : public Work {
   SlitDrafts drafts_;
 };
 
-Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
+Result<std::unique_ptr<Work>> open_slits(const InputFile& input, const Progress&) {
   auto file = parse_slits(input.content, input.name, input.folder);
   if (!file) return pass_on(file);
   return std::make_unique<SlitWork>(std::move(*file));
@@ -156,12 +159,13 @@ Maker slit_maker() {
       .input = "slit",
       .format = "planish/slits",
       .mark = "leg_curve",
-      .help = kHelp,
+      .examples = {{"planish slit chair.json", "bends the strips of a slit sheet"}},
+      .help = kSlitHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh, Source::mould_mesh},
       .options = with_pattern_options({{"units", "that of the slit file"}}),
       .schema = slits_schema,
       .report_details = slit_report_details,
-      .open = open,
+      .open = open_slits,
       .failed = failed_as<MadeSlitSheet, SlitReport>,
       .named_files = point_files_of,
   };

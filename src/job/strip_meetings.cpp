@@ -18,7 +18,7 @@ constexpr std::array kDepths{0.25, 0.5, 0.75, 0.9};
 
 using Pair = std::pair<SlitPart, SlitPart>;
 
-struct Meeting {
+struct StripMeeting {
   double depth = 0.0;  ///< of the deepest that was found, of the thickness
   std::array<FaceId, 2> faces{};
 };
@@ -33,9 +33,9 @@ Pair pair_of(SlitPart a, SlitPart b) {
   return std::minmax(a, b);
 }
 
-std::map<Pair, Meeting> meetings_of(const FoldedSlitSheet& folded, const Sheet& sheet) {
+std::map<Pair, StripMeeting> meetings_of(const FoldedSlitSheet& folded, const Sheet& sheet) {
   const auto parts = parts_of(folded);
-  std::map<Pair, Meeting> deepest;
+  std::map<Pair, StripMeeting> deepest;
   for (const double depth : kDepths) {
     const auto found = meeting_faces(sheet, depth * sheet.thickness);
     if (found.empty()) break;
@@ -69,14 +69,14 @@ Vec2 middle_of(const SlitReport& report, const Sheet& sheet, FaceId face) {
 }  // namespace
 
 std::vector<Finding> strip_meetings(const SlitReport& report, const Sheet& sheet) {
-  const auto places = [&](const Meeting& meeting) {
+  const auto places = [&](const StripMeeting& meeting) {
     return std::vector<Vec2>{middle_of(report, sheet, meeting.faces[0]),
                              middle_of(report, sheet, meeting.faces[1])};
   };
   std::vector<Finding> findings;
   std::vector<FindingPlace> pressed;
   const auto found = meetings_of(report.folded, sheet);
-  std::vector<std::pair<Pair, Meeting>> deepest_first(found.begin(), found.end());
+  std::vector<std::pair<Pair, StripMeeting>> deepest_first(found.begin(), found.end());
   std::ranges::stable_sort(deepest_first, std::greater(),
                            [](const auto& one) { return one.second.depth; });
   for (const auto& [pair, meeting] : deepest_first) {

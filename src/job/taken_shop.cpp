@@ -1,5 +1,7 @@
 #include "taken_shop.hpp"
 
+#include "refusals.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,17 +50,8 @@ bool take_material(Request& to, const std::string& name) {
 std::optional<Error> unchosen(const Request& request, const std::string& material) {
   if (!request.shop || request.shop->material) return std::nullopt;
   const std::string known = material_names(request.shop->shop);
-  const std::string
-      sentence = material.empty()
-                     ? fmt::format(
-                           "the shop profile has the materials {}: choose one with `material`",
-                           known)
-                     : fmt::format(
-                           "the part is of {}, which the shop profile does not have; it has {}: "
-                           "choose "
-                           "one with `material`",
-                           material, known);
-  return Error{code::bad_option, sentence, "material"};
+  return error_of(material.empty() ? refuse::material_unsaid : refuse::material_not_stocked,
+                  {{"known", known}, {"material", material}}, "material");
 }
 
 }  // namespace planish::job

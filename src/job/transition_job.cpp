@@ -2,6 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
+#include "refusals.hpp"
 #include "taken_shop.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -14,7 +15,7 @@ using namespace shop;
 namespace {
 
 /// Outlines are this accurate because nets are compared with closed forms and with each other (mm).
-constexpr double kOutline = 1e-7;
+constexpr double kNetOutline = 1e-7;
 
 /// A curve within this of a line, an arc or a point becomes one (mm); more than the rounding of a
 /// cone's image near its apex.
@@ -33,8 +34,7 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (constant) return ConstantK{constant->k, "constant"};
-    return fail(code::bad_option, "a transition has no inside radius, so its K is one number: `k`",
-                "k");
+    return fail(refuse::k_of_transition, {}, "k");
   }
   if (request.shop && gauge_of(*request.shop, spec.thickness))
     return shop_k(*request.shop, spec.thickness);
@@ -44,7 +44,7 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
 FlattenOptions options_of(const ConstantK& k) {
   FlattenOptions options;
   options.allowance = k;
-  options.curve_tolerance = kOutline;
+  options.curve_tolerance = kNetOutline;
   options.merge_tolerance = kMerged;
   return options;
 }

@@ -1,4 +1,5 @@
 #include "input_schemas.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition_json.hpp>
@@ -12,8 +13,8 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-constexpr auto kFormat = "planish/transition";
-constexpr int kVersion = 1;
+constexpr auto kTransitionFormat = "planish/transition";
+constexpr int kTransitionVersion = 1;
 constexpr schema::Range kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
 constexpr double kDefaultK = 0.5;
 constexpr int kMostPressLines = 2000;
@@ -56,8 +57,8 @@ Schema press_lines_schema() {
        optional("chord", length(kAboveZero).said("largest distance between lines"))});
 }
 
-Schema make_schema() {
-  std::vector<Field> fields = header_fields(kFormat, kVersion);
+Schema make_transition_schema() {
+  std::vector<Field> fields = header_fields(kTransitionFormat, kTransitionVersion);
   fields.push_back(optional("units", units()));
   fields.push_back(required("thickness", length(kAboveZero).said("of the sheet")));
   fields.push_back(optional("k_factor", number(kShare).defaulting(kDefaultK)));
@@ -89,8 +90,7 @@ Frame frame_at(const JsonPlace& place) {
   const bool x_given = place["x"].given();
   const Vec3 x = place["x"].direction().value_or(Vec3::UnitX());
   if (x.cross(z).norm() > kParallel) return frame_from_axes(origin, z, x);
-  if (x_given)
-    place["x"].mistake("is parallel to the normal: give a direction in the profile's plane");
+  if (x_given) place["x"].mistake(refuse::x_along_normal);
   return frame_from_axes(origin, z,
                          x_given       ? Vec3(z.unitOrthogonal())
                          : z.x() > 0.0 ? Vec3(-Vec3::UnitZ())
@@ -153,7 +153,7 @@ TransitionSpec spec_at(const JsonPlace& place) {
 }  // namespace
 
 const Schema& transition_schema() {
-  static const Schema schema = make_schema();
+  static const Schema schema = make_transition_schema();
   return schema;
 }
 

@@ -10,9 +10,12 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails transition_report_details();  // transition_report.cpp
+
 namespace {
 
-constexpr auto kHelp = R"(Examples:
+constexpr auto kTransitionHelp = R"(Examples:
   planish transition spec.json                 spec.step and spec.dxf beside it
   planish transition spec.json -o part.step --flat net.dxf --json report.json
   planish transition spec.json --flat net.svg  the net only, to look at
@@ -47,7 +50,7 @@ class MadeTransition : public MadeReport<TransitionReport> {
   }
 };
 
-Result<TransitionFile> parse(const InputFile& input) {
+Result<TransitionFile> transition_in(const InputFile& input) {
   return parse_transition(input.content, input.name);
 }
 
@@ -60,8 +63,8 @@ Result<std::unique_ptr<Made>> make(const TransitionFile& file, const Request& re
   return std::make_unique<MadeTransition>(std::move(*report));
 }
 
-Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
-  return SpecWork<TransitionFile>::open(input, parse, make);
+Result<std::unique_ptr<Work>> open_transition(const InputFile& input, const Progress&) {
+  return SpecWork<TransitionFile>::open(input, transition_in, make);
 }
 
 }  // namespace
@@ -73,7 +76,8 @@ Maker transition_maker() {
       .input = "transition",
       .format = "planish/transition",
       .mark = "from",
-      .help = kHelp,
+      .examples = {{"planish transition spec.json", "joins two profiles, and lays the net"}},
+      .help = kTransitionHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
       .options = with_bending_options({{"units", "that of the transition file"},
                                        {"piece"},
@@ -84,7 +88,7 @@ Maker transition_maker() {
                                        {"no_rules"}}),
       .schema = transition_schema,
       .report_details = transition_report_details,
-      .open = open,
+      .open = open_transition,
       .failed = failed_as<MadeTransition, TransitionReport>,
   };
 }

@@ -32,10 +32,6 @@ Json patches_json(const Transition& transition, const Units& units) {
   return json;
 }
 
-Json line_json(const Segment& line, const Units& units) {
-  return Json::array({point_json(line.a, units), point_json(line.b, units)});
-}
-
 /// All bends in the order of the profile, a row for each line.
 Json press_lines_json(const Report& piece, const Units& units) {
   Json json = Json::array();

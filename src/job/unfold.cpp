@@ -1,4 +1,5 @@
 #include "input.hpp"
+#include "refusals.hpp"
 
 #include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
@@ -34,9 +35,9 @@ Result<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
   try {
     return unfold_body(body, request, progress);
   } catch (const std::exception& defect) {
-    return fail(code::crashed, fmt::format("unfolding it crashed ({})", defect.what()));
+    return fail(refuse::unfolding_crashed, {{"reason", defect.what()}});
   } catch (...) {
-    return fail(code::crashed, "unfolding it crashed (an exception of unknown type)");
+    return fail(refuse::unfolding_crashed, {{"reason", "an exception of unknown type"}});
   }
 }
 
@@ -95,7 +96,7 @@ Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progr
   const Progress unfolding = part_of(progress, kUnfoldRead, 1.0);
   for (int i = 0; i < count; ++i) {
     const Body& body = read->file.bodies[i];
-    if (progress.should_stop()) return fail(code::cancelled, "cancelled");
+    if (progress.should_stop()) return fail(refuse::cancelled);
     if (all.wanted && !all.wanted(i)) continue;
     if (all.begins) all.begins(i);
     const auto given_up = all.given_up.find(i);

@@ -51,7 +51,8 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   const auto options = flatten_options(found->sheet, mine);
   if (!options) return options.error();
   return lay_flat(
-      report, {found->sheet, found->distance, mine, FoldedBody{body, found->sheet}, mine.relief},
+      report,
+      {found->sheet, found->distance, mine, FoldedBody{body, found->sheet}, mine.relief, true},
       *options, progress);
 }
 

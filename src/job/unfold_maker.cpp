@@ -14,9 +14,12 @@
 
 namespace planish::job {
 using namespace schema;
+
+ReportDetails unfold_report_details();  // report_json.cpp
+
 namespace {
 
-constexpr auto kHelp = R"(Examples:
+constexpr auto kUnfoldHelp = R"(Examples:
   planish unfold part.step                     part.dxf beside it, a summary here
   planish unfold part.step -o a.dxf -o a.svg   two files of one pattern
   planish unfold part.step --k-table steel.csv --json part.json
@@ -104,7 +107,7 @@ class UnfoldWork : public Work {
   std::map<std::pair<int, std::vector<int>>, Result<Recognized>> found_;
 };
 
-Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress& progress) {
+Result<std::unique_ptr<Work>> open_model(const InputFile& input, const Progress& progress) {
   auto file = read_step_text(input.content, input.name, part_of(progress, 0.0, kRead));
   if (!file) return pass_on(file);
   return std::make_unique<UnfoldWork>(input.name, std::move(*file));
@@ -125,7 +128,9 @@ Maker unfold_maker() {
       .name = "unfold",
       .description = "lay a sheet-metal part flat",
       .input = "STEP",
-      .help = kHelp,
+      .examples = {{"planish unfold part.step", "part.dxf beside it, a summary here"},
+                   {"planish unfold cabinet.step --all -o flat/", "every body, with summary.csv"}},
+      .help = kUnfoldHelp,
       .sources = {Source::pattern, Source::folded_mesh},
       .options = with_bending_options({{"body"},
                                        {"units", "mm"},
@@ -145,7 +150,7 @@ Maker unfold_maker() {
                                        {"rules"},
                                        {"no_rules"}}),
       .report_details = unfold_report_details,
-      .open = open,
+      .open = open_model,
       .failed = failed,
   };
 }

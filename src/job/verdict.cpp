@@ -37,22 +37,17 @@ bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
 Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
   const double ratio = or_nan(certificate.volume_ratio);
-  std::string message = fmt::format(
-      "flat area at K = ½ times thickness is {:.6f} of the solid's volume", ratio);
   const std::string features = forms_text(flat);
   const double explained = or_nan(certificate.explained_ratio);
-  if (!features.empty()) {
-    message += fmt::format("; the sheet has {}, which a flat pattern only outlines", features);
-  }
+  Facts facts{{"ratio", ratio, unit::none}, {"allowed", bound, unit::none}, {"forms", features}};
+  std::string pattern(say::volume_off);
+  if (!features.empty()) pattern += say::because_of_forms;
   if (std::isfinite(explained) && explained != or_nan(certificate.volume_ratio)) {
-    message += fmt::format("; without them it is {:.6f}", explained);
+    pattern += say::without_forms;
+    facts.emplace_back("explained", explained, unit::none);
   }
-  if (features.empty() || off(explained, bound)) {
-    message += "; cut edges that are not normal to the sheet, or a missed feature, cause this";
-  }
-  Finding finding{"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
-  finding.numbers = {{"ratio", {ratio}}, {"allowed", {bound}}};
-  return finding;
+  if (features.empty() || off(explained, bound)) pattern += say::slanted_or_missed;
+  return finding_of("volume_identity", Severity::warning, pattern, facts, feature_places(flat));
 }
 
 Finding residual_doubt(const std::string& code, std::string_view sentence, double value,
@@ -79,6 +74,15 @@ std::optional<Finding> opening_doubt(const OpeningCount& openings) {
                     openings.missing);
 }
 
+/// A finding about so many of a kind.
+Finding counting(std::string code, std::string_view pattern, std::size_t count,
+                 std::vector<Vec2> at) {
+  Facts facts{{"count", count}, {"are", count == 1 ? "is" : "are"}};
+  for (const Vec2& p : at)
+    facts.emplace_back("at", place::point(p));
+  return finding_of(std::move(code), Severity::info, pattern, facts, std::move(at));
+}
+
 void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat) {
   std::vector<Vec2> places;
   for (const FlatFeature& feature : flat.features) {
@@ -89,11 +93,7 @@ void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat) {
     places.push_back(0.5 * (box.lo + box.hi));
   }
   if (places.empty()) return;
-  const int count = static_cast<int>(places.size());
-  found.push_back({"slanted_cut", Severity::info,
-                   fmt::format("{} not normal to the sheet; the pattern follows one skin there",
-                               counted(count, "cut edge") + (count == 1 ? " is" : " are")),
-                   places});
+  found.push_back(counting("slanted_cut", say::slanted_cuts, places.size(), places));
 }
 
 void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
@@ -108,17 +108,10 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
     uncut.push_back(0.5 * (box.lo + box.hi));
   }
   if (!pilots.empty())
-    found.push_back({"pilot_hole", Severity::info,
-                     fmt::format("{} cut smaller than in the solid, from which the form is drawn",
-                                 counted(static_cast<int>(pilots.size()), "hole") +
-                                     (pilots.size() == 1 ? " is" : " are")),
-                     pilots});
+    found.push_back(counting("pilot_hole", say::pilot_holes, pilots.size(), pilots));
   if (count > 0)
-    found.push_back({"uncut_opening", Severity::info,
-                     fmt::format("{} of the solid, within formed features or between edges that "
-                                 "touch, {} not cut",
-                                 counted(count, "opening"), count == 1 ? "is" : "are"),
-                     uncut});
+    found.push_back(
+        counting("uncut_opening", say::uncut_openings, static_cast<std::size_t>(count), uncut));
 }
 
 }  // namespace
@@ -174,14 +167,13 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   if (overlaps.empty()) return std::nullopt;
   const Finding& first = overlaps.front();
-  std::string message = first.message;
-  if (overlaps.size() > 1) {
-    message += fmt::format(", and at {}",
-                           counted(static_cast<int>(overlaps.size()) - 1, "more place"));
-  }
-  message += "; with `write_overlapping` the pattern is written anyway";
-  Error error{code::overlap, std::move(message),
-              first.at.empty() ? std::string() : place_text(first.at.front())};
+  std::string what = first.message;
+  if (what.front() >= 'a' && what.front() <= 'z')
+    what.front() = static_cast<char>(what.front() - 'a' + 'A');
+  Error error = error_of(
+      overlaps.size() > 1 ? refuse::pattern_overlaps_more : refuse::pattern_overlaps,
+      {{"what", what}, {"more", overlaps.size() - 1}},
+      first.at.empty() ? std::string() : place_text(first.at.front()));
   error.places = first.about;
   error.numbers = first.numbers;
   error.remedies = first.remedies;

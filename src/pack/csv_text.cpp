@@ -1,12 +1,11 @@
 #include "csv_text.hpp"
 
-#include <fmt/format.h>
+#include <planish/base/text.hpp>
 
 namespace planish::pack {
+
 std::string csv_number(double value) {
-  std::string text = fmt::format("{:.3f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
+  const std::string text = trimmed_number(value, 3);
   return text == "-0" ? "0" : text;
 }
 

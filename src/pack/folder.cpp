@@ -1,5 +1,7 @@
 #include "folder.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -43,8 +45,7 @@ Result<void> Folder::add(const std::string& name, const std::string& bytes) {
   if (auto made = make_folder(target.parent_path()); !made) return made;
   if (known_.insert(name).second) record_ << name << '\n' << std::flush;
   if (!record_)
-    return fail(code::cannot_write, fmt::format("cannot write {}", record_file().string()),
-                record_file().string());
+    return fail(refuse::pack_unwritten, {{"file", record_file().string()}}, record_file().string());
   if (auto written = write_file(target, bytes); !written) return written;
   files_.emplace_back(name);
   return {};

@@ -1,5 +1,7 @@
 #include "materials.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/job/options.hpp>
 #include <planish/sheet/csv.hpp>
 
@@ -11,9 +13,11 @@
 namespace planish::pack {
 namespace {
 
-tl::unexpected<Error> wrong(const GivenFile& file, int line, const std::string& what) {
-  const std::string where = fmt::format("{}:{}", file.name, line);
-  return fail(code::invalid_input, fmt::format("{}: {}", where, what), where);
+tl::unexpected<Error> wrong(const GivenFile& file, int line, const Refusal& refusal,
+                            Facts facts = {}) {
+  facts.emplace_back("file", file.name);
+  facts.emplace_back("line", place::line(line));
+  return fail(refusal, facts, fmt::format("{}:{}", file.name, line));
 }
 
 /// Where each column stands; -1: it is not there.
@@ -31,9 +35,7 @@ Result<MaterialColumns> columns_of(const GivenFile& file, const CsvRecord& head)
     if (title == "colour" || title == "color") columns.colour = i;
   }
   if ((columns.part < 0 && columns.colour < 0) || columns.material < 0)
-    return wrong(file, head.line,
-                 "the first row of the materials must name the columns part (or colour) and "
-                 "material, and may name density");
+    return wrong(file, head.line, refuse::no_columns);
   return columns;
 }
 
@@ -74,7 +76,7 @@ bool fits(const std::string& pattern, const std::string& name) {
 Result<Materials> Materials::parse(const GivenFile& file) {
   const auto records = split_csv(file.text, file.name);
   if (!records) return pass_on(records);
-  if (records->empty()) return wrong(file, 1, "the list of materials is empty");
+  if (records->empty()) return wrong(file, 1, refuse::no_materials);
   const auto columns = columns_of(file, records->front());
   if (!columns) return pass_on(columns);
   Materials materials;
@@ -87,18 +89,15 @@ Result<Materials> Materials::parse(const GivenFile& file) {
     };
     Row row{field(columns->part), field(columns->material), {}, lower_case(field(columns->colour))};
     if ((row.pattern.empty() && row.colour.empty()) || row.material.empty())
-      return wrong(file, record.line, "each row needs a part or a colour, and a material");
+      return wrong(file, record.line, refuse::row_incomplete);
     // A row that begins with # is a comment, so it may be left out.
     if (!row.colour.empty() && row.colour.front() != '#') row.colour.insert(0, 1, '#');
     if (!row.colour.empty() && !is_colour(row.colour))
-      return wrong(file, record.line,
-                   fmt::format("a colour is written like #c0c0c0, not \"{}\"", row.colour));
+      return wrong(file, record.line, refuse::bad_colour, {{"colour", row.colour}});
     if (const std::string density = field(columns->density); !density.empty()) {
       row.density = job::parse_number(density);
       if (!row.density || *row.density <= 0.0)
-        return wrong(
-            file, record.line,
-            fmt::format("the density must be a number above 0, in kg/dm³, not \"{}\"", density));
+        return wrong(file, record.line, refuse::bad_density, {{"density", density}});
     }
     materials.rows_.push_back(std::move(row));
   }

@@ -2,7 +2,6 @@
 #include "folder.hpp"
 #include "part_list.hpp"
 #include "parts_csv.hpp"
-#include "rates.hpp"
 #include "stock.hpp"
 #include "zip.hpp"
 
@@ -10,6 +9,7 @@
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/run.hpp>
 #include <planish/pack/pack.hpp>
+#include <planish/shop/rates.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +54,22 @@ std::string title_of(const std::vector<std::string>& words) {
   if (words.size() != 1) return fmt::format("{} inputs", words.size());
   const fs::path whole = fs::weakly_canonical(words.front());
   return (whole.has_filename() ? whole : whole.parent_path()).stem().string();
+}
+
+Result<void> enter_costs(PartList& list, const shop::Rates& rates) {
+  for (PackPart& part : list.parts) {
+    const auto cost = rates.cost_of({.name = part.name,
+                                     .material = part.material,
+                                     .quantity = part.quantity,
+                                     .cut_length = part.cut_length,
+                                     .pierces = part.pierces,
+                                     .bends = part.flat.bends.size(),
+                                     .size = part.size,
+                                     .mass = part.mass});
+    if (!cost) return pass_on(cost);
+    part.cost = *cost;
+  }
+  return {};
 }
 
 /// A pack while it is made.
@@ -193,9 +209,9 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   }
   if (const Json given = Json::parse(options.options); given.contains("density"))
     materials.density_of_all = given["density"].get<double>();
-  std::optional<Rates> rates;
+  std::optional<shop::Rates> rates;
   if (options.rates) {
-    auto read = Rates::parse(*options.rates);
+    auto read = shop::Rates::parse(options.rates->text, options.rates->name);
     if (!read) return pass_on(read);
     rates = std::move(*read);
   }
@@ -209,7 +225,7 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   for (PackPart& part : list->parts)
     if (planned && part.plan == kNotPlanned) part.plan = kNoStroke;
   if (rates)
-    if (auto applied = rates->apply(*list); !applied) return pass_on(applied);
+    if (auto priced = enter_costs(*list, *rates); !priced) return pass_on(priced);
   return Making(out, options, cancelled, title_of(words), rates ? rates->currency() : std::string())
       .run(std::move(*list), *dxf);
 }

@@ -1,5 +1,8 @@
 #include "part_list.hpp"
 
+#include "refusals.hpp"
+
+#include <planish/base/text.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/outputs.hpp>
@@ -7,7 +10,6 @@
 #include <planish/sheet/same_part.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,59 +20,38 @@
 namespace planish::pack {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using batch::PartRecord;
 
-/// The text at a JSON pointer; empty for null and where there is none.
-std::string said_at(const Json& json, const char* pointer) {
-  const Json::json_pointer at(pointer);
-  return json.contains(at) && json[at].is_string() ? json[at].get<std::string>() : std::string();
-}
-
-std::optional<double> number_at(const Json& json, const char* pointer) {
-  const Json::json_pointer at(pointer);
-  if (!json.contains(at) || !json[at].is_number()) return std::nullopt;
-  return json[at].get<double>();
-}
-
-LengthUnit units_of(const Json& report) {
-  const std::string name = said_at(report, "/units");
-  if (name == "inch") return LengthUnit::inch;
-  return name == "m" ? LengthUnit::m : LengthUnit::mm;
+LengthUnit units_of(const PartRecord& record) {
+  if (record.units == "inch") return LengthUnit::inch;
+  return record.units == "m" ? LengthUnit::m : LengthUnit::mm;
 }
 
 /// Whether it can be bent, as far as its report says.
-std::string plan_of(const Json& report, const FlatPattern& flat) {
+std::string plan_of(const PartRecord& record, const FlatPattern& flat) {
   if (flat.bends.empty()) return "nothing to bend";
-  for (const Json& finding : report.value("checks", Json::array())) {
-    if (said_at(finding, "/code") == "cannot_bend") return "cannot be bent";
-    if (said_at(finding, "/code") == "no_plan") return "no order found";
+  for (const batch::RecordedFinding& finding : record.findings) {
+    if (finding.code == "cannot_bend") return "cannot be bent";
+    if (finding.code == "no_plan") return "no order found";
   }
   return has_order(flat) ? "can be bent" : kNotPlanned;
 }
 
-std::vector<std::string> warnings_of(const Json& report) {
-  std::vector<std::string> warnings;
-  for (const Json& finding : report.value("checks", Json::array()))
-    if (said_at(finding, "/severity") != "info") warnings.push_back(said_at(finding, "/message"));
-  return warnings;
-}
-
 /// kg; `alone`: it is the whole part.
-std::optional<double> mass_of(const Json& report, const FlatPattern& flat,
+std::optional<double> mass_of(const PartRecord& record, const FlatPattern& flat,
                               const Materials::Row* material,
                               const std::optional<double>& density_of_all, bool alone) {
   constexpr double kCubicDecimetre = 1e6;  // mm³
-  const auto said = number_at(report, "/sheet/mass");
   if (!material || !material->density) {
     // A density of the file is that of the file's material.
-    const bool of_another = material && !density_of_all && number_at(report, "/density") &&
-                            material->material != said_at(report, "/material");
-    return alone && !of_another ? said : std::nullopt;
+    const bool of_another = material && !density_of_all && record.density &&
+                            material->material != record.material;
+    return alone && !of_another ? record.mass : std::nullopt;
   }
-  const double unit = millimetres_in(units_of(report));
-  const auto volume = number_at(report, "/sheet/volume");
-  const double mm3 = alone && volume && *volume > 0.0 ? *volume * unit * unit * unit
-                                                      : flat.area * flat.thickness;
+  const double unit = millimetres_in(units_of(record));
+  const double volume = record.volume.value_or(0.0);
+  const double mm3 = alone && volume > 0.0 ? volume * unit * unit * unit
+                                           : flat.area * flat.thickness;
   return *material->density * mm3 / kCubicDecimetre;
 }
 
@@ -109,16 +90,14 @@ class Collecting {
   explicit Collecting(const Materials& materials) : materials_(materials) {}
 
   Result<void> add(const batch::BatchPart& from) {
-    const Json report = Json::parse(from.report);
-    const PartSource source{said_at(report, "/input"), name_of(report),
-                            static_cast<int>(number_at(report, "/quantity").value_or(1.0))};
-    if (from.shapes.empty()) {
-      list_.refused.push_back(
-          {source, said_at(report, "/reason/code"), said_at(report, "/reason/message")});
+    const PartRecord& record = from.record;
+    const PartSource source{record.input, name_of(record), record.quantity.value_or(1)};
+    if (record.shapes.empty()) {
+      list_.refused.push_back({source, record.reason, record.message});
       return {};
     }
-    for (std::size_t piece = 0; piece < from.shapes.size(); ++piece)
-      if (auto added = add_piece(from, report, source, piece); !added) return added;
+    for (std::size_t piece = 0; piece < record.shapes.size(); ++piece)
+      if (auto added = add_piece(from, source, piece); !added) return added;
     return {};
   }
 
@@ -140,10 +119,9 @@ class Collecting {
 
  private:
   /// Of a body its own name, of a file without one the file's.
-  static std::string name_of(const Json& report) {
-    const std::string body = said_at(report, "/body");
-    if (!body.empty()) return body;
-    return std::filesystem::path(said_at(report, "/input")).stem().string();
+  static std::string name_of(const PartRecord& record) {
+    if (!record.body.empty()) return record.body;
+    return std::filesystem::path(record.input).stem().string();
   }
 
   /// Names that programs give to bodies of which they know none.
@@ -162,27 +140,28 @@ class Collecting {
     return std::round(thickness * kThousandths) / kThousandths;
   }
 
-  Result<void> add_piece(const batch::BatchPart& from, const Json& report, const PartSource& source,
+  Result<void> add_piece(const batch::BatchPart& from, const PartSource& source,
                          std::size_t piece) {
-    auto flat = read_flat_json(from.shapes[piece]);
+    const PartRecord& record = from.record;
+    auto flat = read_flat_json(record.shapes[piece]);
     if (!flat)
-      return fail(code::cannot_read,
-                  fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
-    const bool alone = from.shapes.size() == 1;
+      return fail(refuse::piece_unread,
+                  {{"folder", record.folder}, {"reason", continued(flat.error().message)}});
+    const bool alone = record.shapes.size() == 1;
     PackPart part;
-    const std::string name = from.folder == source.input && says_nothing(source.body)
+    const std::string name = record.folder == source.input && says_nothing(source.body)
                                  ? stem_of(source)
                                  : source.body;
     part.name = alone ? name : fmt::format("{}-{}", name, piece + 1);
     const Materials::Row* row = materials_.find({name, source.body, stem_of(source)},
-                                                said_at(report, "/colour"));
-    part.material = row ? row->material : said_at(report, "/material");
+                                                record.colour);
+    part.material = row ? row->material : record.material;
     if (part.material.empty()) part.material = kUnknown;
     part.flat = std::move(*flat);
     OfMaterial& same = of(part.material);
     const std::size_t at = same.place_of(part);
     if (at == list_.parts.size()) {
-      describe(part, from, report, row, piece);
+      describe(part, from, row, piece);
       list_.parts.push_back(std::move(part));
     }
     PackPart& kept = list_.parts[at];
@@ -191,14 +170,16 @@ class Collecting {
     return {};
   }
 
-  void describe(PackPart& part, const batch::BatchPart& from, const Json& report,
-                const Materials::Row* row, std::size_t piece) const {
-    part.units = units_of(report);
-    part.plan = plan_of(report, part.flat);
-    part.warnings = warnings_of(report);
-    for (const Json& note : report.value("notes", Json::array()))
-      if (note.is_string()) part.notes.push_back(note.get<std::string>());
-    part.mass = mass_of(report, part.flat, row, materials_.density_of_all, from.shapes.size() == 1);
+  void describe(PackPart& part, const batch::BatchPart& from, const Materials::Row* row,
+                std::size_t piece) const {
+    const PartRecord& record = from.record;
+    part.units = units_of(record);
+    part.plan = plan_of(record, part.flat);
+    for (const batch::RecordedFinding& warning : batch::warnings_of(record))
+      part.warnings.push_back(warning.message);
+    part.notes = record.notes;
+    part.mass = mass_of(record, part.flat, row, materials_.density_of_all,
+                        record.shapes.size() == 1);
     measure(part);
     if (const auto text = schema::read_text(from.files / batch::view_name(piece), "view"))
       if (auto view = drawing::read_view_json(*text)) part.view = std::move(*view);

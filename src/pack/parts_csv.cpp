@@ -2,6 +2,7 @@
 
 #include "csv_text.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
@@ -12,13 +13,6 @@ namespace {
 
 std::string money(const std::optional<double>& value) {
   return value ? fmt::format("{:.2f}", *value) : std::string();
-}
-
-/// "panel.step", "chair.step: leg ×4"
-std::string source_text(const PartSource& source) {
-  std::string text = source.input;
-  if (!source.body.empty()) text += ": " + source.body;
-  return source.quantity == 1 ? text : text + fmt::format(" ×{}", source.quantity);
 }
 
 std::vector<std::string> cells_of(const PackPart& part) {
@@ -53,11 +47,13 @@ std::string totals_row(const std::string& name, const std::string& material,
                   csv_number(totals.bend_length), "", "", "", "", money(totals.cost)});
 }
 
-std::string parts_text(int parts) {
-  return fmt::format("{} {}", parts, parts == 1 ? "part" : "parts");
-}
-
 }  // namespace
+
+std::string source_text(const PartSource& source) {
+  std::string text = source.input;
+  if (!source.body.empty()) text += ": " + source.body;
+  return source.quantity == 1 ? text : text + fmt::format(" ×{}", source.quantity);
+}
 
 Totals totals_of(const PartList& list, std::size_t first, std::size_t end) {
   Totals totals;
@@ -89,12 +85,12 @@ std::string parts_csv(const PartList& list, const std::string& currency) {
     for (std::size_t i = group.first; i < group.end; ++i)
       text += csv_row(cells_of(list.parts[i]));
     const Totals totals = totals_of(list, group.first, group.end);
-    text += totals_row(parts_text(totals.parts), group.material, csv_number(group.thickness),
+    text += totals_row(counted(totals.parts, "part"), group.material, csv_number(group.thickness),
                        totals);
   }
   if (!list.parts.empty()) {
     const Totals totals = totals_of(list, 0, list.parts.size());
-    text += totals_row(parts_text(totals.parts) + " in all", "", "", totals);
+    text += totals_row(counted(totals.parts, "part") + " in all", "", "", totals);
   }
   for (const RefusedPart& refused : list.refused)
     text += csv_row({"", refused.source.body, "", "", std::to_string(refused.source.quantity), "",

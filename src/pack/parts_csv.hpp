@@ -10,6 +10,9 @@ namespace planish::pack {
 /// at the end, then what was refused. Lengths in mm.
 std::string parts_csv(const PartList& list, const std::string& currency);
 
+/// "panel.step", "chair.step: leg ×4"
+std::string source_text(const PartSource& source);
+
 /// Sums over the parts of a group, each as often as it is made.
 struct Totals {
   int parts = 0, quantity = 0;

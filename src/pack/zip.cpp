@@ -1,5 +1,7 @@
 #include "zip.hpp"
 
+#include "refusals.hpp"
+
 #include <zlib.h>
 
 #include <cstdint>
@@ -45,18 +47,14 @@ std::string deflated(std::string_view bytes) {
   return packed;
 }
 
-tl::unexpected<Error> too_large() {
-  return fail(code::cannot_write,
-              "the pack is too large for one zip file, which holds 4 GB and 65535 files: leave out "
-              "--zip");
-}
+tl::unexpected<Error> too_large() { return fail(refuse::zip_too_large); }
 
 }  // namespace
 
 Result<void> Zip::add(std::string_view name, std::string_view bytes) {
   if (count_ == kMostFiles || bytes.size() > kLargest) return too_large();
   const std::string packed = deflated(bytes);
-  if (packed.empty()) return fail(code::internal, "zlib could not deflate a file of the pack");
+  if (packed.empty()) return fail(refuse::not_deflated);
   std::string common;  // of both headers
   put16(common, kVersion);
   put16(common, kUtf8);

@@ -1,4 +1,5 @@
 #include "messages.hpp"
+#include "refusals.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -144,29 +145,25 @@ Error error_of(const ChildEnd& end, const std::string& input, const Limits& limi
   const std::string during = end.stage.empty() ? "" : fmt::format(" at \"{}\"", end.stage);
   switch (end.cause) {
     case Cause::cancelled:
-      return {code::cancelled, "cancelled", {}};
+      return planish::error_of(refuse::child_cancelled, {});
     case Cause::out_of_time:
-      return {code::out_of_time,
-              fmt::format("{} was given up after {}{}: allow a longer time, or take a part of it",
-                          input, words_of(limits.time), during),
-              input};
+      return planish::error_of(
+          refuse::child_out_of_time,
+          {{"input", input}, {"time", words_of(limits.time)}, {"during", during}}, input);
     case Cause::out_of_memory:
-      return {code::out_of_memory,
-              fmt::format(
-                  "{} needs more memory than {}{}: allow more, or take a part of it", input,
-                  limits.memory > 0 ? "the " + words_of(limits.memory) + " allowed" : "there is",
-                  during),
-              input};
+      return planish::error_of(
+          refuse::child_out_of_memory,
+          {{"input", input},
+           {"memory",
+            limits.memory > 0 ? "the " + words_of(limits.memory) + " allowed" : "there is"},
+           {"during", during}},
+          input);
     case Cause::crashed:
       break;
   }
   const bool ours = end.reason.starts_with("assertion failed");
-  return {code::crashed,
-          fmt::format("the work on {} crashed{} ({}): {}", input, during, end.reason,
-                      ours ? "a defect of Planish, please report it with the file"
-                           : "damaged files make the CAD kernel do that, so check the file in a "
-                             "CAD program and export it again"),
-          input};
+  return planish::error_of(ours ? refuse::child_asserted : refuse::child_crashed,
+                           {{"input", input}, {"during", during}, {"reason", end.reason}}, input);
 }
 
 }  // namespace planish::process

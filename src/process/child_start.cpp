@@ -1,5 +1,6 @@
 #include "child_side.hpp"
 #include "lasting_thread.hpp"
+#include "refusals.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -20,8 +21,7 @@ namespace planish::process {
 namespace {
 
 tl::unexpected<Error> not_started(int reason) {
-  return fail(code::internal,
-              fmt::format("no process could be started: {}", std::strerror(reason)));
+  return fail(refuse::not_started, {{"reason", std::strerror(reason)}});
 }
 
 /// A descriptor, closed at the end, and above those of standard input and output, which may be

@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/schema/json_depth.hpp>
 
 #include <fmt/format.h>
@@ -6,6 +8,32 @@
 #include <iterator>
 
 namespace planish::schema {
+namespace {
+
+struct Spot {
+  int line, column;
+};
+
+Spot spot_of(const std::string& text, std::size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  const auto line = 1 + std::count(text.begin(), end, '\n');
+  const auto last_break = std::find(std::make_reverse_iterator(end), text.rend(), '\n').base();
+  return {static_cast<int>(line), static_cast<int>(std::max<std::ptrdiff_t>(1, end - last_break))};
+}
+
+Error error_in(const Refusal& refusal, const std::string& text, std::size_t byte,
+               std::string_view what, std::string where) {
+  const Spot spot = spot_of(text, byte);
+  if (where.ends_with(':')) where += line_and_column(text, byte);
+  return error_of(refusal,
+                  {{"what", what},
+                   {"line", place::line(spot.line)},
+                   {"column", spot.column},
+                   {"most", kDeepestJson}},
+                  std::move(where));
+}
+
+}  // namespace
 
 std::optional<std::size_t> too_deep_at(const std::string& json) {
   int depth = 0;
@@ -24,15 +52,18 @@ std::optional<std::size_t> too_deep_at(const std::string& json) {
 }
 
 std::string line_and_column(const std::string& text, std::size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  const auto line = 1 + std::count(text.begin(), end, '\n');
-  const auto last_break = std::find(std::make_reverse_iterator(end), text.rend(), '\n').base();
-  return fmt::format("{}:{}", line, std::max<std::ptrdiff_t>(1, end - last_break));
+  const Spot spot = spot_of(text, byte);
+  return fmt::format("{}:{}", spot.line, spot.column);
 }
 
-std::string too_deep_sentence(const std::string& json, std::size_t byte) {
-  return fmt::format("is nested more than {} deep at line:column {}: leave out what is inside",
-                     kDeepestJson, line_and_column(json, byte));
+Error too_deep(const std::string& json, std::size_t byte, std::string_view what,
+               std::string where) {
+  return error_in(refuse::too_deep, json, byte, what, std::move(where));
+}
+
+Error not_json(const std::string& text, std::size_t byte, std::string_view what,
+               std::string where) {
+  return error_in(refuse::not_json, text, byte, what, std::move(where));
 }
 
 }  // namespace planish::schema

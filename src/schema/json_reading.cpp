@@ -1,10 +1,10 @@
+#include "refusals.hpp"
+
 #include <planish/base/assert.hpp>
 #include <planish/base/text.hpp>
+#include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_depth.hpp>
 #include <planish/schema/json_reading.hpp>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <set>
 
@@ -41,7 +41,7 @@ JsonReading::JsonReading(const std::string& text, std::string what, std::string 
   if (error_) return;
   read_unit();
   if (const auto wrong = first_mistake(schema_, document_, millimetres_in(unit_)))
-    mistake(wrong->pointer, wrong->sentence);
+    mistake(wrong->pointer, *wrong->refusal, wrong->facts);
 }
 
 void JsonReading::read_unit() {
@@ -51,49 +51,43 @@ void JsonReading::read_unit() {
 }
 
 void JsonReading::parse(const std::string& text) {
-  const auto no_json = [&](const std::string& why, const std::string& place) {
-    error_ = Error{code::invalid_input, fmt::format("the {} is not JSON: {}", what_, why),
-                   name_ + place};
+  const std::string what = "The " + what_;
+  const auto refuse_whole = [&](const Refusal& refusal, Facts facts = {}) {
+    facts.emplace_back("what", what);
+    error_ = error_of(refusal, facts, name_);
   };
   if (const auto byte = too_deep_at(text)) {
-    error_ = Error{code::invalid_input,
-                   fmt::format("the {} {}", what_, too_deep_sentence(text, *byte)),
-                   name_ + ":" + line_and_column(text, *byte)};
+    error_ = too_deep(text, *byte, what, name_ + ":");
     return;
   }
-  if (text.starts_with(kStepMark)) return no_json("it is a STEP file", "");
+  if (text.starts_with(kStepMark)) return refuse_whole(refuse::is_step);
   RepeatedKeys repeated;
   try {
     document_ = Json::parse(
         text, [&](int, Json::parse_event_t event, Json& value) { return repeated(event, value); });
   } catch (const Json::parse_error& error) {
-    const std::string place = line_and_column(text, error.byte);
-    return no_json(fmt::format("mistake at line:column {}", place), ":" + place);
+    error_ = not_json(text, error.byte, what, name_ + ":");
+    return;
   } catch (const Json::exception& error) {
     // The text after the name that the parser gives its error.
     const std::string said = error.what();
     const auto name_end = said.find("] ");
-    return no_json(name_end == std::string::npos ? said : said.substr(name_end + 2), "");
+    return refuse_whole(
+        refuse::parser_refuses,
+        {{"reason", name_end == std::string::npos ? said : said.substr(name_end + 2)}});
   }
   if (repeated.first()) {
-    error_ = Error{
-        code::invalid_input,
-        fmt::format("{}: the key \"{}\" appears twice in one object: keep only one of them", what_,
-                    shortened(*repeated.first())),
-        name_};
+    refuse_whole(refuse::repeated_key, {{"key", shortened(*repeated.first())}});
   } else if (!document_.is_object()) {
-    error_ = Error{code::invalid_input, fmt::format("the {} must hold one JSON object", what_),
-                   name_};
+    refuse_whole(refuse::no_object);
   }
 }
 
-void JsonReading::mistake(const std::string& pointer, const std::string& sentence) {
-  constexpr std::size_t kShownPointer = 200;
+void JsonReading::mistake(const std::string& pointer, const Refusal& refusal, Facts facts) {
   if (error_) return;
-  error_ = Error{code::invalid_input,
-                 fmt::format("{}: {} {}", what_, shortened(pointer, kShownPointer), sentence),
-                 name_ + pointer,
-                 {place::pointer(pointer)}};
+  error_ = error_at(refusal, pointer, std::move(facts));
+  error_->where = name_ + pointer;
+  if (!name_.empty()) say_before(*error_, what_ + ": ");
 }
 
 JsonPlace JsonPlace::child(const std::string& token, const Schema* schema,
@@ -153,7 +147,7 @@ double JsonPlace::coordinate() const {
   constexpr double kFarthest = 1e9;  // mm: beyond, doubles no longer place what is cut
   const double value = length();
   if (std::abs(value) <= kFarthest) return value;
-  mistake("is farther than 1,000 km away: move the parts to the origin");
+  mistake(refuse::too_far);
   return 0.0;
 }
 
@@ -188,7 +182,7 @@ std::optional<Vec3> JsonPlace::direction() const {
   if (xyz.size() != 3) return std::nullopt;
   const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
   if (!v.isZero(0.0)) return v.stableNormalized();
-  mistake("is [0, 0, 0], which has no direction");
+  mistake(refuse::no_direction);
   return std::nullopt;
 }
 

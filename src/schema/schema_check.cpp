@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/base/text.hpp>
 #include <planish/schema/schema.hpp>
 
@@ -99,10 +101,10 @@ class Check {
     const bool tuple = schema.kind == Kind::tuple;
     if (!value.is_array())
       return tuple ? must_be(schema, value)
-                   : wrong(fmt::format("must be a list, not {}", shown(value)));
+                   : wrong(refuse::must_be_list, {{"value", shown(value)}});
     if (tuple ? value.size() != schema.count
               : value.size() < schema.least || value.size() > schema.most)
-      return wrong(fmt::format("must be {}, not a list of {}", schema.words, value.size()));
+      return wrong(refuse::wrong_length, {{"wanted", schema.words}, {"count", value.size()}});
     for (std::size_t i = 0; i < value.size(); ++i)
       if (!child_passes(std::to_string(i), schema.parts.front(), value[i])) return false;
     return true;
@@ -121,26 +123,26 @@ class Check {
     for (const auto& [key, one] : value.items())
       if (!schema.field(key)) return unknown_key(schema, key);
     for (const Field& field : schema.fields)
-      if (field.required && !value.contains(field.key)) return wrong_below(field.key, "is missing");
+      if (field.required && !value.contains(field.key))
+        return wrong_below(field.key, refuse::key_missing);
     if (schema.kind == Kind::one_key && value.size() != 1)
-      return wrong(fmt::format("must be one of {}", fmt::join(keys(schema), ", ")));
+      return wrong(refuse::must_be_one_of, keys_of(schema));
     for (const Field& field : schema.fields)
       if (value.contains(field.key) && !child_passes(field.key, field.value, value[field.key]))
         return false;
     return true;
   }
 
-  static std::vector<std::string> keys(const Schema& schema) {
+  static Facts keys_of(const Schema& schema) {
     std::vector<std::string> all;
     for (const bool required : {true, false})  // required keys are reported first
       for (const Field& field : schema.fields)
         if (field.required == required) all.push_back(field.key);
-    return all;
+    return {{"keys", fmt::format("{}", fmt::join(all, ", "))}};
   }
 
   bool unknown_key(const Schema& schema, const std::string& key) {
-    return wrong_below(key, fmt::format("is not a known key; the keys known here are {}",
-                                        fmt::join(keys(schema), ", ")));
+    return wrong_below(key, refuse::unknown_key, keys_of(schema));
   }
 
   bool child_passes(const std::string& token, const Schema& schema, const Json& value) {
@@ -151,19 +153,19 @@ class Check {
   }
 
   bool must_be(const Schema& schema, const Json& value) {
-    return wrong(fmt::format("must be {}, not {}", schema.words, shown(value)));
+    return wrong(refuse::must_be, {{"wanted", schema.words}, {"value", shown(value)}});
   }
 
-  bool wrong_below(const std::string& token, std::string sentence) {
+  bool wrong_below(const std::string& token, const Refusal& refusal, Facts facts = {}) {
     tokens_.push_back(token);
-    return wrong(std::move(sentence));
+    return wrong(refusal, std::move(facts));
   }
 
-  bool wrong(std::string sentence) {
+  bool wrong(const Refusal& refusal, Facts facts) {
     std::string pointer;
     for (const std::string& token : tokens_)
       pointer += "/" + escaped_token(token);
-    mistake_ = Mistake{std::move(pointer), std::move(sentence)};
+    mistake_ = Mistake{std::move(pointer), &refusal, std::move(facts)};
     return false;
   }
 

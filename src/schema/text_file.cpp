@@ -1,6 +1,6 @@
-#include <planish/schema/text_file.hpp>
+#include "refusals.hpp"
 
-#include <fmt/format.h>
+#include <planish/schema/text_file.hpp>
 
 #include <cerrno>
 #include <fstream>
@@ -28,8 +28,8 @@ Result<std::string> read_text(const std::filesystem::path& name, const std::stri
   if (name == "-") return all_of(std::cin);
   std::error_code ignored;
   const auto refuse = [&](const std::string& why) {
-    return fail(code::cannot_read,
-                fmt::format("cannot read the {} {}: {}", what, name.string(), why), name.string());
+    return fail(refuse::cannot_read, {{"what", what}, {"file", name.string()}, {"reason", why}},
+                name.string());
   };
   if (std::filesystem::is_directory(name, ignored)) return refuse("it is a folder");
   std::ifstream file(name, std::ios::binary);

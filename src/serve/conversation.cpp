@@ -1,5 +1,7 @@
 #include "conversation.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/base/text.hpp>
 #include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_depth.hpp>
@@ -59,19 +61,12 @@ Result<std::vector<std::pair<std::string, std::string>>> writes_in(const Json& p
   if (!parameters.contains("write")) return writes;
   const Json known = tool.schema["properties"].value("write", Json());
   if (known.is_null())
-    return schema::fail_at(code::bad_option,
-                           fmt::format("request: {} writes no files: leave `write` out", tool.name),
-                           "/write");
+    return schema::fail_at(refuse::writes_nothing, "/write", {{"tool", tool.name}});
   const Json& given = parameters["write"];
-  if (!given.is_object())
-    return schema::fail_at(code::invalid_input,
-                           "request: /write must be an object with the path of each artifact",
-                           "/write");
+  if (!given.is_object()) return schema::fail_at(refuse::writes_no_object, "/write");
   for (const auto& [artifact, path] : given.items()) {
-    const std::string where = "/write/" + artifact;
     if (!path.is_string() || path.get<std::string>().empty() || path == "-")
-      return schema::fail_at(code::invalid_input,
-                             fmt::format("request: {} must be the path of a file", where), where);
+      return schema::fail_at(refuse::no_path, "/write/" + artifact);
     writes.emplace_back(artifact, path.get<std::string>());
   }
   return writes;
@@ -90,19 +85,18 @@ Conversation::Conversation(MessageWriter& writer, const ServeOptions& options,
       protocol_(protocol_version("")),
       crew_(options.jobs, options.limits) {}
 
-void Conversation::refuse(const std::string& sentence) {
-  writer_.send(response(kNoId, wrong(RpcCode::parse_error, sentence)));
+void Conversation::refuse(const Error& error) {
+  writer_.send(response(kNoId, wrong(RpcCode::parse_error, error.message)));
 }
 
 void Conversation::take(const std::string& message) {
   if (const auto byte = schema::too_deep_at(message))
-    return refuse("the message " + schema::too_deep_sentence(message, *byte));
+    return refuse(schema::too_deep(message, *byte, "The message", ":"));
   Json json;
   try {
     json = Json::parse(message);
   } catch (const Json::parse_error& error) {
-    return refuse(fmt::format("the message is not JSON: it goes wrong at line:column {}",
-                              schema::line_and_column(message, error.byte)));
+    return refuse(schema::not_json(message, error.byte, "The message", ":"));
   }
   if (!json.is_array()) return take_one(json, single_sink(writer_));
   if (json.empty())
@@ -225,10 +219,7 @@ void Conversation::begin_work(const Call& call, const Tool& asked, Json paramete
   if (!writes) return fails(writes.error());
   for (const char* key : {"write", "_meta"})
     parameters.erase(key);
-  if (parameters.contains("maker"))
-    return fails(schema::error_at(code::invalid_input,
-                                  "request: /maker must be left out: the method names the maker",
-                                  "/maker"));
+  if (parameters.contains("maker")) return fails(schema::error_at(refuse::maker_given, "/maker"));
   parameters["maker"] = asked.name;
   const auto ticket = std::make_shared<Ticket>();
   ticket->task = {text_of(parameters), std::move(*writes)};
@@ -261,7 +252,7 @@ void Conversation::finish(const Call& call, const Wording& wording, Result<WorkD
     const auto found = at_work_.find(text_of(*call.id));
     silent = found->second.silent;
     // Cancelled at the last moment.
-    if (found->second.ticket->cancelled) done = fail(code::cancelled, "cancelled");
+    if (found->second.ticket->cancelled) done = fail(refuse::stopped);
     at_work_.erase(found);
   }
   if (done && !done->files.empty())

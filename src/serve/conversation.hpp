@@ -23,7 +23,7 @@ class Conversation {
   /// Answers a message, or begins to.
   void take(const std::string& message);
   /// Answers one that cannot be read.
-  void refuse(const std::string& sentence);
+  void refuse(const Error& error);
 
   /// Whether the client has said `exit`, and the exit status.
   std::optional<int> exit_status() const { return exit_; }

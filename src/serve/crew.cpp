@@ -1,9 +1,11 @@
 #include "crew.hpp"
 
-#include <planish/base/packed_error.hpp>
+#include "refusals.hpp"
+
+#include <planish/process/worker.hpp>
 
 #include <exception>
-#include <filesystem>
+#include <string>
 #include <utility>
 
 namespace planish::serve {
@@ -11,61 +13,35 @@ namespace {
 
 using process::ChildEnd;
 
-/// A process, and how much it has done.
-class ServeWorker {
- public:
-  explicit ServeWorker(const process::Limits& limits) : limits_(limits) {}
+using ServeWorker = process::Worker<WorkTask, Result<WorkDone>>;
 
-  Result<void> begin() {
-    if (child_ && child_->is_alive()) return {};
-    auto child = process::ChildProcess::program({"serve-worker", std::to_string(limits_.memory)},
-                                                std::filesystem::current_path());
-    if (!child) return pass_on(child);
-    child_ = std::move(*child);
-    done_ = 0;
-    return {};
+Result<WorkDone> work_on(ServeWorker& worker, process::Limits limits, const Ticket& ticket,
+                         const std::atomic<bool>& ends) {
+  limits.time = ticket.time;
+  for (;;) {
+    if (const auto begun = worker.begin(); !begun) return pass_on(begun);
+    const bool fresh = worker.done() == 0;
+    std::string input = "the input";
+    const process::Parent parent{
+        .progress = {.report = ticket.progress,
+                     .cancelled = [&] { return ticket.cancelled.load() || ends.load(); }},
+        .note = [&](const process::Texts& note) { input = note.empty() ? input : note.front(); }};
+    auto done = worker.work_on(ticket.task, {.time = limits.time, .parent = parent});
+    if (done) return std::move(*done);
+    const ChildEnd& end = done.error();
+    // It may be what earlier requests left behind that fills its memory.
+    const bool full = end.cause == ChildEnd::Cause::out_of_memory && !end.from_outside;
+    if (!full || fresh) return tl::unexpected(error_of(end, input, limits));
   }
-
-  Result<WorkDone> work_on(const Ticket& ticket, const std::atomic<bool>& ends) {
-    for (;;) {
-      if (const auto begun = begin(); !begun) return pass_on(begun);
-      process::Limits limits = limits_;
-      limits.time = ticket.time;
-      std::string input = "the input";
-      const process::Parent parent{
-          .progress = {.report = ticket.progress,
-                       .cancelled = [&] { return ticket.cancelled.load() || ends.load(); }},
-          .note = [&](const process::Texts& note) { input = note.empty() ? input : note.front(); }};
-      const auto answer = child_->ask(texts_of(ticket.task), limits.time, parent);
-      if (!answer) {
-        child_.reset();
-        // It may be what earlier requests left behind that fills its memory.
-        const bool full = answer.error().cause == ChildEnd::Cause::out_of_memory &&
-                          !answer.error().from_outside;
-        if (full && std::exchange(done_, 0) > 0) continue;
-        return tl::unexpected(error_of(answer.error(), input, limits));
-      }
-      ++done_;
-      if (auto error = unpacked(*answer)) return tl::unexpected(std::move(*error));
-      if (auto done = done_in(*answer)) return std::move(*done);
-      child_.reset();
-      return tl::unexpected(
-          error_of({ChildEnd::Cause::crashed, process::kDamagedAnswer}, input, limits));
-    }
-  }
-
- private:
-  process::Limits limits_;
-  std::unique_ptr<process::ChildProcess> child_;
-  int done_ = 0;
-};
+}
 
 /// Memory may be short here too.
-Result<WorkDone> tried(ServeWorker& worker, const Ticket& ticket, const std::atomic<bool>& ends) {
+Result<WorkDone> tried(ServeWorker& worker, const process::Limits& limits, const Ticket& ticket,
+                       const std::atomic<bool>& ends) {
   try {
-    return worker.work_on(ticket, ends);
+    return work_on(worker, limits, ticket, ends);
   } catch (const std::exception& defect) {
-    return fail(code::internal, defect.what());
+    return fail(refuse::worker_defect, {{"reason", defect.what()}});
   }
 }
 
@@ -110,12 +86,13 @@ std::shared_ptr<Ticket> Crew::next() {
 }
 
 void Crew::work(bool at_once) {
-  ServeWorker worker(limits_);
+  ServeWorker worker(process::program_again({"serve-worker", std::to_string(limits_.memory)}),
+                     done_in);
   // A process is there before it is needed, where one will be.
   if (at_once) (void)worker.begin();
   while (const auto ticket = next()) {
-    ticket->done(ticket->cancelled ? fail(code::cancelled, "cancelled")
-                                   : tried(worker, *ticket, ends_));
+    ticket->done(ticket->cancelled ? fail(refuse::stopped)
+                                   : tried(worker, limits_, *ticket, ends_));
     if (!ends_) (void)worker.begin();
     const std::lock_guard lock(mutex_);
     --open_;

@@ -1,6 +1,7 @@
 #include "conversation.hpp"
+#include "refusals.hpp"
 
-#include <planish/base/packed_error.hpp>
+#include <planish/process/worker.hpp>
 #include <planish/serve/serve.hpp>
 
 #include <csignal>
@@ -36,12 +37,10 @@ void converse(MessageReader& reader, MessageWriter& writer, Conversation& conver
         conversation.take(incoming.text);
         break;
       case Incoming::Kind::too_long:
-        conversation.refuse("the message is longer than 256 MiB: give the path of the file");
+        conversation.refuse(error_of(refuse::too_long, {}));
         break;
       case Incoming::Kind::no_length:
-        conversation.refuse(
-            "the headers have no Content-Length: where the next message begins is "
-            "unknown, and so this was the last");
+        conversation.refuse(error_of(refuse::no_length, {}));
         [[fallthrough]];
       case Incoming::Kind::end_of_input:
         return wait_for(conversation, 0, stopped);
@@ -64,18 +63,16 @@ int serve(int input, int output, const ServeOptions& options, const job::Catalog
 
 int run_serve_worker(const std::string& parent, std::uint64_t memory,
                      const job::Catalogue& catalogue) {
-  const auto answering = [&](const process::Texts& question, const process::Parent& asking) {
-    const auto task = task_in(question);
-    if (!task) return process::Texts{};
-    const auto done = work_on(*task, catalogue, asking);
-    return done ? texts_of(*done) : packed(done.error());
+  const auto perform = [&](const WorkTask& task, const process::Parent& asking) {
+    return work_on(task, catalogue, asking);
   };
   const auto give_back = [] {
 #if defined(__GLIBC__)
     malloc_trim(0);
 #endif
   };
-  return process::answer_parent(parent, answering, give_back, memory);
+  return process::answer_parent(parent, process::answering<WorkTask>(task_in, perform), give_back,
+                                memory);
 }
 
 }  // namespace planish::serve

@@ -1,8 +1,10 @@
 #include "served_work.hpp"
 
 #include "base64.hpp"
+#include "refusals.hpp"
 #include "rpc.hpp"
 
+#include <planish/base/packed_error.hpp>
 #include <planish/job/output_paths.hpp>
 #include <planish/job/run.hpp>
 #include <planish/schema/fail_at.hpp>
@@ -84,12 +86,7 @@ Result<void> check_writes(const WorkTask& task, const Json& request,
 /// Standard input carries the requests.
 Result<void> check_no_standard_input(const Json& request) {
   const auto fails = [](const std::string& pointer) {
-    return schema::fail_at(
-        code::bad_option,
-        fmt::format("{} must be the path of a file or its content: standard input carries "
-                    "the requests",
-                    pointer),
-        pointer);
+    return schema::fail_at(refuse::standard_input_taken, pointer);
   };
   if (request.value("input", Json()) == "-") return fails("/input");
   const Json options = request.value("options", Json::object());
@@ -128,8 +125,6 @@ Error of_writes(Error error, const Json& request, std::size_t asked) {
   if (!number || *number < static_cast<double>(asked)) return error;
   const Json& artifacts = request["artifacts"];
   const auto artifact = artifacts[static_cast<Json::size_type>(*number)].get<std::string>();
-  if (const auto said = error.message.find(error.where); said != std::string::npos)
-    error.message.replace(said, error.where.size(), "/write/" + artifact);
   return at(artifact, std::move(error));
 }
 
@@ -140,7 +135,7 @@ struct Wanted {
 
 WorkDone done_of(job::RunResult made, std::map<std::string, Wanted> wanted) {
   WorkDone done;
-  done.refused = made.refusal.has_value();
+  done.refused = made.status == job::Status::refused;
   done.summary = std::move(made.summary);
   Json artifacts = Json::array();
   for (job::ArtifactFile& file : made.artifacts)
@@ -180,11 +175,12 @@ Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
   const bool writes = !task.writes.empty();
   const std::size_t asked = writes ? ask_for_writes(request, task) : 0;
   auto made = job::run(writes ? text_of(request) : task.request, parent.progress, catalogue);
-  if (!made) return tl::unexpected(writes ? of_writes(made.error(), request, asked) : made.error());
+  if (!made && !made.error().shown)
+    return tl::unexpected(writes ? of_writes(made.error(), request, asked) : Error(made.error()));
   std::map<std::string, Wanted> wanted;
   for (const auto& [artifact, path] : task.writes)
     wanted[name_in_results(request, artifact, catalogue)] = {path};
-  return done_of(std::move(*made), std::move(wanted));
+  return done_of(std::move(made ? *made : *made.error().shown), std::move(wanted));
 }
 
 process::Texts texts_of(const WorkTask& task) {
@@ -202,15 +198,17 @@ std::optional<WorkTask> task_in(const process::Texts& texts) {
   return task;
 }
 
-process::Texts texts_of(const WorkDone& done) {
-  process::Texts texts{"done", done.result, done.summary, done.refused ? "refused" : ""};
-  for (const OutputFile& file : done.files)
+process::Texts texts_of(const Result<WorkDone>& done) {
+  if (!done) return packed(done.error());
+  process::Texts texts{"done", done->result, done->summary, done->refused ? "refused" : ""};
+  for (const OutputFile& file : done->files)
     texts.insert(texts.end(), {file.path.string(), file.content});
   return texts;
 }
 
-std::optional<WorkDone> done_in(const process::Texts& texts) {
+std::optional<Result<WorkDone>> done_in(const process::Texts& texts) {
   constexpr std::size_t kOwn = 4;
+  if (auto error = unpacked(texts)) return tl::unexpected(std::move(*error));
   if (texts.size() < kOwn || texts.size() % 2 != 0 || texts[0] != "done") return std::nullopt;
   WorkDone done{.result = texts[1], .summary = texts[2], .refused = !texts[3].empty(), .files = {}};
   for (std::size_t i = kOwn; i < texts.size(); i += 2)

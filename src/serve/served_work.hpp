@@ -32,7 +32,7 @@ Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
 // What is sent. Reading gives nothing for other texts.
 process::Texts texts_of(const WorkTask& task);
 std::optional<WorkTask> task_in(const process::Texts& texts);
-process::Texts texts_of(const WorkDone& done);
-std::optional<WorkDone> done_in(const process::Texts& texts);
+process::Texts texts_of(const Result<WorkDone>& done);
+std::optional<Result<WorkDone>> done_in(const process::Texts& texts);
 
 }  // namespace planish::serve

@@ -1,6 +1,9 @@
 #include "tools.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/job/schemas.hpp>
+#include <planish/schema/fail_at.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -121,10 +124,9 @@ Result<Json> answer_at_once(const std::string& tool, const Json& parameters,
   const std::string text = name.is_string() ? job::schema_text(name.get<std::string>(), catalogue)
                                             : "";
   if (text.empty())
-    return fail(
-        code::bad_option,
-        fmt::format("there is no schema {}; there are {}", text_of(name), fmt::join(names, ", ")),
-        "/name");
+    return schema::fail_at(
+        refuse::no_such_schema, "/name",
+        {{"name", text_of(name)}, {"known", fmt::format("{}", fmt::join(names, ", "))}});
   return Json::parse(text);
 }
 

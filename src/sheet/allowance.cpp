@@ -40,7 +40,7 @@ struct BendSize {
   Angle angle;
 };
 
-constexpr double kRightAngle = 90.0;  // degrees: the angle of a BA or BD given without one
+constexpr double kGivenForAngle = 90.0;  // degrees: the angle of a BA or BD given without one
 
 // How far a K that was computed from BA or BD may leave [0, 1] by rounding.
 constexpr double kBeyond = tolerance::kComputed;
@@ -66,7 +66,7 @@ struct TableReading {
 };
 
 double k_of_row(const BendTable& table, const BendTable::Row& row) {
-  const Angle angle = Angle::degrees(table.by_angle ? row.angle : kRightAngle);
+  const Angle angle = Angle::degrees(table.by_angle ? row.angle : kGivenForAngle);
   const BendSize bend{row.thickness, row.radius, angle};
   switch (table.value) {
     case BendTable::Value::k_factor:
@@ -160,7 +160,7 @@ std::string deduction_text(const BendTable& table, const std::set<int>& rows) {
   double largest = 0.0;
   for (const int row : rows)
     largest = std::max(largest, table.rows[static_cast<size_t>(row) - 1].angle);
-  if (largest <= kRightAngle) return {};
+  if (largest <= kGivenForAngle) return {};
   return largest < 180.0 ? "; BD to the outer mould line" : "; BD from 180° to the tangent plane";
 }
 
@@ -256,7 +256,7 @@ double din6935_compensation(double inside_radius, double thickness, Angle openin
   const Angle bend_angle = Angle::degrees(180.0) - opening_angle;
   const double allowance = bend_angle.radians() *
                            (inside_radius + din6935_k(inside_radius, thickness) * thickness / 2.0);
-  const double setback = bend_angle >= Angle::degrees(kRightAngle)
+  const double setback = bend_angle >= Angle::degrees(kGivenForAngle)
                              ? inside_radius + thickness
                              : outside_setback(inside_radius, thickness, bend_angle);
   return allowance - 2.0 * setback;

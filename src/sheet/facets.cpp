@@ -44,12 +44,11 @@ std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
 }
 
 Segment ends_of(const Curve2& curve) { return {start_of(curve), end_of(curve)}; }
-double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
 
 Segment longest_border(const Loop& loop) {
   Segment longest = kNoHinge;
   for (const Curve2& curve : loop)
-    if (length_of(ends_of(curve)) > length_of(longest)) longest = ends_of(curve);
+    if (length(ends_of(curve)) > length(longest)) longest = ends_of(curve);
   return longest;
 }
 
@@ -335,7 +334,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
   const auto enter = [&](int node) {
     hung[node] = true;
     for (const int number : joints_of[node])
-      front.add({length_of(ends_of(layout.image(sheet.joints[number].a))), number});
+      front.add({length(ends_of(layout.image(sheet.joints[number].a))), number});
   };
   enter(hang_root(sheet, layout, tree));
   while (!front.empty()) {

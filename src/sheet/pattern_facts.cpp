@@ -11,12 +11,6 @@
 #include <vector>
 
 namespace planish {
-namespace {
-
-double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
-
-}  // namespace
-
 std::string_view kind_name(BendKind kind) {
   switch (kind) {
     case BendKind::cylinder:
@@ -47,7 +41,7 @@ double inner_cutting_length(const FlatPattern& flat) {
 std::optional<Segment> longest_line(const FlatBend& bend) {
   const auto longest = std::max_element(
       bend.lines.begin(), bend.lines.end(),
-      [](const Segment& a, const Segment& b) { return length_of(a) < length_of(b); });
+      [](const Segment& a, const Segment& b) { return length(a) < length(b); });
   if (longest == bend.lines.end()) return std::nullopt;
   return *longest;
 }

@@ -154,7 +154,7 @@ Result<std::vector<int>> rips_keeping(Keep keep, const Sheet& sheet, FlattenOpti
 
 /// A refusal and what would help.
 Error continued(Error refusal, const Error& more) {
-  refusal.message += " " + more.message;
+  say_after(refusal, more);
   return refusal;
 }
 
@@ -180,7 +180,7 @@ Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& c
     facts.emplace_back("next", edge_at(sheet, joint_at(sheet, rips[i]), rips[i]));
   Error refusal = error_of(rips.size() == 1 ? refuse::one_rip : refuse::many_rips, facts,
                            text_of(place::edge(rips.front())) + " " + between_faces(sheet, first));
-  refusal.message = closed.message + refusal.message;
+  say_before(refusal, closed.message);
   refusal.numbers.insert(refusal.numbers.begin(), closed.numbers.begin(), closed.numbers.end());
   return refusal;
 }

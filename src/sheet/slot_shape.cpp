@@ -120,8 +120,8 @@ std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
 
 std::vector<Vec2> chain_of(const Curve2& curve) {
   if (const auto* line = std::get_if<Segment>(&curve)) return {line->a, line->b};
-  constexpr double kChord = 1e-3;  // share of the length
-  std::vector<Vec2> points = sampled(curve, kChord * length(curve));
+  constexpr double kChordShare = 1e-3;  // share of the length
+  std::vector<Vec2> points = sampled(curve, kChordShare * length(curve));
   points.push_back(end_of(curve));
   return points;
 }

@@ -31,13 +31,11 @@ double distance_to_line(const Vec2& p, const Segment& line) {
   return std::abs(cross(along, d));
 }
 
-double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
-
 /// Whether the path reverses between the two curves and comes back on its own line.
 bool turns_round(const Segment& there, const Segment& back, double tolerance) {
   if ((there.b - there.a).dot(back.b - back.a) >= 0.0) return false;
-  return length_of(there) > length_of(back) ? distance_to_line(back.b, there) <= tolerance
-                                            : distance_to_line(there.a, back) <= tolerance;
+  return length(there) > length(back) ? distance_to_line(back.b, there) <= tolerance
+                                      : distance_to_line(there.a, back) <= tolerance;
 }
 
 /// The path so far, in which no curve runs back along the one before.
@@ -82,7 +80,7 @@ class Path {
     const auto* back = std::get_if<Segment>(&after.curve);
     if (there == nullptr || back == nullptr || !turns_round(*there, *back, tolerance_))
       return std::nullopt;
-    const double longer = length_of(*there) - length_of(*back);
+    const double longer = length(*there) - length(*back);
     Rest rest;
     if (longer > tolerance_) {
       slits_.push_back({back->a, back->b});
@@ -101,18 +99,18 @@ class Path {
 
 /// Both as one segment if they are collinear and touch.
 std::optional<Segment> joined(const Segment& a, const Segment& b, double tolerance) {
-  const Segment& longer = length_of(a) < length_of(b) ? b : a;
-  const Segment& other = length_of(a) < length_of(b) ? a : b;
+  const Segment& longer = length(a) < length(b) ? b : a;
+  const Segment& other = length(a) < length(b) ? a : b;
   if (distance_to_line(other.a, longer) > tolerance ||
       distance_to_line(other.b, longer) > tolerance)
     return std::nullopt;
   const Vec2 along = (longer.b - longer.a).normalized();
   const auto at = [&](const Vec2& p) { return along.dot(p - longer.a); };
   const auto [from, to] = std::minmax({at(other.a), at(other.b)});
-  if (from > length_of(longer) + tolerance || to < -tolerance) return std::nullopt;
+  if (from > length(longer) + tolerance || to < -tolerance) return std::nullopt;
   const Vec2 &first = at(other.a) < at(other.b) ? other.a : other.b,
              &last = at(other.a) < at(other.b) ? other.b : other.a;
-  return Segment{from < 0.0 ? first : longer.a, to > length_of(longer) ? last : longer.b};
+  return Segment{from < 0.0 ? first : longer.a, to > length(longer) ? last : longer.b};
 }
 
 std::vector<Segment> joined(std::vector<Segment> curves, double tolerance) {

@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/schema/json_reading.hpp>
 #include <planish/shop/material_json.hpp>
 #include <planish/shop/schemas.hpp>
@@ -39,12 +41,12 @@ MeasuredCurve measured(const JsonPlace& points) {
   for (const JsonPlace& place : points.items()) {
     const std::vector<JsonPlace> pair = place.items();
     const double strain = pair[0].number(), stress = pair[1].number();
-    if (strain < before) place.mistake("has a smaller strain than the point before it");
+    if (strain < before) place.mistake(refuse::strain_falls);
     before = strain;
     largest = std::max(largest, stress);
     curve.points.push_back({strain, stress});
   }
-  if (before == 0.0 || largest == 0.0) points.mistake("must reach a strain and a stress above 0");
+  if (before == 0.0 || largest == 0.0) points.mistake(refuse::flat_curve);
   return curve;
 }
 

@@ -1,8 +1,8 @@
+#include "refusals.hpp"
+
 #include <planish/schema/json_reading.hpp>
 #include <planish/shop/rules_json.hpp>
 #include <planish/shop/schemas.hpp>
-
-#include <fmt/format.h>
 
 namespace planish::shop {
 using namespace schema;
@@ -60,8 +60,8 @@ Result<Rules> parse_rules(const std::string& text, const std::string& name, cons
     if (const auto value = file[std::string(field.name)].maybe_number())
       rules.*(field.value) = *value;
   if (rules.k_low > rules.k_high) {
-    file["k_low"].mistake(
-        fmt::format("is {}, above k_high, which is {}", rules.k_low, rules.k_high));
+    file["k_low"].mistake(refuse::k_low_too_high,
+                          {{"low", rules.k_low, unit::none}, {"high", rules.k_high, unit::none}});
   }
   if (reading.error()) return tl::unexpected(*reading.error());
   return rules;

@@ -1,4 +1,7 @@
+#include "refusals.hpp"
+
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/shop/shop_checks.hpp>
 
@@ -12,29 +15,35 @@ namespace {
 
 std::string in_mm(double length) { return fmt::format("{:.4g} mm", length); }
 
-/// "2 and 2.5 mm": the gauges on both sides of a thickness.
-std::string nearest_gauges(const ShopMaterial& material, double thickness) {
+/// "2 mm and 2.5 mm": the gauges on both sides of a thickness.
+Facts nearest_gauges(const ShopMaterial& material, double thickness) {
   const auto above = std::ranges::upper_bound(material.gauges, thickness, {}, &Gauge::thickness);
-  if (above == material.gauges.begin()) return in_mm(above->thickness);
-  if (above == material.gauges.end()) return in_mm(std::prev(above)->thickness);
-  return fmt::format("{:.4g} and {:.4g} mm", std::prev(above)->thickness, above->thickness);
+  Facts nearest;
+  if (above != material.gauges.begin())
+    nearest.emplace_back("nearest", std::prev(above)->thickness, unit::mm);
+  if (above != material.gauges.end()) nearest.emplace_back("nearest", above->thickness, unit::mm);
+  nearest.emplace_back("verb", nearest.size() == 1 ? "is" : "are");
+  return nearest;
 }
 
-Finding shop_warning(std::string code, std::string message) {
+Finding shop_warning(std::string code, std::string_view pattern, const Facts& facts,
+                     std::vector<Vec2> at = {}) {
+  Told told = tell(pattern, facts);
   return {.code = std::move(code),
           .severity = Severity::warning,
-          .message = std::move(message),
-          .at = {}};
+          .message = continued(std::move(told.sentence)),
+          .at = std::move(at),
+          .about = std::move(told.places),
+          .numbers = std::move(told.numbers)};
 }
 
 Finding gauge_finding(const ShopChoice& choice, double thickness) {
   const ShopMaterial& material = choice.chosen();
-  const std::string nearest = nearest_gauges(material, thickness);
-  return shop_warning(
-      "shop_gauge",
-      fmt::format("{} does not stock {} of {}; the nearest {} {}, and K is not the shop's",
-                  choice.shop.name, material.name, in_mm(thickness),
-                  nearest.find(" and ") == std::string::npos ? "is" : "are", nearest));
+  Facts facts = nearest_gauges(material, thickness);
+  facts.emplace_back("shop", choice.shop.name);
+  facts.emplace_back("material", material.name);
+  facts.emplace_back("thickness", thickness, unit::mm);
+  return shop_warning("shop_gauge", say::gauge_not_stocked, facts);
 }
 
 Vec2 line_middle(const FlatBend& bend) {
@@ -54,27 +63,31 @@ bool has_shop_radius(const FlatBend& bend, double thickness) {
 std::vector<Finding> radius_findings(const ShopPart& part, const ShopChoice& choice,
                                      const Gauge& gauge) {
   constexpr double kSameRadius = 0.1;  // mm; no tool is truer
-  Finding finding = shop_warning("shop_radius", "");
+  Finding finding;
+  std::vector<FindingPlace> places;
   double worst = kSameRadius;
-  int count = 0;
   for (const FlatBend& bend : part.flat.bends) {
     if (!has_shop_radius(bend, part.thickness)) continue;
     const double off = std::abs(bend.inside_radius - gauge.inside_radius);
     if (off <= kSameRadius) continue;
-    ++count;
-    const std::string message = fmt::format(
-        "bend {} has an inside radius of {}, but {} bends {} of {} to {}", bend.id,
-        in_mm(bend.inside_radius), choice.shop.name, choice.chosen().name, in_mm(gauge.thickness),
-        in_mm(gauge.inside_radius));
-    finding.places.push_back({Severity::warning, message, {line_middle(bend)}});
-    if (off > worst) {
-      worst = off;
-      finding.message = message;
-      finding.at = {line_middle(bend)};
-    }
+    Finding one = shop_warning("shop_radius", say::other_radius,
+                               {{"bend", place::at(place::bend(bend.id), line_middle(bend))},
+                                {"radius", bend.inside_radius, unit::mm},
+                                {"shop", choice.shop.name},
+                                {"material", choice.chosen().name},
+                                {"gauge", gauge.thickness, unit::mm},
+                                {"usual", gauge.inside_radius, unit::mm}},
+                               {line_middle(bend)});
+    places.push_back({one.severity, one.message, one.at, one.about, one.numbers});
+    if (off <= worst) continue;
+    worst = off;
+    finding = std::move(one);
   }
-  if (count == 0) return {};
-  if (count > 1) finding.message = fmt::format("{} bends: {}", count, finding.message);
+  if (places.empty()) return {};
+  if (places.size() > 1)
+    finding.message = tell(say::other_radii, {{"count", places.size()}, {"worst", finding.message}})
+                          .sentence;
+  finding.places = std::move(places);
   return {finding};
 }
 
@@ -82,32 +95,35 @@ std::vector<Finding> limit_findings(const ShopPart& part, const ShopChoice& choi
   const ShopLimits& limits = choice.shop.limits;
   const std::string& shop = choice.shop.name;
   std::vector<Finding> findings;
-  const auto add = [&](std::string message) {
-    findings.push_back(shop_warning("shop_limit", std::move(message)));
+  const auto add = [&](std::string_view pattern, Facts facts, std::vector<Vec2> at = {}) {
+    facts.emplace_back("shop", shop);
+    findings.push_back(shop_warning("shop_limit", pattern, facts, std::move(at)));
   };
   const Vec2 size = part.size;
   const auto exceeds = [](const Vec2& a, const Vec2& b) {
     return (a.array() > b.array() * (1.0 + tolerance::kWrittenDigits)).any();
   };
   if (limits.sheet && exceeds(size, *limits.sheet))
-    add(
-        fmt::format("the blank of {:.4g} × {:.4g} mm does not lie on the largest sheet of {}, "
-                    "{:.4g} × {:.4g} mm",
-                    size.x(), size.y(), shop, limits.sheet->x(), limits.sheet->y()));
+    add(say::blank_too_large, {{"length", size.x(), unit::mm},
+                               {"width", size.y(), unit::mm},
+                               {"most_length", limits.sheet->x(), unit::mm},
+                               {"most_width", limits.sheet->y(), unit::mm}});
   if (limits.smallest_part && exceeds(*limits.smallest_part, size))
-    add(fmt::format("the blank of {:.4g} × {:.4g} mm is smaller than {} cuts, {:.4g} × {:.4g} mm",
-                    size.x(), size.y(), shop, limits.smallest_part->x(),
-                    limits.smallest_part->y()));
+    add(say::blank_too_small, {{"length", size.x(), unit::mm},
+                               {"width", size.y(), unit::mm},
+                               {"least_length", limits.smallest_part->x(), unit::mm},
+                               {"least_width", limits.smallest_part->y(), unit::mm}});
   const auto bends = static_cast<int>(part.flat.bends.size());
   if (limits.most_bends && bends > *limits.most_bends)
-    add(fmt::format("the part has {} bends, and {} makes {} at most", bends, shop,
-                    *limits.most_bends));
+    add(say::too_many_bends, {{"count", bends}, {"most", *limits.most_bends}});
   for (const FlatBend& bend : part.flat.bends) {
     if (!limits.longest_bend) break;
     if (bend.length <= *limits.longest_bend * (1.0 + tolerance::kWrittenDigits)) continue;
-    add(fmt::format("bend {} is {} long, and {} bends {} at most", bend.id, in_mm(bend.length),
-                    shop, in_mm(*limits.longest_bend)));
-    findings.back().at = {line_middle(bend)};
+    add(say::bend_too_long,
+        {{"bend", place::at(place::bend(bend.id), line_middle(bend))},
+         {"length", bend.length, unit::mm},
+         {"most", *limits.longest_bend, unit::mm}},
+        {line_middle(bend)});
   }
   return findings;
 }

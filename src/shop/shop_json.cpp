@@ -1,3 +1,5 @@
+#include "refusals.hpp"
+
 #include <planish/schema/json_reading.hpp>
 #include <planish/sheet/allowance.hpp>
 #include <planish/shop/schemas.hpp>
@@ -136,7 +138,7 @@ struct ReadK {
 ReadK k_at(const JsonPlace& place, double thickness, double radius) {
   const JsonPlace k = place["k"], deduction = place["deduction"], allowance = place["allowance"];
   if (k.given() + deduction.given() + allowance.given() != 1) {
-    place.mistake("must have exactly one of k, deduction and allowance");
+    place.mistake(refuse::one_of_k);
     return {};
   }
   if (k.given()) return {k.number(), "K"};
@@ -153,11 +155,8 @@ ReadK k_at(const JsonPlace& place, double thickness, double radius) {
   // What a table rounds to a hundredth may leave the range by so much.
   constexpr double kRoundedK = 0.02;
   if (!(value >= -kRoundedK && value <= 1.0 + kRoundedK))
-    given.mistake(
-        fmt::format("gives a K-factor of {:.3f}, and K is from 0 to 1: check it, the angle of "
-                    "{:.4g}°, the inside "
-                    "radius and the thickness",
-                    value, angle.degrees()));
+    given.mistake(refuse::impossible_k,
+                  {{"k", value, unit::none}, {"angle", angle.degrees(), unit::degrees}});
   return {std::clamp(value, 0.0, 1.0),
           fmt::format("{} {:.4g} mm at {:.4g}°", deduction.given() ? "deduction" : "allowance",
                       given.length(), angle.degrees())};
@@ -183,10 +182,9 @@ ShopMaterial material_at(const JsonPlace& place, double tolerance) {
     const Gauge gauge = shop_gauge_at(item);
     for (const Gauge& other : material.gauges)
       if (std::abs(other.thickness - gauge.thickness) <= tolerance)
-        item["thickness"].mistake(
-            fmt::format("is {:.4g} mm, which cannot be told from the gauge of {:.4g} mm with a "
-                        "thickness_tolerance of {:.4g} mm",
-                        gauge.thickness, other.thickness, tolerance));
+        item["thickness"].mistake(refuse::same_gauge, {{"thickness", gauge.thickness, unit::mm},
+                                                       {"other", other.thickness, unit::mm},
+                                                       {"tolerance", tolerance, unit::mm}});
     material.gauges.push_back(gauge);
   }
   std::ranges::sort(material.gauges, {}, &Gauge::thickness);
@@ -204,8 +202,7 @@ void read_materials(Shop& shop, const JsonPlace& place) {
   for (const JsonPlace& item : place.items()) {
     shop.materials.push_back(material_at(item, shop.thickness_tolerance));
     if (!names.insert(lower_case(shop.materials.back().name)).second)
-      item["name"].mistake(
-          fmt::format("\"{}\" is the name of another material too", shop.materials.back().name));
+      item["name"].mistake(refuse::same_material, {{"name", shop.materials.back().name}});
   }
 }
 
@@ -216,20 +213,18 @@ void read_layers(Shop& shop, const JsonPlace& place) {
     const JsonPlace name = place[key];
     if (!name.given()) continue;
     names.*member = name.text();
-    const bool odd = std::ranges::any_of(name.text(), [](char c) {
-      return c < ' ' || c > '~' || std::string_view("<>/\\\":;?*|=`,").find(c) != std::string::npos;
+    constexpr std::string_view kForbidden = "<>/\\\":;?*|=`,";
+    const bool odd = std::ranges::any_of(name.text(), [&](char c) {
+      return c < ' ' || c > '~' || kForbidden.find(c) != std::string::npos;
     });
     constexpr std::size_t kLongest = 31;  // characters of a layer in release 12
     if (odd || name.text().size() > kLongest)
-      name.mistake(
-          fmt::format("\"{}\" cannot be a layer: a name has up to 31 letters, digits and "
-                      "signs other than <>/\\\":;?*|=`,",
-                      name.text()));
+      name.mistake(refuse::no_layer_name,
+                   {{"name", name.text()}, {"most", kLongest}, {"forbidden", kForbidden}});
   }
   for (const auto& bend : {names.bend_up, names.bend_down, names.bend_zone, names.features})
     if (bend == names.outer || bend == names.openings)
-      place.mistake(
-          fmt::format("put something on \"{}\" that is not cut, and a contour that is", bend));
+      place.mistake(refuse::cut_and_uncut, {{"layer", bend}});
   shop.layers = names;
 }
 
@@ -252,7 +247,8 @@ void read_rules(Shop& shop, const JsonPlace& place) {
       rules.*(field.value) = *value;
     }
   if (rules.k_low > rules.k_high)
-    place.mistake(fmt::format("have k_low {} above k_high {}", rules.k_low, rules.k_high));
+    place.mistake(refuse::k_range_reversed,
+                  {{"low", rules.k_low, unit::none}, {"high", rules.k_high, unit::none}});
 }
 
 std::optional<Vec2> size_at(const JsonPlace& place) {
@@ -284,10 +280,10 @@ std::vector<Tool> tools_named(const JsonPlace& place, const std::vector<Tool>& k
     std::vector<std::string> ids;
     for (const Tool& tool : known)
       ids.push_back(tool.id);
-    item.mistake(fmt::format("\"{}\" is not among the built-in tools: {}", item.text(),
-                             fmt::join(ids, ", ")));
+    item.mistake(refuse::no_built_in_tool,
+                 {{"name", item.text()}, {"known", fmt::format("{}", fmt::join(ids, ", "))}});
   }
-  if (tools.empty()) place.mistake("must name a tool");
+  if (tools.empty()) place.mistake(refuse::no_tool_named);
   return tools;
 }
 

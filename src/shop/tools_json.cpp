@@ -181,7 +181,8 @@ Result<BrakeTools> parse_tools(const std::string& json, const std::string& name)
   if (reading.error()) return tl::unexpected(*reading.error());
   if (auto checked = check(tools); !checked) {
     Error error = std::move(checked.error());
-    error.message = "tools file: " + continued(std::move(error.message));
+    error.message = continued(std::move(error.message));
+    say_before(error, "tools file: ");
     error.where = name + profiles.in_file(error.where);
     return fail(std::move(error));
   }

@@ -21,7 +21,7 @@
 namespace planish::slit_detail {
 namespace {
 
-constexpr double kTouching = tolerance::kComputed;  // of the smallest area
+constexpr double kSharedArea = tolerance::kComputed;  // of the smallest area
 
 /// A strip as files name it.
 std::string where_of(int strip) { return "strip " + std::to_string(strip); }
@@ -61,7 +61,7 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<Mo
   }
   for (const MouldWall& wall : walls)
     footprints.push_back({wall.footprint, {}});
-  for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest))
+  for (const Overlap& overlap : overlaps(footprints, 0.0, kSharedArea * smallest))
     return overlapping(overlap, ribs, base);
   return {};
 }
@@ -120,7 +120,7 @@ class View {
   /// A rib may stand below the sheet, even below parts that it does not carry, but must not come up
   /// through it.
   Result<void> check_clear() const {
-    for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
+    for (const Overlap& overlap : overlaps(outlines_, 0.0, kSharedArea * smallest_)) {
       const Seen *rib = &pieces_[overlap.first], *strip = &pieces_[overlap.second];
       if (strip->layer == Layer::rib) std::swap(rib, strip);
       if (rib->layer != Layer::rib || !matters(*rib, *strip)) continue;

@@ -23,8 +23,8 @@ namespace {
 class ChordWalk {
  public:
   explicit ChordWalk(const BezierCurve& curve) : curve_(curve), at_(bezier_at(curve, 0.0).point) {
-    constexpr int kSamplesPerDegree = 64;
-    samples_ = kSamplesPerDegree * std::max(1, static_cast<int>(curve.poles.size()) - 1);
+    constexpr int kStepsPerDegree = 64;
+    samples_ = kStepsPerDegree * std::max(1, static_cast<int>(curve.poles.size()) - 1);
   }
 
   const Vec2& at() const { return at_; }

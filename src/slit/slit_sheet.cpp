@@ -40,8 +40,8 @@ double SlitSheet::end_of(int strip) const {
 }
 
 std::vector<SlitStrip> equal_strips(int count, double width) {
-  constexpr int kMostStrips = 10'000;  // as in files
-  PLANISH_ASSERT(count <= kMostStrips);
+  constexpr int kMostEqual = 10'000;  // as in files
+  PLANISH_ASSERT(count <= kMostEqual);
   std::vector<SlitStrip> strips(std::max(0, count));
   for (SlitStrip& strip : strips)
     strip.width = width;

@@ -22,7 +22,7 @@ namespace {
 constexpr double kFirstPenalty = 1.0;  // a tenth of the strip's length then weighs as much as its
                                        // smoothness
 constexpr double kPenaltyGrowth = 4.0;
-constexpr int kRounds = 10, kStepsOfRound = 20;
+constexpr int kMostRounds = 10, kStepsOfRound = 20;
 constexpr double kMargin = 2e-4;  // radii are solved for this much more than needed, so that they
                                   // hold
 constexpr double kWorth = 20.0;   // times the objective that keeping an inequality may cost
@@ -250,7 +250,7 @@ Course held(
     const Task& task, Course course, Planes which,
     const std::function<void(const Course&)>& after_round = [](const Course&) {}) {
   course.problem.penalty = kFirstPenalty;
-  for (int round = 0; round < kRounds && course.solution.converged &&
+  for (int round = 0; round < kMostRounds && course.solution.converged &&
                       course.descended < task.options.max_iterations;
        ++round) {
     const std::vector<HalfSpace> planes = which == Planes::kept ? planes_now_broken(task, course)

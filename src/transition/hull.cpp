@@ -40,19 +40,19 @@ constexpr double kBack = 100.0 * tolerance::kComputed;
 
 /// A place on a boundary: element plus share of its parameter. Whole numbers are where elements
 /// meet. Places continue past the end, round after round.
-using Place = double;
+using BoundaryPlace = double;
 
 /// A plane that touches both boundaries: on each from one place to another, the same unless the
 /// plane holds an edge.
 struct Event {
-  std::array<Place, 2> from{}, to{};
+  std::array<BoundaryPlace, 2> from{}, to{};
 };
 
 using Boundaries = std::array<Boundary, 2>;
 
 /// Where the slope of the second boundary's points over a tangent line of the first is largest
 /// within an element.
-Place place_on(int element, const Element& curve, const SpaceCurvePoint& line) {
+BoundaryPlace place_on(int element, const Element& curve, const SpaceCurvePoint& line) {
   const double t = falling_root(
       [&](double s) {
         const SpaceCurvePoint q = curve.curve(s);
@@ -65,8 +65,8 @@ Place place_on(int element, const Element& curve, const SpaceCurvePoint& line) {
 
 /// Where the plane through a tangent line of the first boundary touches the second, all of which
 /// lies on the inner side: where the slope of its points over the line, out over up, is largest.
-std::pair<Place, Place> support(const Boundaries& boundaries, const SpaceCurvePoint& line,
-                                double in_plane) {
+std::pair<BoundaryPlace, BoundaryPlace> support(const Boundaries& boundaries,
+                                                const SpaceCurvePoint& line, double in_plane) {
   const auto& [first, second] = boundaries;
   const Vec3 along = line.derivative.normalized(), out = along.cross(first.axis);
   const int n = second.count();
@@ -86,7 +86,7 @@ std::pair<Place, Place> support(const Boundaries& boundaries, const SpaceCurvePo
   const auto in_the_plane = [&](const Vec3& p) {
     return std::abs(normal.dot(p - line.point)) <= in_plane;
   };
-  const auto at = [&](Place place) { return std::pair{place, place}; };
+  const auto at = [&](BoundaryPlace place) { return std::pair{place, place}; };
   if (after.straight && in_the_plane(after.curve(after.t1).point)) return {best, best + 1};
   if (before.straight && in_the_plane(before.curve(before.t0).point))
     return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
@@ -102,7 +102,7 @@ std::pair<Place, Place> support(const Boundaries& boundaries, const SpaceCurvePo
 std::vector<Event> first_side_events(const Boundaries& boundaries, double in_plane) {
   const Boundary& first = boundaries[0];
   std::vector<Event> events;
-  const auto add = [&](Place from, Place to, const SpaceCurvePoint& line) {
+  const auto add = [&](BoundaryPlace from, BoundaryPlace to, const SpaceCurvePoint& line) {
     const auto [low, high] = support(boundaries, line, in_plane);
     events.push_back({{from, low}, {to, high}});
   };
@@ -133,10 +133,13 @@ Result<std::vector<Event>> unwrapped(std::vector<Event> events, double n) {
 }
 
 /// Where the plane through a tangent line of the second boundary touches a curve of the first.
-Place first_place(const Boundary& first, const SpaceCurvePoint& line, Place low, Place high) {
+BoundaryPlace first_place(const Boundary& first, const SpaceCurvePoint& line, BoundaryPlace low,
+                          BoundaryPlace high) {
   const int element = static_cast<int>(std::floor(0.5 * (low + high)));
   const Element& curve = first.element(element);
-  const auto t_of = [&](Place place) { return std::lerp(curve.t0, curve.t1, place - element); };
+  const auto t_of = [&](BoundaryPlace place) {
+    return std::lerp(curve.t0, curve.t1, place - element);
+  };
   const double t = falling_root(
       [&](double s) {
         const SpaceCurvePoint p = curve.curve(s);
@@ -152,12 +155,12 @@ std::vector<Event> events_between(const Boundaries& boundaries, const Event& las
                                   const Event& next) {
   const auto& [first, second] = boundaries;
   std::vector<Event> events;
-  Place here = last.to[0];
-  const auto add = [&](Place from, Place to, const SpaceCurvePoint& line) {
+  BoundaryPlace here = last.to[0];
+  const auto add = [&](BoundaryPlace from, BoundaryPlace to, const SpaceCurvePoint& line) {
     here = next.from[0] > here ? first_place(first, line, here, next.from[0]) : here;
     events.push_back({{here, from}, {here, to}});
   };
-  const Place begin = last.to[1], end = next.from[1];
+  const BoundaryPlace begin = last.to[1], end = next.from[1];
   for (int j = static_cast<int>(std::ceil(begin)); j <= end; ++j) {
     const Element &before = second.element(j - 1), &after = second.element(j);
     if (j > begin && !before.straight && second.corner_at(j)) add(j, j, before.curve(before.t1));
@@ -193,12 +196,14 @@ Result<std::vector<Event>> events_of(const Boundaries& boundaries, double in_pla
 }
 
 /// The stretch of a boundary between two places in one element.
-Stretch stretch_between(const Boundary& boundary, Place from, Place to) {
+Stretch stretch_between(const Boundary& boundary, BoundaryPlace from, BoundaryPlace to) {
   if (to - from < kSamePlace)
     to = from = std::abs(from - std::round(from)) < kSamePlace ? std::round(from) : from;
   const int element = static_cast<int>(std::floor(from == to ? from : 0.5 * (from + to)));
   const Element& curve = boundary.element(element);
-  const auto t_of = [&](Place place) { return std::lerp(curve.t0, curve.t1, place - element); };
+  const auto t_of = [&](BoundaryPlace place) {
+    return std::lerp(curve.t0, curve.t1, place - element);
+  };
   return {((element % boundary.count()) + boundary.count()) % boundary.count(), t_of(from),
           from == to ? t_of(from) : t_of(to)};
 }
@@ -227,8 +232,8 @@ bool join(const Hull& hull, HullPatch& last, const HullPatch& next) {
 
 /// Adds the patch between two rulings, unless they are the same; a continuation of the last patch
 /// becomes part of it.
-void add_patch(Hull& hull, const std::array<Place, 2>& from, const std::array<Place, 2>& to,
-               bool plane) {
+void add_patch(Hull& hull, const std::array<BoundaryPlace, 2>& from,
+               const std::array<BoundaryPlace, 2>& to, bool plane) {
   HullPatch patch{plane,
                   {stretch_between(hull.boundaries[0], from[0], to[0]),
                    stretch_between(hull.boundaries[1], from[1], to[1])},

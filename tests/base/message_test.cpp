@@ -48,6 +48,14 @@ TEST(Tell, ListsPlacesOfOneName) {
   EXPECT_EQ(said("at {@p}", mixed), "at face 3 and edge 5");
 }
 
+TEST(Tell, NamesBodiesAndTheWholeOfAFile) {
+  EXPECT_EQ(said("{@body} differ", {{"body", place::body(2)}, {"body", place::body(5)}}),
+            "Bodies 2 and 5 differ");
+  EXPECT_EQ(said("in {@field}", {{"field", place::pointer("")}}), "in the whole input");
+  EXPECT_EQ(said("in {@field}", {{"field", place::pointer("/" + std::string(300, 'a'))}}).size(),
+            3 + 200 + std::string("…").size());
+}
+
 TEST(Tell, BeginsWithACapitalOnlyAtAPlace) {
   EXPECT_EQ(said("{@p} is bent", {{"p", place::face(1)}}), "Face 1 is bent");
   EXPECT_EQ(said("{file} is empty", {{"file", "part.step"}}), "part.step is empty");

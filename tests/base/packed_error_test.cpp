@@ -15,6 +15,7 @@ Error full_error() {
                   Place{PlaceKind::point, {}, {0.1, -2.5, 1e-300}}};
   error.numbers = {{"radius", {1.0 / 3.0, unit::mm}}, {"count", {3.0, unit::none}}};
   error.remedies = {{"relief", "square", "Cut a square relief"}, {"", "", "draw it wider"}};
+  error.named = {{5, "B1", {}, place::bend("B1")}, {11, "tight", "relief", {}}};
   return error;
 }
 
@@ -28,6 +29,7 @@ TEST(PackedErrors, ComeBackWhole) {
   EXPECT_EQ(back->where, error.where);
   EXPECT_EQ(back->places, error.places);
   EXPECT_EQ(back->remedies, error.remedies);
+  EXPECT_EQ(back->named, error.named);
   ASSERT_EQ(back->numbers.size(), 2);
   EXPECT_EQ(back->numbers[0].name, "radius");
   EXPECT_EQ(back->numbers[0].quantity, error.numbers[0].quantity);

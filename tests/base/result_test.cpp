@@ -55,6 +55,54 @@ TEST(Fail, SaysWhereByThePlacesOtherwise) {
   EXPECT_EQ(failed.error().where, "face 3 and face 5");
 }
 
+/// The pieces joined, options and places marked: "In <face 3>, set <relief|`relief`>."
+std::string marked(const Error& error) {
+  std::string text;
+  for (const Piece& piece : wording(error)) {
+    const std::string name = !piece.option.empty() ? piece.option
+                             : piece.place         ? text_of(*piece.place)
+                                                   : "";
+    text += name.empty() ? piece.text : "<" + name + "|" + piece.text + ">";
+  }
+  return text;
+}
+
+constexpr Refusal kUnrelieved{code::unsupported_shape, "{@face} meets {@bend} in {@corner}.",
+                              "Set `relief` or `{other}`; see `planish info --sheets`."};
+
+Error unrelieved() {
+  return error_of(kUnrelieved, {{"face", place::face(3)},
+                                {"bend", place::bend("B1")},
+                                {"corner", place::face(4)},
+                                {"corner", place::face(5)},
+                                {"other", "bend_relief"}});
+}
+
+TEST(Wording, TellsOptionsAndSinglePlacesApart) {
+  EXPECT_EQ(unrelieved().message,
+            "Face 3 meets bend B1 in faces 4 and 5. Set `relief` or `bend_relief`; see `planish "
+            "info --sheets`.");
+  EXPECT_EQ(marked(unrelieved()),
+            "<face 3|Face 3> meets <bend B1|bend B1> in faces 4 and 5. Set <relief|`relief`> or "
+            "<bend_relief|`bend_relief`>; see `planish info --sheets`.");
+}
+
+TEST(Wording, StaysRightWithTextsBeforeAndBehind) {
+  Error error = unrelieved();
+  say_before(error, "part.step, ");
+  Error more = error_of(Refusal{code::internal, "Or {@face}."}, {{"face", place::face(9)}});
+  say_after(error, more);
+  EXPECT_EQ(marked(error), "part.step, " + marked(unrelieved()) + " Or <face 9|face 9>.");
+}
+
+TEST(Wording, IsPlainTextOnceTheMessageIsAnother) {
+  Error error = unrelieved();
+  error.message = "It failed.";
+  EXPECT_EQ(marked(error), "It failed.");
+  error.message.clear();
+  EXPECT_TRUE(wording(error).empty());
+}
+
 TEST(PassOn, HandsTheErrorToAResultOfAnotherType) {
   const auto handed = []() -> Result<std::string> {
     auto failed = too_tight();

@@ -33,11 +33,8 @@ class JournalFile : public ::testing::Test {
 };
 
 PartDone part(const std::string& folder, const std::string& report) {
-  return {.folder = folder,
-          .report = report,
-          .refusal = {},
-          .shapes = {R"({"x":0.1})", "not json"},
-          .files = {{"a.dxf", "bytes"}, {"b.svg", "bytes"}}};
+  return part_done(folder, report, {R"({"x":0.1})", "not json"},
+                   {{"a.dxf", "bytes"}, {"b.svg", "bytes"}});
 }
 
 // Names of files are any bytes but the end of a line of a list.
@@ -111,11 +108,15 @@ TEST_F(JournalFile, TakesOverWhatAnotherHolds) {
 
 TEST_F(JournalFile, SaysWhatIsDamaged) {
   std::ofstream(file()) << R"({"name":"a","key":"k"})"
-                        << "\tno json\n";
+                        << "\tno json\n"
+                        << R"({"name":"b","key":"k"})"
+                        << "\t[{\"folder\":\"b\"}]\n";
   Journal journal = opened();
-  const auto parts = journal.parts_of("a");
-  ASSERT_FALSE(parts);
-  EXPECT_EQ(parts.error().code, code::cannot_read);
+  for (const char* name : {"a", "b"}) {
+    const auto parts = journal.parts_of(name);
+    ASSERT_FALSE(parts) << name;
+    EXPECT_EQ(parts.error().code, code::cannot_read) << name;
+  }
   EXPECT_EQ(Journal::read(folder_ / "absent").error().code, code::cannot_read);
 }
 

@@ -33,19 +33,16 @@ TEST(WorkerTalk, ATaskArrives) {
 }
 
 TEST(WorkerTalk, APartArrives) {
-  const PartDone part{.folder = "f",
-                      .report = "{}",
-                      .refusal = "overlap",
-                      .shapes = {"s", "t"},
-                      .files = {{"a.dxf", std::string("\0\n", 2)}, {"b", ""}},
-                      .body = 4};
+  const PartDone part = part_done("f", R"({"reason":{"code":"overlap"}})", {"s", "t"},
+                                  {{"a.dxf", std::string("\0\n", 2)}, {"b", ""}}, 4);
   const auto read = part_in(texts_of(part));
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->folder, part.folder);
-  EXPECT_EQ(read->report, part.report);
-  EXPECT_EQ(read->refusal, part.refusal);
+  EXPECT_EQ(read->record.folder, "f");
+  EXPECT_EQ(read->record.report, part.record.report);
+  EXPECT_EQ(read->record.reason, "overlap");
   EXPECT_EQ(read->body, 4);
-  EXPECT_EQ(read->shapes, part.shapes);
+  EXPECT_EQ(read->record.shapes, (std::vector<std::string>{"s", "t"}));
+  EXPECT_EQ(read->record.files, (std::vector<std::string>{"a.dxf", "b"}));
   ASSERT_EQ(read->files.size(), 2U);
   EXPECT_EQ(read->files[0].bytes, part.files[0].bytes);
   EXPECT_EQ(read->files[1].name, "b");
@@ -54,7 +51,7 @@ TEST(WorkerTalk, APartArrives) {
 TEST(WorkerTalk, ABodyIsNoPart) {
   EXPECT_EQ(body_in(beginning(12)), 12);
   EXPECT_FALSE(part_in(beginning(12)));
-  EXPECT_FALSE(body_in(texts_of(PartDone{.folder = "f", .report = "{}"})));
+  EXPECT_FALSE(body_in(texts_of(part_done("f", "{}", {}, {}))));
 }
 
 // Cut off anywhere, it is either nothing or a shorter list, and is never read past its end.
@@ -68,17 +65,14 @@ TEST(WorkerTalk, WhatIsCutOffIsNotRead) {
     const auto read = task_in({task.begin(), task.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(read.has_value(), length == 6) << length;
   }
-  const process::Texts part = texts_of(PartDone{.folder = "f",
-                                                .report = "{}",
-                                                .refusal = {},
-                                                .shapes = {"s", "t"},
-                                                .files = {{"a", "b"}, {"c", "d"}}});
+  const process::Texts part = texts_of(part_done("f", "{}", {"s", "t"}, {{"a", "b"}, {"c", "d"}}));
   for (std::size_t length = 0; length < part.size(); ++length) {
     const auto read = part_in({part.begin(), part.begin() + static_cast<std::ptrdiff_t>(length)});
-    EXPECT_EQ(read.has_value(), length == 8 || length == 10) << length;
+    EXPECT_EQ(read.has_value(), length == 7 || length == 9) << length;
   }
-  EXPECT_FALSE(part_in({"part", "f", "{}", "", "0", "-1"}));
-  EXPECT_FALSE(part_in({"part", "f", "{}", "", "0", "999999999999"}));
+  EXPECT_FALSE(part_in({"part", "f", "{}", "0", "-1"}));
+  EXPECT_FALSE(part_in({"part", "f", "{}", "0", "999999999999"}));
+  EXPECT_FALSE(part_in({"part", "f", "no json", "0", "0"}));
   EXPECT_FALSE(task_in({"a", "b", "{}", "{", "1", "1"}));
   EXPECT_FALSE(task_in({"a", "b", "{}", "[]", "1", "0"}));
 }

@@ -1,5 +1,6 @@
 #include "blocked_way.hpp"
 
+#include "brake/right_angles.hpp"
 #include "brake/stroke_room.hpp"
 #include "one_line.hpp"
 
@@ -13,9 +14,6 @@ namespace {
 
 using namespace brake_detail;
 
-const double s = std::numbers::sqrt2 / 2.0;
-const Turn kUp{Angle::degrees(90), 2.0, BendDirection::up};
-
 Sheet channel(double leg) {
   return strip({Straight{leg}, kUp, Straight{60}, kUp, Straight{40}}, 80, 1.5);
 }
@@ -28,12 +26,12 @@ TEST(BlockedWay, TellsHowDeepTheLegIsInTheThinnestPunch) {
     tools.punches.push_back(punch({Angle::degrees(80), half_width}));
     tools.punches.back().id = std::to_string(static_cast<int>(half_width));
   }
-  const double longest = 60.0 + 2.0 - (8.0 - 0.05) / s;
+  const double longest = 60.0 + 2.0 - (8.0 - 0.05) / kSin45;
   for (const double beyond : {1.0, 2.5}) {
     Room room(channel(longest + beyond), tools);
     const BlockedWay way = blocked_way(room.cache(), room.lines({1}), room.lines({2}));
     EXPECT_EQ(way.bend.hits, "punch 8");
-    EXPECT_NEAR(way.bend.depth, 0.05 + beyond * s, 0.01);
+    EXPECT_NEAR(way.bend.depth, 0.05 + beyond * kSin45, 0.01);
     EXPECT_EQ(way.bend.with, FlangeId(0));
     EXPECT_EQ(way.bend.bend, BendId(1));
     ASSERT_TRUE(way.bend.at_turn);
@@ -55,7 +53,7 @@ TEST(BlockedWay, TellsHowDeepALegIsInTheUpperBeam) {
   const double lower = plain.tip_radius / std::sin(0.5 * plain.angle.radians()) - plain.tip_radius;
   const double leg = 60.0;
   Room room(strip({Straight{leg}, kUp, Straight{90}, kUp, Straight{40}}, 80, 1.5), tools);
-  const double height = 2.0 * (1.0 - s) + s * (90.0 + 2.0 + 1.5) + s * (2.0 + leg);
+  const double height = 2.0 * (1.0 - kSin45) + kSin45 * (90.0 + 2.0 + 1.5) + kSin45 * (2.0 + leg);
   const BlockedBend told = blocked(room.cache(), room.lines({1}), room.line_of(2));
   EXPECT_EQ(told.hits, "upper beam");
   EXPECT_NEAR(told.depth, height - (100.0 - lower), 0.02);

@@ -1,5 +1,6 @@
 #include "check.hpp"
 
+#include "brake/right_angles.hpp"
 #include "brake/stroke_room.hpp"
 
 #include <gtest/gtest.h>
@@ -18,9 +19,7 @@
 namespace planish::test {
 namespace {
 
-const double s = std::numbers::sqrt2 / 2.0;
 constexpr double kEpsilon = 0.05;  // mm that may be penetrated (MATH of the press brake)
-constexpr double kStep = 0.1;      // mm to either side of a limit: ±0.2 mm is asked
 
 Turn up(double radius) { return {Angle::degrees(90), radius, BendDirection::up}; }
 Turn down(double radius) { return {Angle::degrees(90), radius, BendDirection::down}; }
@@ -43,7 +42,7 @@ TEST(ClosedForms, LongestLegOfAUThatAStraightPunchCloses) {
     for (const double radius : {1.0, 3.0}) {
       U u;
       u.radius = radius;
-      const double longest = u.web + radius - (b - kEpsilon) / s;
+      const double longest = u.web + radius - (b - kEpsilon) / kSin45;
       for (const double step : {-kStep, kStep}) {
         u.leg = longest + step;
         PlainPunch plain;
@@ -85,7 +84,7 @@ TEST(ClosedForms, ClearanceShortensTheLeg) {
   options.clearance = clearance;
   U u;
   for (const double step : {-kStep, kStep}) {
-    u.leg = u.web + u.radius - (b + clearance) / s + step;
+    u.leg = u.web + u.radius - (b + clearance) / kSin45 + step;
     Room room(u.sheet(), plain_tools(), options);
     EXPECT_EQ(room.can_press(2, {1}), step < 0.0) << step;
   }
@@ -103,7 +102,7 @@ TEST(ClosedForms, DeepestChannelBelowTheUpperBeam) {
   U u;
   u.web = 90.0;
   const double beam = 100.0 - lower;
-  const double longest = (beam + kEpsilon - u.radius * (1.0 - s)) / s -
+  const double longest = (beam + kEpsilon - u.radius * (1.0 - kSin45)) / kSin45 -
                          (u.web + u.radius + u.thickness) - u.radius;
   for (const double step : {-kStep, kStep}) {
     u.leg = longest + step;
@@ -168,7 +167,7 @@ TEST(ClosedForms, LongestReturnFlangeThatAStraightPunchPasses) {
   const double b = 8.0, radius = 1.5, t = 1.5, web = 90.0, leg = 30.0;
   PlainPunch plain;
   plain.half_width = b;
-  const double longest = radius + web - (2.0 * radius + leg + t) - (b - kEpsilon) / s;
+  const double longest = radius + web - (2.0 * radius + leg + t) - (b - kEpsilon) / kSin45;
   ASSERT_GT(longest, 20.0);
   for (const double step : {-kStep, kStep}) {
     const Sheet sheet = strip({Straight{longest + step}, up(radius), Straight{leg}, up(radius),
@@ -188,7 +187,7 @@ TEST(ClosedForms, ShallowestVThatTakesTheBend) {
   const double radius = 2.0, t = 2.0, q = 1.5, v = 8.0;
   const double angle = 80.0 * std::numbers::pi / 180.0;
   const double reach = v + q / std::tan(std::numbers::pi / 4 + angle / 4.0);
-  const double depth = t + q + radius - (radius + t + q) / s + reach;
+  const double depth = t + q + radius - (radius + t + q) / kSin45 + reach;
   ASSERT_GT(depth, 4.0);
   for (const double step : {-kStep, kStep}) {
     BrakeTools tools = plain_tools();

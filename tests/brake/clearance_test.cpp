@@ -1,5 +1,6 @@
 #include "clearance.hpp"
 
+#include "brake/right_angles.hpp"
 #include "brake/stroke_room.hpp"
 #include "standing.hpp"
 
@@ -12,9 +13,6 @@ namespace planish::test {
 namespace {
 
 using namespace brake_detail;
-
-const double s = std::numbers::sqrt2 / 2.0;
-const Turn kUp{Angle::degrees(90), 2.0, BendDirection::up};
 
 double told(Room& room, int bend, const std::vector<int>& formed) {
   const auto ways = room.ways(bend, formed);
@@ -34,7 +32,7 @@ TEST(Clearance, OfAnLIsFarAway) {
 TEST(Clearance, OfAUIsThatOfTheLegFromThePunch) {
   for (const double leg : {30.0, 40.0}) {
     Room room(strip({Straight{leg}, kUp, Straight{60}, kUp, Straight{40}}, 80, 1.5), plain_tools());
-    EXPECT_NEAR(told(room, 2, {1}), s * (60.0 + 2.0 - leg) - 10.0, 0.002) << leg;
+    EXPECT_NEAR(told(room, 2, {1}), kSin45 * (60.0 + 2.0 - leg) - 10.0, 0.002) << leg;
   }
 }
 
@@ -47,7 +45,7 @@ TEST(Clearance, CountsBeams) {
   const double lower = plain.tip_radius / std::sin(0.5 * plain.angle.radians()) - plain.tip_radius;
   Room room(strip({Straight{40}, kUp, Straight{90}, kUp, Straight{40}}, 80, 1.5), tools);
   // The outer corner, a = web + r + T beyond the tangent point and h = r + leg above the skin.
-  const double height = 2.0 * (1.0 - s) + s * (90.0 + 2.0 + 1.5) + s * (2.0 + 40.0);
+  const double height = 2.0 * (1.0 - kSin45) + kSin45 * (90.0 + 2.0 + 1.5) + kSin45 * (2.0 + 40.0);
   EXPECT_NEAR(told(room, 2, {1}), 100.0 - lower - height, 0.002);
 }
 
@@ -78,7 +76,7 @@ TEST(Clearance, CountsRowsAsFarAsTheyReach) {
     hi = std::max(hi, part->along.hi);
   }
   EXPECT_NEAR(hi - lo, 40.0, 1e-6);
-  const double near = s * (60.0 + 2.0 - 30.0) - 10.0;
+  const double near = kSin45 * (60.0 + 2.0 - 30.0) - 10.0;
   EXPECT_NEAR(clear_of(lo - 10.0, 60.0), near, 0.002);
   EXPECT_NEAR(clear_of(lo + 5.0, 10.0), near, 0.002);
   EXPECT_NEAR(clear_of(hi - 1.0, 50.0), near, 0.002);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace brake_detail;
 
-Result<Workpiece> cut(const Sheet& sheet, const WorkpieceOptions& options = {}) {
+Result<Workpiece> work_to_cut(const Sheet& sheet, const WorkpieceOptions& options = {}) {
   return workpiece_of(sheet, flat_sheet(sheet)->layout, options);
 }
 
@@ -20,7 +20,7 @@ Result<Workpiece> cut(const Sheet& sheet, const WorkpieceOptions& options = {}) 
 TEST(Cutting, GivesASharpFoldTheRadiusOfTheV) {
   const Sheet sheet = strip(
       {Straight{30}, Crease{Angle::degrees(90), BendDirection::up}, Straight{20}}, 40, 1.5);
-  const auto work = cut(sheet, {2.4, {}});
+  const auto work = work_to_cut(sheet, {2.4, {}});
   ASSERT_TRUE(work) << work.error().message;
   ASSERT_EQ(work->lines.size(), 1u);
   const BrakeLine& line = work->lines.front();
@@ -37,7 +37,7 @@ TEST(Cutting, LeavesRolledBendsFlat) {
     const Sheet sheet = strip(
         {Straight{60}, Turn{Angle::degrees(90), 15.0 + step, BendDirection::up}, Straight{60}}, 40,
         1.5);
-    const auto work = cut(sheet);
+    const auto work = work_to_cut(sheet);
     ASSERT_TRUE(work);
     EXPECT_EQ(work->lines.size(), step < 0.0 ? 1u : 0u);
     EXPECT_EQ(work->rolled.size(), step < 0.0 ? 0u : 1u);
@@ -62,7 +62,7 @@ Sheet flange_on_two_bends(double second_angle) {
 }
 
 TEST(Cutting, KeepsFlapsOnOneEdgeApart) {
-  const auto work = cut(flange_on_two_bends(90));
+  const auto work = work_to_cut(flange_on_two_bends(90));
   ASSERT_TRUE(work);
   EXPECT_EQ(work->lines.size(), 2u);
   EXPECT_EQ(work->bodies.size(), 3u);

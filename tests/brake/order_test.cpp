@@ -1,5 +1,6 @@
 #include "brake/checked_order.hpp"
 #include "brake/hemming_tools.hpp"
+#include "brake/right_angles.hpp"
 
 #include <planish/brake/order.hpp>
 
@@ -14,8 +15,6 @@ namespace planish::test {
 namespace {
 
 using namespace brake_detail;
-
-const double kSin45 = std::numbers::sqrt2 / 2.0;
 
 Turn up_by_90(double radius = 2.0) { return {Angle::degrees(90), radius, BendDirection::up}; }
 

@@ -1,5 +1,6 @@
 #include "plane_side.hpp"
 
+#include "brake/right_angles.hpp"
 #include "brake/stroke_room.hpp"
 
 #include <gtest/gtest.h>
@@ -11,9 +12,6 @@ namespace planish::test {
 namespace {
 
 using namespace brake_detail;
-
-const double s = std::numbers::sqrt2 / 2.0;
-constexpr double kStep = 0.1;  // mm to either side of a limit: ±0.2 mm is asked
 
 Turn bent(double radius) { return {Angle::degrees(90), radius, BendDirection::up}; }
 
@@ -54,7 +52,7 @@ TEST(PlaneSide, ShoulderStaysOnTheFlange) {
   lower.shoulder_radius = 2.0;
   lower.half_width = 40.0;
   const double reach = 20.0 + 2.0 / std::tan(std::numbers::pi / 4 + 0.25 * lower.angle.radians());
-  const double touched = (reach - s * (radius + t + 2.0)) / s;
+  const double touched = (reach - kSin45 * (radius + t + 2.0)) / kSin45;
   const double half_zone = 0.25 * std::numbers::pi * (radius + k * t);
   ASSERT_GT(touched + half_zone, 22.0);  // more than V/2 + the shoulder's radius
   for (const double step : {-kStep, kStep}) {
@@ -73,7 +71,7 @@ TEST(PlaneSide, ShouldersTouchPlaneSidesOnly) {
   lower.shoulder_radius = 1.0;
   const double reach = 4.0 + 1.0 / std::tan(std::numbers::pi / 4 + 0.25 * lower.angle.radians());
   // At the end: s (r + T + q) ≤ W is the stricter of the two for this die.
-  const double widest = std::min(reach / s - t - 1.0, 4.0 * reach / std::numbers::pi - k * t);
+  const double widest = std::min(reach / kSin45 - t - 1.0, 4.0 * reach / std::numbers::pi - k * t);
   for (const double step : {-kStep, kStep}) {
     Room room(strip({Straight{60}, bent(widest + step), Straight{60}}, 50, t),
               plain_tools({}, lower));

@@ -11,7 +11,7 @@ using namespace brake_detail;
 
 const Turn kBent{Angle::degrees(90), 2.0, BendDirection::up};
 
-Result<Plan> plan_of(const Sheet& sheet, const BrakeTools& tools) {
+Result<Plan> plan_with(const Sheet& sheet, const BrakeTools& tools) {
   return plan_bending(sheet, flat_sheet(sheet)->layout, tools);
 }
 
@@ -31,7 +31,7 @@ TEST(PreferredTools, MarkTheSheetLeast) {
   add("round", usual, 1.5);
   add("too round", usual, 2.5);
   const Sheet sheet = strip({Straight{40}, kBent, Straight{60}, kBent, Straight{30}}, 80, 1.5);
-  const auto plan = plan_of(sheet, tools), plain = plan_of(sheet, plain_tools());
+  const auto plan = plan_with(sheet, tools), plain = plan_with(sheet, plain_tools());
   ASSERT_TRUE(plan && plain);
   EXPECT_EQ(plan->cost, plain->cost);
   ASSERT_EQ(plan->strokes.size(), 2u);

@@ -14,7 +14,7 @@ double area_of_pieces(const std::vector<Convex>& pieces) {
   return area;
 }
 
-Vec2 middle_of(const Body& body) {
+Vec2 middle_of_corners(const Body& body) {
   Vec2 sum = Vec2::Zero();
   int corners = 0;
   for (const Convex& piece : body.pieces)
@@ -34,22 +34,24 @@ TEST(PressLines, DivideACornerUpToItsApex) {
     corner.near = near;
     Sheet sheet = lofted_corner(corner);
     Bend& bend = sheet.bends[BendId(0)];
-    constexpr int kLines = 5;
-    for (int i = 0; i < kLines; ++i)
+    constexpr int kPressed = 5;
+    for (int i = 0; i < kPressed; ++i)
       bend.press_lines.push_back(
-          {(i + 0.5) / kLines, Angle::radians(bend.angle.radians() / kLines)});
+          {(i + 0.5) / kPressed, Angle::radians(bend.angle.radians() / kPressed)});
     const auto flat = flat_sheet(sheet);
     ASSERT_TRUE(flat) << flat.error().message;
     const auto work = workpiece_of(sheet, flat->layout, {});
     ASSERT_TRUE(work) << work.error().message;
-    ASSERT_EQ(work->lines.size(), static_cast<std::size_t>(kLines));
-    ASSERT_EQ(work->bodies.size(), static_cast<std::size_t>(kLines + 1));
+    ASSERT_EQ(work->lines.size(), static_cast<std::size_t>(kPressed));
+    ASSERT_EQ(work->bodies.size(), static_cast<std::size_t>(kPressed + 1));
     double most = 0.0, least = 1e9;
-    for (int i = 0; i < kLines; ++i) {
+    for (int i = 0; i < kPressed; ++i) {
       const BrakeLine& line = work->lines[i];
       for (const int side : {0, 1}) {
         const Body& body = work->bodies[line.bodies[side]];
-        EXPECT_GT((side == 1 ? 1.0 : -1.0) * line.across().dot(middle_of(body) - line.origin), 0.0)
+        EXPECT_GT(
+            (side == 1 ? 1.0 : -1.0) * line.across().dot(middle_of_corners(body) - line.origin),
+            0.0)
             << near << ", line " << i << ", side " << side;
       }
       if (i == 0) continue;  // between the first two lines and so on

@@ -13,13 +13,13 @@ namespace {
 
 using namespace brake_detail;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 ToolProfile regular(int corners, double radius) {
   ToolProfile profile;
   for (int i = 0; i < corners; ++i)
-    profile.emplace_back(radius * std::cos(2 * kPi * i / corners),
-                         radius * std::sin(2 * kPi * i / corners));
+    profile.emplace_back(radius * std::cos(2 * pi * i / corners),
+                         radius * std::sin(2 * pi * i / corners));
   return profile;
 }
 
@@ -28,9 +28,9 @@ const ToolProfile kEll = {{0, 0}, {40, 0}, {40, 10}, {10, 10}, {10, 30}, {0, 30}
 TEST(ProfileCheck, KnowsAnglesWithinTheBody) {
   for (const int corners : {3, 4, 7})
     for (int i = 0; i < corners; ++i)
-      EXPECT_NEAR(angle_within(regular(corners, 5.0), i), kPi * (corners - 2) / corners, 1e-9);
+      EXPECT_NEAR(angle_within(regular(corners, 5.0), i), pi * (corners - 2) / corners, 1e-9);
   for (std::size_t i = 0; i < kEll.size(); ++i)
-    EXPECT_NEAR(angle_within(kEll, i), i == 3 ? 1.5 * kPi : 0.5 * kPi, 1e-9);
+    EXPECT_NEAR(angle_within(kEll, i), i == 3 ? 1.5 * pi : 0.5 * pi, 1e-9);
 }
 
 TEST(ProfileCheck, FindsCornersAndPlacesOnTheOutline) {
@@ -49,7 +49,7 @@ TEST(ProfileCheck, RoundsCornersAsFarAsTheirEdgesGo) {
   for (const int corners : {3, 4, 6}) {
     const ToolProfile profile = regular(corners, 10.0);
     const double edge = (profile[1] - profile[0]).norm();
-    const double most = edge * std::tan(0.5 * kPi * (corners - 2) / corners);
+    const double most = edge * std::tan(0.5 * pi * (corners - 2) / corners);
     EXPECT_FALSE(fault_of_rounding(profile, 1, most - 0.01));
     EXPECT_TRUE(fault_of_rounding(profile, 1, most + 0.01));
     // The first corner has the last one beside it.

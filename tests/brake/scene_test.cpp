@@ -2,6 +2,7 @@
 
 #include "brake/checked_order.hpp"
 #include "brake/hemming_tools.hpp"
+#include "brake/right_angles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,7 @@ namespace {
 
 using namespace brake_detail;
 
-constexpr double kPi = std::numbers::pi;
-const double kSin45 = std::numbers::sqrt2 / 2.0;
+using std::numbers::pi;
 
 /// A place of the pattern's inside skin in the machine, at a moment, if it hangs on the held body.
 Vec3 in_machine(const StrokeScene& scene, const StrokeMoment& moment, const Vec2& p) {
@@ -47,7 +47,7 @@ TEST(Scene, HasTheSheetInTheMachine) {
     EXPECT_NEAR(std::abs(a.x() - b.x()), 40.0, 1e-9);
     EXPECT_NEAR(first.die, -2.0, 1e-9);
     // Bent: the edge is a flange's length up a slope of 45° from the end of the inside radius.
-    const double allowance = kPi / 2 * (3.0 + 0.44 * 2.0);
+    const double allowance = pi / 2 * (3.0 + 0.44 * 2.0);
     const double flange = stroke.gauge->distance - 0.5 * allowance;
     const Vec3 bent = in_machine(scene, last, stroke.gauge->edge.a);
     EXPECT_NEAR(last.turn.degrees(), 90.0, 1e-9);
@@ -56,9 +56,9 @@ TEST(Scene, HasTheSheetInTheMachine) {
     EXPECT_NEAR(bent.x(), a.x(), 1e-9);
     // The shoulders, of radius 1.5, touch the outside from below.
     const double round = 1.5, opening = 6.0;
-    const double center = opening + round * std::tan(kPi / 180 * 25);  // of a corner of 130°
-    const double below = -2.0 / kSin45 + 3.0 * (1.0 - 1.0 / kSin45);   // where the outsides meet
-    const double height = below + center - round / kSin45;             // of the circle's middle
+    const double center = opening + round * std::tan(pi / 180 * 25);  // of a corner of 130°
+    const double below = -2.0 / kSin45 + 3.0 * (1.0 - 1.0 / kSin45);  // where the outsides meet
+    const double height = below + center - round / kSin45;            // of the circle's middle
     EXPECT_NEAR(last.die, height + round, 1e-9);
     // Both rows press the line but for a shortfall of a thickness at each end.
     const double from = std::min(a.x(), b.x()), to = std::max(a.x(), b.x());
@@ -79,7 +79,7 @@ TEST(Scene, HasTheReturnOfAHemUnderThePunch) {
   const CheckedOrder checked = part.check({{{BendId(0)}}, {{BendId(0)}, std::nullopt, true}});
   ASSERT_TRUE(checked.feasible());
   const StrokeScene& scene = checked.strokes[1].scene;
-  const double angle = 150.0 * kPi / 180, allowance = kPi * (0.5 + 0.44);
+  const double angle = 150.0 * pi / 180, allowance = pi * (0.5 + 0.44);
   const double r = allowance / angle - 0.44;
   const StrokeMoment &first = scene.moments.front(), &last = scene.moments.back();
   EXPECT_NEAR(first.punch, r * (1 - std::cos(angle)) + 15 * std::sin(angle) - std::cos(angle),

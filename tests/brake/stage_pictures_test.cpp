@@ -10,7 +10,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double area_of(const std::vector<ToolProfile>& sections) {
   double area = 0.0;

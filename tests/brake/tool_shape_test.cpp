@@ -24,7 +24,7 @@ double area_of(const Obstacle& obstacle) {
   return area;
 }
 
-Punch goose_neck() {
+Punch deep_goose_neck() {
   Punch neck = punch();
   neck.profile = {{0, 0},    {5, 5.96},  {5, 25},   {-12, 45}, {-12, 80}, {14, 100},
                   {14, 150}, {-45, 150}, {-45, 40}, {-8, 18},  {-8, 9.53}};
@@ -113,7 +113,7 @@ void expect_boxes(const Obstacle& obstacle) {
 }
 
 TEST(ToolShape, MovesMirrorsAndUnitesWithAllBoxes) {
-  const Obstacle neck = obstacle_of(section_of(goose_neck()), 0.05, 0.0);
+  const Obstacle neck = obstacle_of(section_of(deep_goose_neck()), 0.05, 0.0);
   const Obstacle far = moved(neck, {100, -30}), mirror = mirrored(neck);
   expect_boxes(neck);
   expect_boxes(far);
@@ -135,7 +135,7 @@ TEST(ToolShape, MovesMirrorsAndUnitesWithAllBoxes) {
 
 TEST(ToolShape, KnowsItsMirrorImage) {
   EXPECT_TRUE(is_symmetric(section_of(punch())));
-  EXPECT_FALSE(is_symmetric(section_of(goose_neck())));
+  EXPECT_FALSE(is_symmetric(section_of(deep_goose_neck())));
   EXPECT_FALSE(is_symmetric(section_of(ToolProfile{{0, 0}, {10, 0}, {0, 10}})));
 }
 
@@ -149,7 +149,7 @@ bool in_wedge(const Punch& of, const Vec2& p) {
 /// A straight punch is all wedge; of a goose neck what stands out is what lies beyond the flanks.
 TEST(ToolShape, TellsWhatStandsOutBeyondTheTip) {
   EXPECT_TRUE(obstacle_beside_tip(punch(), 1.0).pieces.empty());
-  const Punch neck = goose_neck();
+  const Punch neck = deep_goose_neck();
   const Obstacle beside = obstacle_beside_tip(neck, 1.0);
   ASSERT_FALSE(beside.pieces.empty());
   EXPECT_EQ(beside.keep, 1.0);

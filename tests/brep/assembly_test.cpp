@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-Result<Sheet> sheet_of(SolidModel model, double thickness, int reference) {
+Result<Sheet> sheet_from(SolidModel model, double thickness, int reference) {
   const Recognised seen = recognised(std::move(model), thickness, reference);
   return assemble_sheet(seen.view());
 }
@@ -26,7 +26,7 @@ SolidModel angle(double turn, double inside_radius) {
 }
 
 TEST(AssembleSheet, OfABentStripHasItsFlangesAndItsBend) {
-  const auto sheet = sheet_of(angle(pi / 2, 3), 2, 2);
+  const auto sheet = sheet_from(angle(pi / 2, 3), 2, 2);
   ASSERT_TRUE(sheet) << sheet.error().message;
   EXPECT_EQ(sheet->flanges.size(), 2u);
   ASSERT_EQ(sheet->bends.size(), 1u);
@@ -41,7 +41,7 @@ TEST(AssembleSheet, OfABentStripHasItsFlangesAndItsBend) {
 TEST(AssembleSheet, LiesFlatInItsBendAllowanceFromEitherSkin) {
   const double flat = 50 + 30 + pi / 2 * (3 + 0.5 * 2);
   for (const int reference : {2, 6}) {
-    const auto sheet = sheet_of(angle(pi / 2, 3), 2, reference);
+    const auto sheet = sheet_from(angle(pi / 2, 3), 2, reference);
     ASSERT_TRUE(sheet) << sheet.error().message;
     const auto pattern = flatten(*sheet, {.allowance = ConstantK{0.5, "test"}});
     ASSERT_TRUE(pattern) << pattern.error().message;
@@ -56,7 +56,7 @@ TEST(AssembleSheet, PutsABendInPiecesOnOneTurn) {
                 {50 + 3 * std::sin(3.0), 5 - 3 * std::cos(3.0)}},
         Arc{{50, 5}, 3, 3.0 - pi / 2, -3.0}, Segment{{50, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
       40);
-  const auto sheet = sheet_of(model, 2, 2);
+  const auto sheet = sheet_from(model, 2, 2);
   ASSERT_TRUE(sheet) << sheet.error().message;
   ASSERT_EQ(sheet->bends.size(), 1u);
   EXPECT_EQ(sheet->bends.front().faces.size(), 2u);
@@ -68,7 +68,7 @@ TEST(AssembleSheet, CountsWhatAMitredCornerHoldsMore) {
       {{Segment{{0, 0}, {50, 0}}, Segment{{50, 0}, {50, 30}}, Segment{{50, 30}, {48, 30}},
         Segment{{48, 30}, {48, 2}}, Segment{{48, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
       40);
-  const auto sheet = sheet_of(model, 2, 5);
+  const auto sheet = sheet_from(model, 2, 5);
   ASSERT_TRUE(sheet) << sheet.error().message;
   ASSERT_EQ(sheet->bends.size(), 1u);
   EXPECT_EQ(sheet->bends.front().kind, BendKind::sharp);
@@ -80,7 +80,7 @@ TEST(AssembleSheet, CountsWhatAMitredCornerHoldsMore) {
 }
 
 TEST(AssembleSheet, CountsNothingMoreInARoundedCorner) {
-  const auto sheet = sheet_of(angle(pi / 2, 0), 2, 6);
+  const auto sheet = sheet_from(angle(pi / 2, 0), 2, 6);
   ASSERT_TRUE(sheet) << sheet.error().message;
   EXPECT_EQ(sheet->mitres_volume, 0.0);
   EXPECT_EQ(sheet->bends.front().kind, BendKind::sharp);

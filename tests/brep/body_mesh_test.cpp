@@ -57,13 +57,6 @@ Body body_of(const TopoDS_Solid& solid) {
   return Body(std::make_shared<const Body::Shape>(std::move(shape)));
 }
 
-double volume_in(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles)
-    sum += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6.0;
-  return sum;
-}
-
 TEST(BodyMesh, IsThatOfTheSolidWhereParameterCurvesLieAPeriodApart) {
   constexpr double kChord = 0.01;
   const double volume = std::numbers::pi * kRadius * kRadius * kHeight / 4;

@@ -19,14 +19,6 @@ SolidModel with_opening() {
   return plate(2, {{{outer, outer}, {0, 2}}, {{inner, inner}, {0, 2}}});
 }
 
-int edge_between(const SolidModel& model, int a, int b) {
-  for (int e = 0; e < std::ssize(model.edges); ++e) {
-    const auto& faces = model.edges[e].faces;
-    if ((faces[0] == a && faces[1] == b) || (faces[0] == b && faces[1] == a)) return e;
-  }
-  return -1;
-}
-
 /// The top as a flange and a chain of bend, flange and bend behind one side of its opening.
 Groups lance(const SolidModel& model) {
   Groups groups;

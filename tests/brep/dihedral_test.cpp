@@ -11,15 +11,6 @@ namespace {
 
 using std::numbers::pi;
 
-int edge_between(const SolidModel& model, int a, int b) {
-  for (int e = 0; e < std::ssize(model.edges); ++e) {
-    const auto& faces = model.edges[e].faces;
-    if ((faces[0] == a && faces[1] == b) || (faces[0] == b && faces[1] == a)) return e;
-  }
-  ADD_FAILURE() << "faces " << a << " and " << b << " do not meet";
-  return 0;
-}
-
 Loop closed(const std::vector<Vec2>& corners) {
   Loop loop;
   for (size_t i = 0; i < corners.size(); ++i)

@@ -13,8 +13,6 @@ namespace planish::brep::test {
 namespace {
 
 using std::numbers::pi;
-constexpr int kBottom = 0;
-constexpr int kTop = 1;
 
 double opening_area(const Sheet& sheet) {
   EXPECT_EQ(sheet.faces.size(), 1u);

@@ -12,21 +12,10 @@
 namespace planish::test {
 namespace {
 
-constexpr auto up = BendDirection::up;
-constexpr auto down = BendDirection::down;
-
 Mesh mesh_of(const Sheet& sheet, double chord = 0.05) {
   auto mesh = folded_mesh(sheet, chord);
   if (!mesh) ADD_FAILURE() << mesh.error().message;
   return mesh.value_or(Mesh{});
-}
-
-/// Of the space inside: the divergence theorem, triangle by triangle.
-double volume_in(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles)
-    sum += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6.0;
-  return sum;
 }
 
 double area_of(const Mesh& mesh) {
@@ -39,7 +28,7 @@ double area_of(const Mesh& mesh) {
 }
 
 /// Closed, and its volume differs by no more than a layer as thick as the chord.
-Mesh expect_sound(const Sheet& sheet, double chord = 0.05) {
+Mesh expect_sound_mesh(const Sheet& sheet, double chord = 0.05) {
   Mesh mesh = mesh_of(sheet, chord);
   expect_closed(mesh);
   EXPECT_NEAR(volume_in(mesh), *sheet.volume, chord * area_of(mesh));
@@ -49,27 +38,28 @@ Mesh expect_sound(const Sheet& sheet, double chord = 0.05) {
 TEST(FoldedMesh, OfStripsIsClosedAndHasTheirVolume) {
   for (const Sheet& sheet : {l_bracket(), l_bracket_down(), u_channel(), z_profile(), staircase(4),
                              hem(), turn_of_250(), two_turns_of_270(), rolled()})
-    expect_sound(sheet);
+    expect_sound_mesh(sheet);
 }
 
 TEST(FoldedMesh, OfBoxesConesPlatesAndCreasesIsClosedAndHasTheirVolume) {
-  for (BendDirection direction : {up, down}) {
-    expect_sound(box({}, direction));
+  for (BendDirection direction : {BendDirection::up, BendDirection::down}) {
+    expect_sound_mesh(box({}, direction));
     ConeJoint joint;
     joint.turn.direction = direction;
-    expect_sound(cone_joined(joint));
-    expect_sound(strip({Straight{30}, Crease{Angle::degrees(70), direction}, Straight{20}}, 15, 1));
+    expect_sound_mesh(cone_joined(joint));
+    expect_sound_mesh(
+        strip({Straight{30}, Crease{Angle::degrees(70), direction}, Straight{20}}, 15, 1));
   }
-  expect_sound(truncated_cone(20, 40, 50, Angle::degrees(300), 1.5));
-  expect_sound(plate_with_holes());
-  expect_sound(ring(30, 12, 2));
+  expect_sound_mesh(truncated_cone(20, 40, 50, Angle::degrees(300), 1.5));
+  expect_sound_mesh(plate_with_holes());
+  expect_sound_mesh(ring(30, 12, 2));
 }
 
 TEST(FoldedMesh, OfOpenedAndGeneralBendsIsClosedAndHasTheirVolume) {
   for (const Sheet& sheet : {slot_across_bend(), slot_into_bend(), hole_in_bend(5, 0.44),
                              hole_across_bend(20, 0.44), as_ruled(l_bracket(), Angle::degrees(2)),
                              as_ruled(cone_joined(), Angle::degrees(2)), lofted_corner()})
-    expect_sound(sheet);
+    expect_sound_mesh(sheet);
 }
 
 TEST(FoldedMesh, OfRandomSheetsIsClosedAtAnySize) {
@@ -78,13 +68,13 @@ TEST(FoldedMesh, OfRandomSheetsIsClosedAtAnySize) {
     std::mt19937 random(seed);
     const Sheet sheet = random_sheet(random, 1 + static_cast<int>(seed % 6));
     const double factor = seed % 2 == 0 ? 0.1 : 10.0;
-    expect_sound(scaled(sheet, factor), 0.05 * factor);
+    expect_sound_mesh(scaled(sheet, factor), 0.05 * factor);
   }
 }
 
 TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
-  const Sheet sheet = strip({Straight{50}, Turn{Angle::degrees(90), 3.0, up}, Straight{30}}, 40.0,
-                            2.0);
+  const Sheet sheet = strip(
+      {Straight{50}, Turn{Angle::degrees(90), 3.0, BendDirection::up}, Straight{30}}, 40.0, 2.0);
   const auto file = read_step_text(folded_solid_step(sheet, "strip").value(), "strip");
   ASSERT_TRUE(file.has_value());
   const Body& body = file->bodies.front();
@@ -96,8 +86,9 @@ TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
 }
 
 TEST(FoldedMesh, OfPlanesIsExact) {
-  const Sheet plain = strip({Straight{30}, Crease{Angle::degrees(90), up}, Straight{20}}, 15, 1.5);
-  const Mesh mesh = expect_sound(plain, 10.0);
+  const Sheet plain = strip(
+      {Straight{30}, Crease{Angle::degrees(90), BendDirection::up}, Straight{20}}, 15, 1.5);
+  const Mesh mesh = expect_sound_mesh(plain, 10.0);
   EXPECT_NEAR(volume_in(mesh), *plain.volume, 1e-9 * *plain.volume);
   EXPECT_EQ(mesh.points.size(), 12u) << "the corners of an L, extruded";
   EXPECT_EQ(mesh.triangles.size(), 20u) << "by Euler's formula";
@@ -136,7 +127,7 @@ TEST(FoldedMesh, LiesWithinTheChordOfTheSolid) {
   const Sheet sheet = rolled();
   for (double chord : {0.5, 0.05, 0.005}) {
     SCOPED_TRACE(chord);
-    const Roundness found = roundness(expect_sound(sheet, chord), sheet);
+    const Roundness found = roundness(expect_sound_mesh(sheet, chord), sheet);
     EXPECT_LE(found.deviation, chord);
     EXPECT_GT(found.deviation, 0.1 * std::min(chord, 0.08)) << "finer than anybody asked for";
   }
@@ -145,7 +136,7 @@ TEST(FoldedMesh, LiesWithinTheChordOfTheSolid) {
 TEST(FoldedMesh, MakesSmallRadiiRound) {
   for (double factor : {0.05, 0.001}) {
     const Sheet sheet = scaled(rolled(), factor);
-    const Roundness found = roundness(expect_sound(sheet, 0.5), sheet);
+    const Roundness found = roundness(expect_sound_mesh(sheet, 0.5), sheet);
     EXPECT_LE(found.turn, Angle::degrees(10).radians() + 1e-6);
   }
 }

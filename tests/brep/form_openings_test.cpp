@@ -23,8 +23,6 @@ namespace planish::brep::test {
 namespace {
 
 using std::numbers::pi;
-constexpr int kBottom = 0;
-constexpr int kTop = 1;
 
 /// A collar of this height and wall below a hole of radius 5 in a sheet of 2 mm.
 SolidModel extruded(double height, double wall) {

@@ -61,7 +61,7 @@ TEST(MeshSolid, RefusesWhatIsNotClosed) {
   Mesh open = tetrahedron();
   open.triangles.pop_back();
   EXPECT_EQ(code_of(open), code::invalid_input);
-  EXPECT_EQ(code_of({}), code::invalid_input);
+  EXPECT_EQ(code_of(Mesh{}), code::invalid_input);
 }
 
 TEST(MeshSolid, RefusesWhatIsInsideOut) {

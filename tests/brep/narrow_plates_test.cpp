@@ -63,7 +63,7 @@ TopoDS_Shape without(const TopoDS_Shape& shape, const TopoDS_Shape& tool) {
   return BRepAlgoAPI_Cut(shape, tool).Shape();
 }
 
-TopoDS_Shape ring(double outer, double inner, double height) {
+TopoDS_Shape ring_body(double outer, double inner, double height) {
   return without(
       BRepPrimAPI_MakeCylinder(outer, height).Shape(),
       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -1), gp_Dir(0, 0, 1)), inner, height + 2)
@@ -105,11 +105,11 @@ TEST(NarrowPlate, IsAGratingWithWebsNarrowerThanThick) {
 }
 
 TEST(NarrowPlate, IsARingNarrowerThanThick) {
-  expect_plate(ring(50, 45, 8), {8.0, pi * (50 * 50 - 45 * 45)});
+  expect_plate(ring_body(50, 45, 8), {8.0, pi * (50 * 50 - 45 * 45)});
 }
 
 TEST(NarrowPlate, IsARingOfSquareSection) {
-  expect_plate(ring(50, 45, 5), {5.0, pi * (50 * 50 - 45 * 45)});
+  expect_plate(ring_body(50, 45, 5), {5.0, pi * (50 * 50 - 45 * 45)});
 }
 
 TEST(NarrowPlate, IsAFrameNarrowerThanThick) {
@@ -159,8 +159,8 @@ TEST(NarrowPlate, IsNoBlock) {
 }
 
 TEST(NarrowPlate, IsNoTubeHoweverShort) {
-  expect_refusal(ring(50, 48, 60), code::closed_loop);
-  expect_refusal(ring(50, 48, 8), code::closed_loop);
+  expect_refusal(ring_body(50, 48, 60), code::closed_loop);
+  expect_refusal(ring_body(50, 48, 8), code::closed_loop);
   expect_refusal(frame(100, 60, 3, 200), code::closed_loop);
 }
 

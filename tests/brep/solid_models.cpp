@@ -307,4 +307,13 @@ SolidModel plate(double thickness, const Vec2& size, const std::vector<Turned>& 
   return plate(thickness, {Lofted{{contour, contour}, {0.0, thickness}}}, turned);
 }
 
+int edge_between(const SolidModel& model, int a, int b) {
+  for (int e = 0; e < std::ssize(model.edges); ++e) {
+    const auto& faces = model.edges[e].faces;
+    if ((faces[0] == a && faces[1] == b) || (faces[0] == b && faces[1] == a)) return e;
+  }
+  ADD_FAILURE() << "faces " << a << " and " << b << " do not meet";
+  return 0;
+}
+
 }  // namespace planish::brep::test

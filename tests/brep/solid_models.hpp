@@ -81,4 +81,10 @@ SolidModel plate(double thickness, const std::vector<Lofted>& contours,
 /// The same with one rectangular contour from the origin.
 SolidModel plate(double thickness, const Vec2& size, const std::vector<Turned>& turned = {});
 
+/// Bottom and top of a plate.
+inline constexpr int kBottom = 0, kTop = 1;
+
+/// The edge where two faces meet; a failure of the test if they do not.
+int edge_between(const SolidModel& model, int a, int b);
+
 }  // namespace planish::brep::test

@@ -229,7 +229,7 @@ class WrongRequests(BendTest):
         for arguments, words in (
                 (["--weights", "turn=3"], "--weights must be like turn_over=3"),
                 (["--weights", "rotate=-1"], "--weights must be like"),
-                (["--fix", "B7"], 'there is no bend "B7"; the bends are B1, B2'),
+                (["--fix", "B7"], 'there is no bend B7; the bends are B1, B2'),
                 (["--springback", "90"], "--springback"),
                 (["--clearance", "-1"], "--clearance"),
                 (["-o", "plan.dxf"], "end it in .pdf or .svg"),

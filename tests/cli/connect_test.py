@@ -408,7 +408,7 @@ class Unreadable(Refusal):
         self.refused("connect", "folder", "--check", status=3)
 
     def test_what_is_no_json(self):
-        self.refusal("invalid_input", ":2:", '{\n  "thickness" 4 }', "line:column 2:")
+        self.refusal("invalid_input", ":2:", '{\n  "thickness" 4 }', "line 2, column ")
         for content in (b"", b"\x00\xff\xfe", b"ISO-10303-21;", b"[", b"[" * 100000):
             self.refusal("invalid_input", "", content)
 

@@ -126,7 +126,7 @@ class Shop(CliTest):
     def test_wants_the_material_where_there_are_several(self):
         self.angle()
         error = self.refused("unfold", "part.step", "--shop", EXAMPLE, status=2)
-        self.assertIn("mild steel, aluminium 5754: choose one with --material", error)
+        self.assertIn("mild steel, aluminium 5754. Choose one with --material", error)
         error = self.refused("unfold", "part.step", "--shop", EXAMPLE, "--material", "brass", status=2)
         self.assertIn('no material "brass"', error)
         self.run_cli("unfold", "part.step", "--shop", EXAMPLE, "--material", "Mild steel", "--json", "report.json")

@@ -9,8 +9,6 @@ namespace {
 
 using namespace connect_detail;
 
-constexpr double kPlanarity = 1e-3;
-
 std::vector<BendFrame> frames(const Plate& a, const Plate& b) {
   const PlacedPlate first = laid(a), second = laid(b);
   return bend_frames(first, second, plane_pair(first, second, kPlanarity));

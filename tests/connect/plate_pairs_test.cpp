@@ -12,8 +12,6 @@ namespace {
 
 using namespace connect_detail;
 
-constexpr double kPlanarity = 1e-3;
-
 PlacedPlate floor_plate() {
   return laid(rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0}));
 }

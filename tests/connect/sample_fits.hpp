@@ -13,8 +13,10 @@
 
 namespace planish::test {
 
+inline constexpr double kPlanarity = 1e-3;  // mm
+
 inline connect_detail::PlacedPlate laid(const Plate& plate) {
-  auto made = connect_detail::placed(plate, "/plates/0", 1e-3);
+  auto made = connect_detail::placed(plate, "/plates/0", kPlanarity);
   EXPECT_TRUE(made) << (made ? "" : made.error().message + " at " + made.error().where);
   return made ? std::move(*made) : connect_detail::PlacedPlate{};
 }

@@ -1,5 +1,5 @@
 // Random pairs of plates: each is joined, and the result holds against measures of its own, or is
-// refused, and then no choice that a person could make joins it. docs/connect.md says how it is
+// refused, and then no choice that a person could make joins it. CONTRIBUTING.md says how it is
 // run.
 #include "connect_pairs/explicit_choices.hpp"
 #include "connect_pairs/random_pairs.hpp"

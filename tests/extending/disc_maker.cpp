@@ -5,6 +5,7 @@
 #include "makers.hpp"
 #include "report_text.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/schema/json_reading.hpp>
 #include <planish/sheet/builder.hpp>
 
@@ -19,6 +20,22 @@ struct DiscFile {
 };
 
 struct DiscReport : Report {};
+
+/// An option that no other maker has: the least radius that the shop can turn.
+const Option& least_radius() {
+  static const Option entry{.name = "least_radius",
+                            .kind = OptionKind::number,
+                            .group = "Checks",
+                            .description = "a smaller disc gives a finding, mm",
+                            .otherwise = "20",
+                            .range = kAboveZero};
+  return entry;
+}
+
+double least_radius_of(const Request& request) {
+  const auto given = request.own.find(least_radius().name);
+  return given == request.own.end() ? 20.0 : std::get<double>(given->second);
+}
 
 std::string report_json(const DiscReport& report) {
   Json json = begun_report(report, "disc");
@@ -67,6 +84,17 @@ Result<Sheet> sheet_of(const DiscFile& file) {
   return std::move(builder).build();
 }
 
+Finding small_disc(double radius, double least) {
+  Told told = tell("the disc has a radius of {radius}, less than {least}",
+                   {{"radius", radius, unit::mm}, {"least", least, unit::mm}});
+  return {.code = "small_disc",
+          .severity = Severity::warning,
+          .message = std::move(told.sentence),
+          .at = {Vec2(radius, radius)},
+          .numbers = std::move(told.numbers),
+          .remedies = {{.change = "Make it larger, or have it turned by another shop."}}};
+}
+
 Result<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
                                    const Progress& progress) {
   DiscReport report = begun<DiscReport>(request, file.units);
@@ -78,6 +106,8 @@ Result<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
     return lay_flat(report, {*sheet, distance, request}, FlattenOptions(), progress);
   };
   if (const auto error = run_reporting(report, lay)) return tl::unexpected(*error);
+  if (const double least = least_radius_of(request); file.radius < least)
+    report.findings.push_back(small_disc(file.radius, least));
   return std::make_unique<MadeReport<DiscReport>>(std::move(report));
 }
 
@@ -94,9 +124,11 @@ Maker disc_maker() {
       .input = "disc",
       .format = "example/disc",
       .mark = "radius",
+      .examples = {{"planish disc disc.json", "a round flat plate"}},
       .help = "Example:\n  planish disc disc.json",
       .sources = {Source::pattern},
-      .options = with_pattern_options({{"units", "that of the disc file"}}),
+      .options = with_pattern_options({{"units", "that of the disc file"},
+                                       {.name = least_radius().name, .own = &least_radius()}}),
       .schema = disc_schema,
       .open = open,
       .failed = failed_as<MadeReport<DiscReport>, DiscReport>,

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -138,6 +139,44 @@ TEST(NewMaker, TakesTheOptionsOfItsRowAlone) {
   EXPECT_EQ(refused.error().where, "/options/root");
 }
 
+TEST(NewMaker, HasAnOptionOfItsOwnThatOthersLack) {
+  Json asked = request("dxf");
+  asked["options"] = {{"least_radius", 60}};
+  const auto done = job::run(asked.dump(), {}, catalogue());
+  ASSERT_TRUE(done.has_value()) << done.error().message;
+  EXPECT_EQ(Json::parse(done->report)["status"], "warning");
+  asked["options"] = {{"least_radius", 0}};
+  const auto out_of_range = job::run(asked.dump(), {}, catalogue());
+  ASSERT_FALSE(out_of_range.has_value());
+  EXPECT_EQ(out_of_range.error().where, "/options/least_radius");
+  const Json plates = {{"maker", "connect"},
+                       {"input", PLANISH_SOURCE_DIR "/examples/connect/a_folded.json"},
+                       {"options", {{"least_radius", 60}}}};
+  const auto others = job::run(plates.dump(), {}, catalogue());
+  ASSERT_FALSE(others.has_value());
+  EXPECT_EQ(others.error().where, "/options/least_radius");
+  const Json schema = Json::parse(job::request_schema_text("disc", catalogue()));
+  EXPECT_TRUE(schema["properties"]["options"]["properties"].contains("least_radius"));
+}
+
+TEST(NewMaker, HasAFindingWithItsPlaceNumbersAndRemedy) {
+  Json asked = request("dxf");
+  asked["options"] = {{"least_radius", 60}};
+  const auto done = job::run(asked.dump(), {}, catalogue());
+  ASSERT_TRUE(done.has_value()) << done.error().message;
+  const Json report = Json::parse(done->report);
+  const auto found = std::ranges::find(report["checks"], Json("small_disc"),
+                                       [](const Json& check) { return check["code"]; });
+  ASSERT_NE(found, report["checks"].end());
+  EXPECT_EQ((*found)["message"], "the disc has a radius of 50 mm, less than 60 mm");
+  EXPECT_EQ((*found)["at"], Json({{kRadius, kRadius}}));
+  EXPECT_EQ((*found)["numbers"]["least"]["value"], 60.0);
+  EXPECT_THAT((*found)["remedies"].dump(), HasSubstr("another shop"));
+  EXPECT_EQ(Json::parse(job::run(request("dxf").dump(), {}, catalogue())->report)["checks"],
+            Json::array())
+      << "50 mm is not below the default";
+}
+
 TEST(NewMaker, HasASchema) {
   EXPECT_THAT(job::schema_names(catalogue()), Contains("disc"));
   const Json schema = Json::parse(job::schema_text("disc", catalogue()));
@@ -151,7 +190,7 @@ TEST(NewMaker, HasASchema) {
 TEST(NewMaker, IsACommand) {
   const Folder folder;
   const std::string disc = folder.write("disc.json", kDisc);
-  EXPECT_EQ(run_program({"disc", disc, "--quiet"}), 0);
+  EXPECT_EQ(run_program({"disc", disc, "--quiet", "--least-radius", "60"}), 0);
   EXPECT_THAT(folder.read("disc.dxf"), HasSubstr("CIRCLE"));
   EXPECT_EQ(run_program({"disc", disc, "--flat", folder.path("disc.dwg")}), 2);
   EXPECT_EQ(run_program({"disc", disc, "--mould", folder.path("mould.stl")}), 2);

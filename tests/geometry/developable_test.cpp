@@ -1,3 +1,5 @@
+#include "surface_checks.hpp"
+
 #include <planish/geometry/developable.hpp>
 
 #include <gtest/gtest.h>
@@ -10,11 +12,8 @@ namespace planish {
 namespace {
 
 using std::numbers::pi;
-
-double any(double lo, double hi) {
-  constexpr int steps = 1'000'000;
-  return lo + (hi - lo) * *rc::gen::inRange(0, steps + 1) / steps;
-}
+using test::any;
+using test::Tangents;
 
 Frame any_frame() {
   Vec3 z(any(-1, 1), any(-1, 1), any(-1, 1));
@@ -38,18 +37,6 @@ Case any_case() {
   const double offset = any(-2, 5);
   const double v = any(0.5, 100) + std::max(0.0, -offset / std::tan(half_angle));
   return {Cone{any_frame(), half_angle}, offset, {any(-9, 9), v}};
-}
-
-struct Tangents {
-  Vec3 u, v;
-};
-
-Tangents tangents(const Developable& surface, const Vec2& uv, double offset) {
-  constexpr double h = 1e-5;
-  const auto slope = [&](const Vec2& step) -> Vec3 {
-    return (point_on(surface, uv + step, offset) - point_on(surface, uv - step, offset)) / (2 * h);
-  };
-  return {slope({h, 0}), slope({0, h})};
 }
 
 Cone cone_of(double half_angle) { return {Frame{}, half_angle}; }

@@ -1,3 +1,5 @@
+#include "surface_checks.hpp"
+
 #include <planish/geometry/general_cone.hpp>
 
 #include <gtest/gtest.h>
@@ -13,23 +15,10 @@ namespace planish {
 namespace {
 
 using std::numbers::pi;
+using test::any;
+using test::simpson;
 
-double between(double lo, double hi) {
-  constexpr int steps = 1'000'000;
-  return lo + (hi - lo) * *rc::gen::inRange(0, steps + 1) / steps;
-}
-
-Vec3 any_point(double size) {
-  return {between(-size, size), between(-size, size), between(-size, size)};
-}
-
-double simpson(const std::function<double(double)>& f, double a, double b, int halves = 2000) {
-  const double h = (b - a) / (2 * halves);
-  double sum = f(a) + f(b);
-  for (int i = 1; i < 2 * halves; ++i)
-    sum += (i % 2 == 1 ? 4 : 2) * f(a + i * h);
-  return sum * h / 3;
-}
+Vec3 any_point(double size) { return {any(-size, size), any(-size, size), any(-size, size)}; }
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -98,7 +87,7 @@ RC_GTEST_PROP(ConicArc, TouchesItsTangentsAtItsEnds, ()) {
 
 RC_GTEST_PROP(ConicArc, HasItsOwnDerivatives, ()) {
   const SpaceCurve arc = any_corner().arc();
-  const double t = between(0, 1), h = 1e-5;
+  const double t = any(0, 1), h = 1e-5;
   const SpaceCurvePoint before = arc(t - h), at = arc(t), after = arc(t + h);
   RC_ASSERT(((after.point - before.point) / (2 * h) - at.derivative).norm() <= 1e-6);
   RC_ASSERT(((after.derivative - before.derivative) / (2 * h) - at.second).norm() <= 1e-5);
@@ -106,13 +95,13 @@ RC_GTEST_PROP(ConicArc, HasItsOwnDerivatives, ()) {
 
 RC_GTEST_PROP(ConicArc, OfEqualTangentsIsACircularArc, ()) {
   // Tangents of length R tan(α/2), centre at distance R / cos(α/2).
-  const double radius = between(1, 100), turn = between(0.01, 3.0);
-  const Frame f = frame_from_normal(
-      any_point(100), Vec3(between(0.1, 1), between(-1, 1), between(-1, 1)).normalized());
+  const double radius = any(1, 100), turn = any(0.01, 3.0);
+  const Frame f = frame_from_normal(any_point(100),
+                                    Vec3(any(0.1, 1), any(-1, 1), any(-1, 1)).normalized());
   const auto at = [&](double r, double azimuth) {
     return f.point(r * Vec2(std::cos(azimuth), std::sin(azimuth)));
   };
-  const double start = between(0, 6);
+  const double start = any(0, 6);
   const SpaceCurve arc = conic_arc(at(radius, start),
                                    at(radius / std::cos(turn / 2), start + turn / 2),
                                    at(radius, start + turn));
@@ -222,7 +211,7 @@ RC_GTEST_PROP(ConeOver, KeepsItsTolerance, ()) {
   const double tolerance = std::pow(10.0, -*rc::gen::inRange(2, 10));
   const Ruled ruled = cone_over(c.apex, c.arc(), 0, 1, tolerance);
   for (int i = 0; i < 50; ++i) {
-    const double t = between(0, 1), share = between(-1, 1), v = share * exact.reach(t);
+    const double t = any(0, 1), share = any(-1, 1), v = share * exact.reach(t);
     const double deviation = (point_on(ruled, {t, v}) - exact.point(t, v)).norm();
     RC_ASSERT(deviation <= (share <= 0 ? 1.0 : 3.0) * tolerance);
     double size = 0;
@@ -262,7 +251,7 @@ RC_GTEST_PROP(ConeOver, IsDevelopedIsometrically, ()) {
   const ExactCone exact{c.apex, c.arc()};
   const Ruled ruled = cone_over(c.apex, c.arc(), 0, 1, 1e-9);
   const Development image(ruled, 0.0);
-  const double t = between(0.01, 0.99), v = between(-0.9, 0.5) * exact.reach(t), h = 1e-5;
+  const double t = any(0.01, 0.99), v = any(-0.9, 0.5) * exact.reach(t), h = 1e-5;
   const Vec3 by_t = (exact.point(t + h, v) - exact.point(t - h, v)) / (2 * h);
   const Vec3 by_v = exact.ruling(t);
   const Eigen::Matrix2d j = image.jacobian({t, v}), plane = j.transpose() * j;
@@ -315,16 +304,15 @@ TEST(ConeOver, OffsetsDevelopAsTheSurfaceAtThatDistance) {
 
 RC_GTEST_PROP(ConeOver, DoesNotSeeWhereItLiesAndScales, ()) {
   const Corner c = any_corner();
-  const double factor = between(0.1, 10);
+  const double factor = any(0.1, 10);
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
-  motion.rotate(
-      Eigen::AngleAxisd(between(0, 6), Vec3(between(0.1, 1), between(-1, 1), 0.3).normalized()));
+  motion.rotate(Eigen::AngleAxisd(any(0, 6), Vec3(any(0.1, 1), any(-1, 1), 0.3).normalized()));
   motion.scale(factor);
   motion.pretranslate(any_point(100));
   const Corner d{motion * c.apex, motion * c.p0, motion * c.tangent_point, motion * c.p1};
   const Ruled before = cone_over(c.apex, c.arc(), 0, 1, 1e-6);
   const Ruled after = cone_over(d.apex, d.arc(), 0, 1, factor * 1e-6);
-  const double t = between(0, 1), v = between(-30, 30);
+  const double t = any(0, 1), v = any(-30, 30);
   const Vec3 p = point_on(before, {t, v});
   RC_ASSERT((point_on(after, {t, factor * v}) - motion * p).norm() <= 4e-6 * factor);
 }

@@ -1,3 +1,5 @@
+#include "surface_checks.hpp"
+
 #include <planish/geometry/developable.hpp>
 
 #include <gtest/gtest.h>
@@ -14,11 +16,9 @@ namespace planish {
 namespace {
 
 using std::numbers::pi;
-
-double any(double lo, double hi) {
-  constexpr int steps = 1'000'000;
-  return lo + (hi - lo) * *rc::gen::inRange(0, steps + 1) / steps;
-}
+using test::any;
+using test::simpson;
+using test::Tangents;
 
 using KnotAt = std::function<Ruled::Knot(double)>;
 
@@ -126,14 +126,14 @@ Ruled ruled_from(const Patch& patch, double spacing) {
 }
 
 /// One of the patches, an offset, and a point on it.
-struct Case {
+struct RuledCase {
   Ruled surface;
   double offset;
   Vec2 uv;
 };
 
 /// With few knots, for what must hold whatever surface the knots make.
-Case any_case() {
+RuledCase any_ruled_case() {
   const Patch& patch = patches()[*rc::gen::inRange<std::size_t>(0, patches().size())];
   return {ruled_from(patch, 0.2),
           any(-0.2, 0.2),
@@ -142,7 +142,7 @@ Case any_case() {
 
 /// With so many knots that the surface is developable between them too; the development, which
 /// takes long to make, is kept.
-struct FineCase : Case {
+struct FineCase : RuledCase {
   const Development* image;
 };
 
@@ -169,26 +169,6 @@ FineCase any_fine_case() {
           &d.image};
 }
 
-struct Tangents {
-  Vec3 u, v;
-};
-
-Tangents tangents(const Developable& surface, const Vec2& uv, double offset) {
-  constexpr double h = 1e-5;
-  const auto slope = [&](const Vec2& step) -> Vec3 {
-    return (point_on(surface, uv + step, offset) - point_on(surface, uv - step, offset)) / (2 * h);
-  };
-  return {slope({h, 0}), slope({0, h})};
-}
-
-double simpson(const std::function<double(double)>& f, double a, double b, int halves = 2000) {
-  const double h = (b - a) / (2 * halves);
-  double sum = f(a) + f(b);
-  for (int i = 1; i < 2 * halves; ++i)
-    sum += (i % 2 == 1 ? 4 : 2) * f(a + i * h);
-  return sum * h / 3;
-}
-
 // How far fine cases are from developable: their normals turn at rates that are off by the square
 // of the knots' spacing.
 constexpr double interpolation = 1e-5;
@@ -213,7 +193,7 @@ RC_GTEST_PROP(UnrollRuled, IsNotMirroredSeenFromTheNormal, ()) {
 }
 
 RC_GTEST_PROP(UnrollRuled, HasItsOwnDerivative, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   const Development image(c.surface, 0.0);
   constexpr double h = 1e-5;
   const Eigen::Matrix2d j = image.jacobian(c.uv);
@@ -224,7 +204,7 @@ RC_GTEST_PROP(UnrollRuled, HasItsOwnDerivative, ()) {
 }
 
 RC_GTEST_PROP(UnrollRuled, IsUndoneByFold, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   const Development image(c.surface, c.offset);
   const Vec2 p = image.develop(c.uv);
   const Vec2 uv = image.fold(p);
@@ -250,7 +230,7 @@ RC_GTEST_PROP(UnrollRuled, FoldsStraightLinesToGeodesics, ()) {
 }
 
 RC_GTEST_PROP(UnrollRuled, DoesNotSeeWhereTheSurfaceLies, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.rotate(Eigen::AngleAxisd(any(0, 6), Vec3(any(0.1, 1), any(-1, 1), 0.3).normalized()));
   motion.pretranslate(Vec3(any(-100, 100), any(-100, 100), any(-100, 100)));
@@ -262,7 +242,7 @@ RC_GTEST_PROP(UnrollRuled, DoesNotSeeWhereTheSurfaceLies, ()) {
 }
 
 RC_GTEST_PROP(UnrollRuled, ScalesWithTheSurface, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   const Development image(scaled(c.surface, 10), 10 * c.offset);
   const Vec2 after = image.develop({c.uv.x(), 10 * c.uv.y()});
   const Vec2 before = Development(c.surface, c.offset).develop(c.uv);
@@ -270,7 +250,7 @@ RC_GTEST_PROP(UnrollRuled, ScalesWithTheSurface, ()) {
 }
 
 RC_GTEST_PROP(UnrollRuled, SeenFromTheOtherSideIsTheMirrorImage, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   const Development front(c.surface, c.offset);
   const Development back(backwards(c.surface), -c.offset);
   const Vec2 last(c.surface.knots.back().u, 0.0);
@@ -294,13 +274,13 @@ RC_GTEST_PROP(OffsetRuled, LiesAtItsDistanceAndKeepsTheTangentPlane, ()) {
 }
 
 RC_GTEST_PROP(ParametersOfRuled, NamesTheNormalLineOfEveryOffset, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   const Vec3 p = point_on(c.surface, c.uv, c.offset);
   RC_ASSERT((parameters_of(c.surface, p, c.uv.x()) - c.uv).norm() <= 1e-9);
 }
 
 RC_GTEST_PROP(ParametersOfRuled, FindsNoPointFartherThanAnyOther, ()) {
-  const Case c = any_case();
+  const RuledCase c = any_ruled_case();
   const Vec3 p = point_on(c.surface, {c.uv.x(), any(-2, 2)}, any(-0.5, 0.5));
   const double distance = (point_on(c.surface, parameters_of(c.surface, p, 0)) - p).norm();
   RC_ASSERT(distance <= (point_on(c.surface, c.uv) - p).norm() + 1e-6);

@@ -24,7 +24,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<std::string> keys_of(const json& object) {
   std::vector<std::string> names;

@@ -52,7 +52,7 @@ std::map<std::string, double> known_volumes() {
 TEST(MeshesOfRealParts, AreClosedAndHaveTheVolumeOfTheirBodies) {
   if (!fs::exists(real_parts_folder())) GTEST_SKIP() << kNoRealParts;
   const auto volumes = known_volumes();
-  constexpr double kChord = 0.05;
+  constexpr double kMeshChord = 0.05;
   // Of this part's full cones, in one body, the kernel makes no triangles, whatever it is asked.
   constexpr const char* kNotMeshed = "asm032_";
   int compared = 0, not_meshed = 0;
@@ -63,7 +63,7 @@ TEST(MeshesOfRealParts, AreClosedAndHaveTheVolumeOfTheirBodies) {
     if (!file) continue;  // not a STEP file with solids: tests/job/corpus_test.cpp
     for (const Body& body : file->bodies) {
       SCOPED_TRACE(part + ", body " + body.name());
-      const auto surface = body_mesh(body, kChord);
+      const auto surface = body_mesh(body, kMeshChord);
       if (part.rfind(kNotMeshed, 0) == 0 && !surface) {  // told, not handed out
         EXPECT_EQ(surface.error().code, code::internal);
         EXPECT_EQ(++not_meshed, 1);
@@ -74,11 +74,11 @@ TEST(MeshesOfRealParts, AreClosedAndHaveTheVolumeOfTheirBodies) {
       const std::set<int> shown(surface->face.begin(), surface->face.end());
       EXPECT_EQ(shown.size(), static_cast<size_t>(body.face_count()));
       const Measures found = measures_of(surface->mesh);
-      EXPECT_NEAR(found.volume, body.volume(), kChord * found.area);
+      EXPECT_NEAR(found.volume, body.volume(), kMeshChord * found.area);
       const auto known = volumes.find(part);
       if (known == volumes.end() || file->bodies.size() != 1) continue;
       constexpr double kRounded = 1e-3;  // mm³: the manifest has four decimals, of small parts
-      EXPECT_NEAR(found.volume, known->second, kChord * found.area + kRounded);
+      EXPECT_NEAR(found.volume, known->second, kMeshChord * found.area + kRounded);
       ++compared;
     }
   }

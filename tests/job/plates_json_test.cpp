@@ -47,6 +47,8 @@ void expect_mistake(const std::string& pointer, const json& value, const std::st
   const Error error = error_of(with(pointer, value));
   EXPECT_EQ(error.code, code::invalid_input) << pointer << " " << value;
   EXPECT_EQ(error.where, "p.json" + pointer) << value << " " << error.message;
+  ASSERT_FALSE(error.places.empty()) << pointer;
+  EXPECT_EQ(error.places[0], place::pointer(pointer));
   EXPECT_THAT(error.message, HasSubstr("plates file: " + pointer + " " + words)) << value;
 }
 
@@ -153,7 +155,7 @@ TEST(PlatesJson, KnowsAllSurfacesAndBoundaries) {
 TEST(PlatesJson, NamesEveryUnknownKeyByItsPointer) {
   for (const char* pointer :
        {"/thicknes", "/plates/1/outlin", "/plates/0/hole", "/bends/0/betwen", "/bends/0/radius"}) {
-    expect_mistake(pointer, 3, "is not a known key; the keys known here are ");
+    expect_mistake(pointer, 3, "is not a known key. The keys known here are ");
   }
   EXPECT_THAT(error_of(with("/plates/1/outlin", 3)).message, HasSubstr("id, outline, holes"));
 }
@@ -259,12 +261,12 @@ TEST(PlatesJson, RefusesWhatASectionCannotBe) {
 }
 
 TEST(PlatesJson, RefusesBendsAndEdgesThatCannotBeMeant) {
-  expect_mistake("/bends/0/between", {"A", "A"}, "names \"A\" twice");
+  expect_mistake("/bends/0/between", {"A", "A"}, "names plate \"A\" twice");
   expect_mistake("/bends/0/between", {"A", "B", "C"}, "names 3 plates");
   expect_mistake("/bends/0/edges/C", {1}, "is not a plate of this bend, which has A and B");
   expect_mistake("/bends/0/edges/A", json::array(), "must be a list of at least 1 edge (leave");
   expect_mistake("/bends/0/edges/A/1", 2, "is 2, which is already in the list");
-  expect_mistake("/plates/1/id", "A", "is \"A\", as is that of plate 0");
+  expect_mistake("/plates/1/id", "A", "is \"A\", as is that of /plates/0");
 }
 
 TEST(PlatesJson, RefusesAFileOfNothing) {
@@ -278,7 +280,9 @@ TEST(PlatesJson, RefusesOtherFormatsAndVersions) {
 
 TEST(PlatesJson, FindsTheLineAndColumnOfAMistake) {
   const Error error = error_of("{\n  \"thickness\": 4,\n  \"plates\" [] }");
-  EXPECT_THAT(error.message, HasSubstr("the plates file is not JSON: mistake at line:column 3:"));
+  EXPECT_THAT(error.message,
+              HasSubstr("The plates file is not JSON: there is a mistake in line 3, column "));
+  EXPECT_EQ(error.places, std::vector<Place>{place::line(3)});
   EXPECT_THAT(error.where, HasSubstr("p.json:3:"));
   for (const char* text : {"", "[]", "3", "null", "{", "\xff"})
     EXPECT_EQ(error_of(text).code, code::invalid_input) << text;

@@ -86,13 +86,16 @@ TEST(RunApart, HandsOnARefusal) {
   const std::string request = R"({"maker": "bend", "input": ")" PLANISH_SOURCE_DIR
                               R"(/examples/connect/a_folded.json", "artifacts": ["json", "svg"]})";
   const auto here = run(request), apart = run_apart(request);
-  ASSERT_TRUE(here) << here.error().message;
-  ASSERT_TRUE(apart) << apart.error().message;
-  EXPECT_EQ(apart->status, here->status);
-  ASSERT_TRUE(apart->refusal);
-  EXPECT_EQ(apart->refusal->code, code::cannot_bend);
-  EXPECT_EQ(apart->refusal->message, here->refusal->message);
-  EXPECT_EQ(apart->artifacts.size(), here->artifacts.size());
+  ASSERT_FALSE(here);
+  ASSERT_FALSE(apart);
+  EXPECT_EQ(apart.error().code, code::cannot_bend);
+  EXPECT_EQ(apart.error().message, here.error().message);
+  EXPECT_EQ(apart.error().places, here.error().places);
+  ASSERT_TRUE(here.error().shown);
+  ASSERT_TRUE(apart.error().shown);
+  EXPECT_EQ(apart.error().shown->status, Status::refused);
+  EXPECT_EQ(apart.error().shown->artifacts.size(), 2u);
+  EXPECT_EQ(here.error().shown->artifacts.size(), 2u);
 }
 
 TEST(RunApart, HandsOnErrorsAndProgress) {

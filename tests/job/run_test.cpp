@@ -33,7 +33,7 @@ json request(const std::string& maker, const std::string& path) {
 RunResult done(const json& asked) {
   const auto result = run(asked.dump());
   EXPECT_TRUE(result.has_value()) << result.error().message;
-  return result.value_or(RunResult{});
+  return result ? *result : RunResult{};
 }
 
 Error refused(const json& asked) {
@@ -95,7 +95,11 @@ TEST(Run, HasNoArtifactsOfWhatIsRefused) {
   spec["to"] = spec["from"];
   asked["input"] = {{"content", spec}};
   asked["artifacts"] = {"dxf", "json"};
-  const RunResult result = done(asked);
+  const auto ran = run(asked.dump());
+  ASSERT_FALSE(ran.has_value()) << "a refusal is an error";
+  EXPECT_EQ(exit_status(ran.error().code), 4);
+  ASSERT_TRUE(ran.error().shown);
+  const RunResult& result = *ran.error().shown;
   EXPECT_EQ(result.status, Status::refused);
   ASSERT_EQ(result.artifacts.size(), 1u);
   EXPECT_EQ(result.artifacts[0].artifact, "json");
@@ -146,15 +150,16 @@ TEST(Run, BendsAndInformsAsTheProgramDoes) {
   json asked = request("bend", kPlates);
   asked["options"] = {{"springback", 1.0}, {"metal", "steel"}};
   asked["artifacts"] = {"svg", "json"};
-  const auto bent = run(asked.dump());
-  ASSERT_TRUE(bent) << bent.error().message;
+  const auto ran = run(asked.dump());
+  const RunResult* const bent = ran ? &*ran : ran.error().shown ? &*ran.error().shown : nullptr;
+  ASSERT_TRUE(bent) << ran.error().message;
   const json report = json::parse(bent->report);
   EXPECT_EQ(report["command"], "bend");
   EXPECT_TRUE(report.contains("plan"));
   ASSERT_EQ(bent->artifacts.size(), 2u);
   EXPECT_THAT(bent->artifacts[0].bytes, HasSubstr("<svg"));
   EXPECT_EQ(bent->artifacts[1].bytes, bent->report);
-  EXPECT_EQ(bent->refusal.has_value(), bent->status == Status::refused);
+  EXPECT_EQ(ran.has_value(), bent->status != Status::refused);
   asked["options"] = {{"bend_marks", "ticks"}};
   EXPECT_EQ(refused(asked).where, "/options/bend_marks");
   EXPECT_THAT(refused(asked).message, HasSubstr("is not an option of bend"));
@@ -193,7 +198,8 @@ TEST(Run, RefusesWhatIsNestedDeeperThanAHundred) {
           asked(R"({"name": "p.json", "content": )", json(nested(depth)).dump(), "}}")}) {
       ASSERT_FALSE(result.has_value());
       EXPECT_EQ(result.error().code, code::invalid_input);
-      EXPECT_THAT(result.error().message, HasSubstr("nested more than 100 deep at line:column 1:"));
+      EXPECT_THAT(result.error().message,
+                  HasSubstr("nested more than 100 deep in line 1, column "));
     }
   }
   EXPECT_THAT(asked(R"({"content": )", nested(90), "}}").error().message,
@@ -233,7 +239,7 @@ TEST(Run, ShowsNoPieceThatThereIsNot) {
   asked["options"] = {{"piece", 99}};
   EXPECT_EQ(refused(asked).code, code::bad_option);
   EXPECT_EQ(refused(asked).where, "/options/piece");
-  EXPECT_EQ(refused(asked).message, "there is no piece 99; the last is 1");
+  EXPECT_EQ(refused(asked).message, "`piece` is 99; the last piece is 1.");
 }
 
 TEST(Run, NamesThePlaceOfEveryWrongOption) {

@@ -287,10 +287,10 @@ class Rates(PackTest):
 
     def test_are_read_strictly(self):
         self.angle()
-        for text, what in [("{", "no JSON object"), ('{"materials": {}}', "there are no rates"),
-                           ('{"materials": {"a/b": {"cuts": 1}}}', "/materials/a~1b/cuts: unknown key"),
+        for text, what in [("{", "no JSON object"), ('{"materials": {}}', "holds no rates"),
+                           ('{"materials": {"a/b": {"cuts": 1}}}', "/materials/a~1b/cuts is an unknown key"),
                            ('{"materials": {"a": {"cut": -1}}}', "at least 0"),
-                           ('{"prices": 1}', "/prices: unknown key")]:
+                           ('{"prices": 1}', "/prices is an unknown key")]:
             self.write("rates.json", text)
             self.assertIn(what, self.sentence("part.step", "-o", "out", "--rates", "rates.json",
                                               status=3))

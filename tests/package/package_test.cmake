@@ -1,7 +1,8 @@
 # Installs planish into an empty prefix, then configures, builds and runs programs against it: one in C++, and one
-# in C by its CMake package and by pkg-config:
-#   cmake -D build=... -D scratch=... -D compiler=... -D c_compiler=... -D part=... -P package_test.cmake
+# in C by its CMake package and by pkg-config, and the programs of examples/programs:
+#   cmake -D build=... -D scratch=... -D compiler=... -D c_compiler=... -D python=... -D examples=... -P package_test.cmake
 
+set(part "${examples}/bracket.step")
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -12,9 +13,10 @@ run("${CMAKE_COMMAND}" --install "${build}" --prefix "${scratch}/first")
 file(RENAME "${scratch}/first" "${scratch}/prefix")
 run("${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}" -B "${scratch}/build"
   "-DCMAKE_PREFIX_PATH=${scratch}/prefix" "-DCMAKE_CXX_COMPILER=${compiler}"
-  "-DCMAKE_CXX_FLAGS=${flags}")
+  "-DCMAKE_CXX_FLAGS=${flags}" "-DEXAMPLES=${examples}")
 run("${CMAKE_COMMAND}" --build "${scratch}/build")
 run("${scratch}/build/consumer" "${part}")
+run("${python}" "${CMAKE_CURRENT_LIST_DIR}/programs_test.py" "${scratch}/build" "${examples}")
 
 run("${CMAKE_COMMAND}" -G Ninja -S "${CMAKE_CURRENT_LIST_DIR}/c" -B "${scratch}/build_c"
   "-DCMAKE_PREFIX_PATH=${scratch}/prefix" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_C_FLAGS=${flags}")

@@ -16,7 +16,8 @@ import xml.etree.ElementTree as ElementTree
 
 CLI = os.environ.get("PLANISH_CLI", "planish")
 SOURCE = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
-DESKTOP = SOURCE / "packaging" / "desktop"
+ICONS = SOURCE / "packaging" / "desktop"
+DESKTOP = pathlib.Path(os.environ["PLANISH_PYTHON_FOLDER"]).parent / "written" / "desktop"
 EXAMPLES = SOURCE / "examples"
 SECONDS = 60
 MIME = "{http://www.freedesktop.org/standards/shared-mime-info}"
@@ -53,7 +54,7 @@ class Files(Test):
         self.assertEqual([name for name in entry["MimeType"].split(";") if name], self.types())
         self.assertEqual([one.text for one in metainfo.iter("mediatype")], self.types())
         self.assertEqual(metainfo.find("launchable").text, "planish-studio.desktop")
-        self.assertTrue((DESKTOP / f"{entry['Icon']}.svg").is_file())
+        self.assertTrue((ICONS / f"{entry['Icon']}.svg").is_file())
         self.assertEqual(metainfo.find("project_license").text, "GPL-3.0-or-later")
 
     def test_the_command_of_the_entry_is_one_that_the_program_takes(self):
@@ -86,7 +87,7 @@ class Files(Test):
 
     def test_the_icon_can_be_told_at_16_pixels_and_is_sharp(self):
         """At 16 pixels, on whose grid it is drawn, all but its round corners and slanted edges has a colour of the drawing."""
-        icon = DESKTOP / "planish-studio.svg"
+        icon = ICONS / "planish-studio.svg"
         colours = {tuple(bytes.fromhex(text)) for text in re.findall(r'fill="#([0-9a-f]{6})"', icon.read_text())}
         self.assertGreaterEqual(len(colours), 4)
         for size in (16, 256):

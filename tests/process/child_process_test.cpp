@@ -270,7 +270,7 @@ TEST(ErrorOfAChild, NamesInputStageAndLimit) {
     EXPECT_THAT(crash.message, HasSubstr(part));
   const Error late = error_of({Cause::out_of_time}, "a.step", limits);
   EXPECT_EQ(exit_status(late.code), 4);
-  EXPECT_THAT(late.message, HasSubstr("a.step was given up after 1.5 s: "));
+  EXPECT_THAT(late.message, HasSubstr("a.step was given up after 1.5 s. "));
   const Error large = error_of({Cause::out_of_memory}, "a.step", limits);
   EXPECT_EQ(exit_status(large.code), 4);
   EXPECT_THAT(large.message, HasSubstr("512 MiB"));

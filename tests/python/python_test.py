@@ -292,7 +292,7 @@ class Errors(PythonTest):
                 (lambda: planish.unfold(BRACKET, k_table="missing.csv"), "missing.csv"),
                 (lambda: planish.schema("nothing"), "there are .*plates"),
                 (lambda: planish.batch([], self.dir / "out"), "input is required"),
-                (lambda: planish.batch(BRACKET, self.dir / "out", formats="png"), "what can be written is"),
+                (lambda: planish.batch(BRACKET, self.dir / "out", formats="png"), "png is unknown"),
                 (lambda: planish.batch(BRACKET, self.dir / "out", wrong=1), "no option --wrong"),
                 (lambda: planish.pack(self.dir / "nowhere", self.dir / "out"), "no file or folder"),
                 (lambda: planish.connect(BRACKET), "it is a STEP file")):

@@ -1,5 +1,5 @@
 // Random transitions: each has a net, whose lengths and area are those of closed forms and of a
-// convex hull made here. docs/transition.md says how it is run.
+// convex hull made here. CONTRIBUTING.md says how it is run.
 #include "random_transition.hpp"
 #include "support/random_run.hpp"
 

@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-FlatPattern laid(const Sheet& sheet, const FlattenOptions& options = {}) {
+FlatPattern flattened(const Sheet& sheet, const FlattenOptions& options = {}) {
   auto pattern = flatten(sheet, options);
   EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
   return std::move(*pattern);
@@ -65,7 +65,7 @@ TEST(Certificate, IsCleanForARightPatternWhateverItsKAndItsSide) {
     for (const double k : {0.2, 0.44, 0.5})
       for (const UpSide up : {UpSide::reference, UpSide::other}) {
         const Certificate certificate = certified(
-            sheet, laid(sheet, {.allowance = ConstantK{k, "test"}, .up = up}));
+            sheet, flattened(sheet, {.allowance = ConstantK{k, "test"}, .up = up}));
         EXPECT_NEAR(*certificate.explained_ratio, 1.0, 1e-6);
         EXPECT_LT(*certificate.refold_deviation, 2e-3);
         EXPECT_LT(certificate.length_error, 1e-4);
@@ -74,7 +74,7 @@ TEST(Certificate, IsCleanForARightPatternWhateverItsKAndItsSide) {
 
 TEST(Certificate, NeedsNothingOfWhatThePatternWasMadeFrom) {
   for (const Sheet& sheet : samples()) {
-    FlatPattern pattern = laid(sheet);
+    FlatPattern pattern = flattened(sheet);
     const Certificate before = certified(sheet, pattern);
     pattern.outer.origins.clear();
     for (Contour& opening : pattern.openings)
@@ -88,7 +88,7 @@ TEST(Certificate, NeedsNothingOfWhatThePatternWasMadeFrom) {
 
 TEST(Certificate, MeasuresTheAreaThatIsWritten) {
   const Sheet sheet = plate_with_holes();  // one hole is a circle of radius 5
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   const double area = pattern.area;
   std::erase_if(pattern.openings, [](const Contour& opening) {
     return std::abs(signed_area(opening.loop) + pi * 25.0) < 1e-6;
@@ -99,7 +99,7 @@ TEST(Certificate, MeasuresTheAreaThatIsWritten) {
 
 TEST(Certificate, MissesAnOpeningThatWasLost) {
   for (const Sheet& sheet : {plate_with_holes(), hole_in_bend(6.0, 0.44)}) {
-    FlatPattern pattern = laid(sheet);
+    FlatPattern pattern = flattened(sheet);
     pattern.openings.pop_back();
     EXPECT_GT(*certified(sheet, pattern).refold_deviation, 1.0);
   }
@@ -107,7 +107,7 @@ TEST(Certificate, MissesAnOpeningThatWasLost) {
 
 TEST(Certificate, SeesAnOpeningThatNoBorderGave) {
   const Sheet sheet = l_bracket();
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   pattern.openings.push_back({circular_opening({20, 20}, 3.0), {}});
   // The middle of the circle is 20 from the nearest edge.
   EXPECT_NEAR(*certified(sheet, pattern).refold_deviation, 20.0, 3.0);
@@ -115,7 +115,7 @@ TEST(Certificate, SeesAnOpeningThatNoBorderGave) {
 
 TEST(Certificate, SeesAnOpeningInAnotherPlace) {
   const Sheet sheet = plate_with_holes();
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   for (Contour& opening : pattern.openings)
     for (Curve2& curve : opening.loop)
       if (auto* arc = std::get_if<Arc>(&curve)) arc->center.x() += 0.3;
@@ -125,14 +125,14 @@ TEST(Certificate, SeesAnOpeningInAnotherPlace) {
 TEST(Certificate, SeesABendThatIsLaidOutWithAnotherAllowanceThanItStates) {
   // 90°, t 2: the flange behind the bend is off by π/2 · 2 · 0.1.
   const Sheet sheet = l_bracket();
-  FlatPattern pattern = laid(sheet, {.allowance = ConstantK{0.44, "test"}});
+  FlatPattern pattern = flattened(sheet, {.allowance = ConstantK{0.44, "test"}});
   pattern.bends.front().allowance.k_factor = 0.34;
   EXPECT_NEAR(*certified(sheet, pattern).refold_deviation, pi / 2 * 2.0 * 0.1, 1e-6);
 }
 
 TEST(Certificate, SeesACreaseThatIsLaidOutWithAnotherAllowanceThanItStates) {
   const Sheet sheet = creased(90.0, BendDirection::up);
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   pattern.bends.front().allowance.allowance += 0.25;
   EXPECT_NEAR(*certified(sheet, pattern).refold_deviation, 0.25, 1e-6);
 }
@@ -140,7 +140,7 @@ TEST(Certificate, SeesACreaseThatIsLaidOutWithAnotherAllowanceThanItStates) {
 TEST(Certificate, SeesAWallInTheWrongPlace) {
   // The wall of a box whose corners lie beyond x moves by 0.4, with its outline.
   const Sheet sheet = box();
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   const double limit = 0.9 * bounds(pattern.outer.loop).hi.x();
   const auto moved = [&](Vec2& p) {
     if (p.x() > limit) p.x() += 0.4;
@@ -155,14 +155,14 @@ TEST(Certificate, SeesAWallInTheWrongPlace) {
 
 TEST(Certificate, SeesARootThatLiesElsewhere) {
   const Sheet sheet = l_bracket();
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   pattern.root_placement = Eigen::Translation2d(0.2, 0.0) * pattern.root_placement;
   EXPECT_NEAR(*certified(sheet, pattern).refold_deviation, 0.2, 1e-6);
 }
 
 TEST(Certificate, RefusesAPatternThatLeavesOutABendOrItsContour) {
   const Sheet sheet = u_channel();
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = flattened(sheet);
   pattern.bends.pop_back();
   const auto without_bend = certify(sheet, pattern, edge_distance(sheet));
   ASSERT_FALSE(without_bend);
@@ -175,7 +175,7 @@ TEST(Certificate, RefusesAPatternThatLeavesOutABendOrItsContour) {
 
 TEST(Certificate, KnowsWhatItCouldNotMeasure) {
   Sheet sheet = l_bracket();
-  const FlatPattern pattern = laid(sheet);
+  const FlatPattern pattern = flattened(sheet);
   sheet.volume.reset();
   const auto certificate = certify(sheet, pattern, {});
   ASSERT_TRUE(certificate);

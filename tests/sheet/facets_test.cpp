@@ -15,6 +15,8 @@
 namespace planish::test {
 namespace {
 
+using std::numbers::pi;
+
 FlatSheet laid(const Sheet& sheet, UpSide up = UpSide::automatic) {
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "test"};
@@ -60,7 +62,7 @@ double area_of(const Facets& facets) {
   return area;
 }
 
-const std::vector<std::pair<const char*, Sheet>>& samples() {
+const std::vector<std::pair<const char*, Sheet>>& named_samples() {
   static const std::vector<std::pair<const char*, Sheet>> sheets{
       {"l_bracket", l_bracket()},
       {"l_bracket_down", l_bracket_down()},
@@ -77,7 +79,7 @@ const std::vector<std::pair<const char*, Sheet>>& samples() {
 }
 
 TEST(Facets, FoldToWhereTheFlangesAreInSpace) {
-  for (const auto& [name, sheet] : samples())
+  for (const auto& [name, sheet] : named_samples())
     for (const UpSide up : {UpSide::reference, UpSide::other}) {
       const auto [layout, pattern] = laid(sheet, up);
       EXPECT_LT(off_flanges(sheet, layout, facets_of(sheet, layout)), 0.02) << name;
@@ -85,7 +87,7 @@ TEST(Facets, FoldToWhereTheFlangesAreInSpace) {
 }
 
 TEST(Facets, KnowWhereFlangesAreExactlyWhateverIsFoldedAsPolygons) {
-  for (const auto& [name, sheet] : samples())
+  for (const auto& [name, sheet] : named_samples())
     for (const UpSide up : {UpSide::reference, UpSide::other}) {
       const auto [layout, pattern] = laid(sheet, up);
       for (const FaceId id : sheet.faces.ids()) {
@@ -114,7 +116,7 @@ TEST(Facets, ComeNearerWithSmallerTurns) {
 }
 
 TEST(Facets, CoverThePattern) {
-  for (const auto& [name, sheet] : samples()) {
+  for (const auto& [name, sheet] : named_samples()) {
     const auto [layout, pattern] = laid(sheet);
     EXPECT_NEAR(area_of(facets_of(sheet, layout, {.chord = 1e-3})) / pattern.area, 1.0, 2e-4)
         << name;
@@ -221,7 +223,7 @@ TEST(Facets, KeepTheBordersExactly) {
 }
 
 TEST(Facets, EdgesAreTheContours) {
-  for (const auto& [name, sheet] : samples()) {
+  for (const auto& [name, sheet] : named_samples()) {
     const auto [layout, pattern] = laid(sheet);
     double sum = 0.0;
     for (const FacetEdge& edge : facets_of(sheet, layout, {.chord = 1e-3}).edges)
@@ -250,7 +252,6 @@ void expect_border_lengths(const Sheet& sheet, std::vector<double> wanted) {
 }
 
 TEST(Facets, EdgesOfOneBorderHaveOneNumber) {
-  const double pi = std::numbers::pi;
   expect_border_lengths(plate_with_holes(),
                         {100, 60, 100, 60, 2 * pi * 5, 2 * pi * 3.3, 12, 4 * pi, 12, 4 * pi});
   const double bend = 0.5 * pi * (3.0 + 0.5 * 2.0);
@@ -287,7 +288,7 @@ TEST(Facets, LieInThePlaneOfTheRootUntilTheyAreFolded) {
 }
 
 TEST(Facets, AreHingedWhereTheSheetIs) {
-  for (const auto& [name, sheet] : samples()) {
+  for (const auto& [name, sheet] : named_samples()) {
     const auto [layout, pattern] = laid(sheet);
     const Box2 box = bounds(pattern.outer.loop);
     for (const Facet& facet : facets_of(sheet, layout).facets) {

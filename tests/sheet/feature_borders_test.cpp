@@ -12,6 +12,8 @@
 namespace planish::test {
 namespace {
 
+using std::numbers::pi;
+
 double covered_by(const Facets& facets) {
   double area = 0.0;
   for (const Facet& facet : facets.facets)
@@ -74,7 +76,6 @@ Facets facets_with(const Sheet& sheet, ExtrudedHoles extruded) {
 }
 
 TEST(FeatureBorders, AreDrawnOrCutAsInThePattern) {
-  const double pi = std::numbers::pi;
   const Sheet sheet = plate_with_collar();
   const auto pilot = facets_with(sheet, ExtrudedHoles::pilot),
              through = facets_with(sheet, ExtrudedHoles::through),
@@ -102,7 +103,6 @@ TEST(FeatureBorders, DrawTheRimOfACountersinkAboutTheHole) {
   countersink.outlines = {{{circular_opening(middle, 4).front()}}};
   const FeatureId id = sheet.features.push_back(countersink);
   const Facets facets = facets_with(sheet, ExtrudedHoles::pilot);
-  const double pi = std::numbers::pi;
   EXPECT_EQ(drawn_and_cut(facets, 4 * pi), kCut);
   EXPECT_EQ(drawn_and_cut(facets, 8 * pi), kDrawn);
   EXPECT_NEAR(covered_by(facets), 6000 - 4 * pi, 1e-3 * 4 * pi);

@@ -135,12 +135,12 @@ TEST(ParseShop, SaysWhatIsWrongAndWhere) {
       {profile(kTwo, R"(, "dxf": {"layers": {"outer": "CUT", "bend_up": "CUT"}})"), "/dxf/layers",
        "\"CUT\""},
       {profile(kTwo, R"(, "dxf": {"layers": {"outer": "CUT/1"}})"), "/dxf/layers/outer",
-       "cannot be a layer"},
+       "cannot be the name of a layer"},
       {profile(kTwo, R"(, "dxf": {"bend_lines": "dotted"})"), "/dxf/bend_lines", "dashed"},
       {profile(kTwo, R"(, "rules": {"k_low": 0.6})"), "/rules", "above k_high"},
       {profile(kTwo, R"(, "rules": {"flange": 3})"), "/rules/flange", ""},
       {profile(kTwo, R"(, "limits": {"sheet": [3000]})"), "/limits/sheet", "a size"},
-      {profile(kTwo, R"(, "tools": {"dies": ["V7"]})"), "/tools/dies/0", "built-in tools: "},
+      {profile(kTwo, R"(, "tools": {"dies": ["V7"]})"), "/tools/dies/0", "not a built-in tool"},
       {profile(kTwo, R"(, "tools": {"punches": []})"), "/tools/punches", "must name a tool"},
   };
   for (const auto& row : rows) {

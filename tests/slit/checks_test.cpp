@@ -3,7 +3,6 @@
 #include <planish/slit/codes.hpp>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,8 +10,6 @@
 
 namespace planish::test {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SlitRefuses, UnsoundSheets) {
   using D = SlitDesign;

@@ -1,6 +1,5 @@
 #include "refused_designs.hpp"
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,8 +7,6 @@
 
 namespace planish::test {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SlitRefuses, AnchorsOnMissingStripsAndRidges) {
   const Vec3 at(180, 450, 30);

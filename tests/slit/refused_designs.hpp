@@ -7,9 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 namespace planish::test {
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// The refusal of a design, with its code, its place in the file and what its message says.
 inline void expect_refused(const SlitDesign& design, ErrorCode code, const std::string& where,

@@ -98,13 +98,13 @@ TEST(Requests, NameMaterialsOfTheShopAndReadNoFile) {
   const auto path = asked(shop + R"(, "material": ")" + file + "\"");
   ASSERT_FALSE(path);
   EXPECT_EQ(path.error().where, "/options/material");
-  EXPECT_EQ(path.error().message,
-            "the shop profile has no material \"" + file + "\": it has mild steel, aluminium 5754");
+  EXPECT_EQ(path.error().message, "The shop profile has no material \"" + file +
+                                      "\": it has mild steel, aluminium 5754.");
   const auto alone = asked(R"("material": "mild steel")");
   ASSERT_FALSE(alone);
   EXPECT_EQ(alone.error().message,
-            "`material` is the name of a material only beside `shop`: give the content of the "
-            "material file");
+            "`material` is the name of a material only beside `shop`. Give the content of the "
+            "material file.");
   EXPECT_FALSE(asked(R"("k_table": ")" + file + "\""));
 }
 

@@ -11,6 +11,12 @@ BARE = re.compile(r"\b(?:faces?|edges?|body|bodies|flanges?|bends?|plates?|strip
 NO_PLACES = {"mesh_volume", "touch_at_bend", "no_such_edge", "edges_too_near", "solid_through_itself", "root_unknown",
              "pattern_root_unknown"}
 KEYS = {"inside_radii", "inside_radius", "slope"}  # of files, with which a sentence may begin
+CODE = re.compile(r"inline constexpr ErrorCode (\w+)\{")
+# What makes an error of a sentence, and whether it knows the field by itself.
+CALLS = re.compile(r"\b(fail|error_of|fail_at|error_at|mistake)\(")
+KNOW_THE_FIELD = {"fail_at", "error_at", "mistake"}
+# A fact that is no place: words, a number, or a text made of them.
+NO_PLACE = re.compile(r"[\"\d]|fmt::|std::string|std::to_string")
 PLAIN = re.compile(r'\b(?:fail\(|Error\{)\s*code::\w+,\s*(?:fmt::format\(\s*)?"')
 
 
@@ -56,10 +62,29 @@ def words_of(part):
     return "".join(LITERAL.findall(part))
 
 
+def table_files(root):
+    return sorted([*root.glob("src/*/refusals.hpp"), *root.glob("src/*/sentences.hpp"), *root.glob("apps/**/refusals.hpp")])
+
+
+def codes(root):
+    """The names of all codes of errors."""
+    headers = [root / "include/planish/base/code.hpp", *root.glob("include/planish/*/codes.hpp")]
+    return {name for path in headers for name in CODE.findall(path.read_text("utf-8"))}
+
+
+def refusals_by_code(root):
+    """{code: ["src/job/refusals.hpp: one_k"]} of the tables."""
+    found = {}
+    for path in table_files(root):
+        for name, code in re.findall(r"constexpr Refusal (\w+)\{\s*code::(\w+)", path.read_text("utf-8")):
+            found.setdefault(code, []).append(f"{path.relative_to(root)}: {name}")
+    return found
+
+
 def tables(root):
     """{name: [strings]} of every sentence in the tables, by file."""
     found = {}
-    for path in sorted([*root.glob("src/*/refusals.hpp"), *root.glob("src/*/sentences.hpp")]):
+    for path in table_files(root):
         text = path.read_text("utf-8")
         rows = found.setdefault(path, {})
         for match in re.finditer(r"constexpr (?:Refusal|Sentence|std::string_view|auto) (\w+)(\{| =)", text):
@@ -82,31 +107,63 @@ def faults(root):
             for text in sentences:
                 if not text.endswith((".", "?")) and not text.endswith("}"):
                     found.append(f"{where}: ends without a full stop: {text[-40:]}")
-                if not re.match(r"[A-Z{`0-9]", text) and text.split()[0] not in KEYS:
+                if not re.match(r"[A-Z{`0-9]|--[a-z]", text) and text.split()[0] not in KEYS:
                     found.append(f"{where}: begins small: {text[:40]}")
     return found
 
 
+def calls_of(text):
+    """(function, names of its sentences, what is given behind them) of each error that is made."""
+    for match in CALLS.finditer(text):
+        arguments = parts(text[match.end():balanced(text, match.end() - 1) - 1])
+        for i, one in enumerate(arguments):
+            names = re.findall(r"\brefuse::(\w+)", one)
+            if names and re.match(r"[^({]*(?:\?|\([^?]*\)[^?(]*\?)?\s*refuse::", one):
+                behind = i + (2 if match[1] in ("fail_at", "error_at") else 1)
+                yield match[1], names, arguments[behind:]
+                break
+
+
+def facts_in(arguments):
+    """{name: value} as the sources have them; None if they are made elsewhere."""
+    if not arguments or not arguments[0].strip():
+        return {}
+    group = arguments[0].strip()
+    if not group.startswith("{"):
+        return None
+    facts = {}
+    for one in parts(group[1:-1]):
+        match = re.match(r"\s*\{\s*\"(\w+)\",(.*)\}\s*$", one, re.S)
+        if one.strip() and not match:
+            return None
+        if match:
+            facts[match[1]] = match[2].strip()
+    return facts
+
+
 def unfilled(root):
-    """Calls that leave a slot of their sentence without a fact."""
+    """Calls that leave a slot of their sentence without a fact, or fill one for a place with something else."""
     found = []
     by_module = {}
     for path, rows in tables(root).items():
-        by_module.setdefault(path.parent.name, {}).update(rows)
-    for module, rows in by_module.items():
-        for path in sorted((root / "src" / module).glob("**/*.cpp")):
-            text = path.read_text("utf-8")
-            for match in re.finditer(r"\bfail\(\s*refuse::(\w+)\s*,\s*\{", text):
-                facts = text[match.end() - 1:balanced(text, match.end() - 1)]
-                each = [one.strip() for one in parts(facts[1:-1]) if one.strip()]
-                if any(not re.match(r'\{\s*"', one) for one in each):
-                    continue  # a fact made elsewhere
-                names = set(re.findall(r"\{\s*\"(\w+)\"", facts))
-                wanted = {slot[1] for string in rows.get(match[1], []) for slot in SLOT.findall(string)}
-                if match[1] not in rows:
-                    found.append(f"{path.relative_to(root)}: no sentence is called {match[1]}")
-                elif wanted - names:
-                    found.append(f"{path.relative_to(root)}: {match[1]} lacks {', '.join(sorted(wanted - names))}")
+        by_module.setdefault(path.parent, {}).update(rows)
+    for folder, rows in by_module.items():
+        for path in sorted(folder.glob("**/*.cpp")):
+            for function, names, arguments in calls_of(path.read_text("utf-8")):
+                facts = facts_in(arguments)
+                if facts is None:
+                    continue
+                where = path.relative_to(root)
+                for name in names:
+                    slots = {slot[1]: slot[0] == "@" for string in rows.get(name, []) for slot in SLOT.findall(string)}
+                    given = set(facts) | ({"field"} if function in KNOW_THE_FIELD else set())
+                    if name not in rows:
+                        found.append(f"{where}: no sentence is called {name}")
+                    elif set(slots) - given:
+                        lacking = ", ".join(sorted(set(slots) - given))
+                        found.append(f"{where}: {name} lacks {lacking}")
+                    found += [f"{where}: {name} has no place as {slot}: {facts[slot]}" for slot, is_place in slots.items()
+                              if is_place and slot in facts and NO_PLACE.match(facts[slot])]
     return found
 
 

@@ -59,6 +59,11 @@ class Repository(unittest.TestCase):
     def test_every_slot_of_a_sentence_is_filled(self):
         self.assert_clean(sentences.unfilled(ROOT), "Give the fact under the name that the sentence uses.")
 
+    def test_every_code_has_its_sentences(self):
+        told = sentences.refusals_by_code(ROOT)
+        borrowed = {"time_limit"}  # of a batch, with the sentence of `out_of_time`
+        self.assertEqual(sorted(sentences.codes(ROOT) - set(told) - borrowed), [], "No table has a sentence with this code.")
+
     def test_sentences_stand_in_tables(self):
         found = sum(sentences.plain(path) for path in PROGRAM)
         self.assertLessEqual(found, LIMITS["sentences_outside_tables"])
@@ -152,6 +157,28 @@ class Checks(unittest.TestCase):
     def test_numbers_per_1000_lines(self):
         paths = self.write("constexpr double kA = 1e-6;\n" + "\n" * 499)
         self.assertEqual(checks.small_numbers_per_1000_lines(paths), 2.0)
+
+    def sentences_of(self, row, call):
+        """What is found in a module with one sentence and one call."""
+        for folder in ("include/planish/base", "src/job"):
+            (self.root / folder).mkdir(parents=True, exist_ok=True)
+        self.write("inline constexpr ErrorCode bad{}; inline constexpr ErrorCode worse{};", "include/planish/base/code.hpp")
+        self.write(f"constexpr Refusal wide{{code::bad, {row}}};\n", "src/job/refusals.hpp")
+        self.write(call, "src/job/a.cpp")
+        return [finding.split(": ", 1)[1] for finding in sentences.faults(self.root) + sentences.unfilled(self.root)]
+
+    def test_sentences_name_places(self):
+        call = 'return fail(refuse::wide, {{"face", place::face(3)}, {"n", 2}});'
+        self.assertEqual(self.sentences_of('"{@face} is {n}."', call), [])
+        self.assertEqual(sentences.refusals_by_code(self.root), {"bad": ["src/job/refusals.hpp: wide"]})
+        self.assertEqual(sentences.codes(self.root), {"bad", "worse"})
+        self.assertIn('"face {n}" is no place', self.sentences_of('"In face {n}."', call)[0])
+        self.assertEqual(self.sentences_of('"{@face} is {n} by {m}."', call), ["wide lacks m"])
+        self.assertEqual(self.sentences_of('"{@n} is {@face}."', call), ["wide has no place as n: 2"])
+        self.assertEqual(self.sentences_of('"{@field} is {n}."', 'item.mistake(refuse::wide, {{"n", 2}});'), [])
+        self.assertEqual(self.sentences_of('"{@field} is {n}."', 'x = fail_at(refuse::wide, "/a", {});'), ["wide lacks n"])
+        self.assertEqual(self.sentences_of('"{n}."', "return fail(a > f(1) ? refuse::wide : refuse::wide);"), ["wide lacks n"] * 2)
+        self.assertEqual(self.sentences_of('"{n}."', "return fail(refuse::wide, facts_of(x));"), [], "made elsewhere")
 
     def test_casts(self):
         paths = self.write("a[static_cast<size_t>(i)];\n// static_cast<size_t>(i)\n"

@@ -37,4 +37,12 @@ inline void expect_closed(const Mesh& mesh) {
   }
 }
 
+/// Of the space inside: the divergence theorem, triangle by triangle.
+inline double volume_in(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles)
+    sum += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6.0;
+  return sum;
+}
+
 }  // namespace planish::test

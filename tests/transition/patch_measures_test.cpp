@@ -14,11 +14,6 @@ using namespace transition_detail;
 
 const double kSlant = std::hypot(80.0, 30.0);
 
-const RuledPatch& first_cone(const Ring& ring) {
-  return *std::find_if(ring.patches.begin(), ring.patches.end(),
-                       [](const RuledPatch& patch) { return !patch.plane(); });
-}
-
 TEST(PatchArea, IsThatOfAFrustum) {
   const Ring ring = frustum();
   EXPECT_NEAR(ring.patch(0).area(0.0, 1.0), kPi * 70 * kSlant, 1e-8);

@@ -10,13 +10,6 @@ namespace {
 
 using namespace transition_detail;
 
-const RuledPatch& first_cone(const Ring& ring) {
-  int i = 0;
-  while (ring.patch(i).plane())
-    ++i;
-  return ring.patch(i);
-}
-
 TEST(EvenlyTurned, DividesARightConeIntoEqualParts) {
   const Ring ring = frustum();
   const auto presses = ring.patch(0).evenly_turned(0.0, 1.0, 4);

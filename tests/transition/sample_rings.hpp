@@ -42,6 +42,14 @@ inline Ring antiprism() {
   return ring_between(rectangle(100, 100), regular_polygon(4, 40), {0, 0, 80});
 }
 
+/// The first patch that is no plane; there must be one.
+inline const RuledPatch& first_cone(const Ring& ring) {
+  int i = 0;
+  while (ring.patch(i).plane())
+    ++i;
+  return ring.patch(i);
+}
+
 /// The whole ring as one piece, from its first patch on.
 inline std::vector<PatchPart> whole(const Ring& ring) {
   std::vector<PatchPart> parts;

@@ -1,3 +1,4 @@
+import { sentence } from './said.ts';
 import type { Input } from './state.ts';
 import { solidImage } from './solid-picture.ts';
 import type { ApiProblem, LengthUnit, Options, Report, Shape, Vec2 } from './types.ts';
@@ -76,7 +77,7 @@ const refusal = (
   problem: ApiProblem | null,
   status: Report['status'],
 ): Pick<BodyStatus, 'status' | 'code' | 'message'> =>
-  problem ? { status, code: problem.code, message: problem.message } : { status };
+  problem ? { status, code: problem.code, message: sentence(problem) } : { status };
 
 const extent = 100;
 const least = 0.8; // of the extent: what is closer is one point, what is smaller is left out

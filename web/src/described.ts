@@ -1,8 +1,8 @@
 import { byPlates, changesBefore } from './panels/bend-order.ts';
-import { sentence } from './panels/message-bar.ts';
 import { bendText, pickedEdgeText, pickedRow } from './picked.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import { refusedPlaces } from './refused-solid.ts';
+import { sentence } from './said.ts';
 import { isStopped, turnAt } from './stage.ts';
 import { isInMachine, type State } from './state.ts';
 import { clean, lengthText, unitName } from './units.ts';
@@ -46,7 +46,7 @@ export function foldedDetail(state: State): string {
   if (isInMachine(state)) return strokeText(state);
   const { section, seeThrough } = state.view,
     { problem } = state;
-  if (refusedPlaces(state).faces.length + refusedPlaces(state).edges.length) return sentence(problem!.message);
+  if (refusedPlaces(state).faces.length + refusedPlaces(state).edges.length) return sentence(problem!);
   return sentences([
     pickedText(state),
     section.on ? `Cut by a plane across ${section.axis === 'view' ? 'the view' : section.axis}` : '',
@@ -83,7 +83,7 @@ function strokeText(state: State): string {
   return sentences([
     `Stroke ${at + 1} of ${strokes.length}: ${bends} ${whole}${now}`,
     changes.length ? `Before it: ${changes.join(', ')}` : '',
-    blocked ? `${stopped}: ${sentence(byPlates({ state }, blocked.sentence))}` : '',
+    blocked ? `${stopped}: ${byPlates({ state }, blocked.sentence)}` : '',
   ]);
 }
 

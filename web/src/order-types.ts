@@ -38,8 +38,8 @@ export interface Blocked {
 
 /** Where sheet and tools are at each turn, in degrees and mm of the machine frame. */
 export interface Moments {
-  turn: number[];
-  slope: number[]; // of the body that is held, about the x axis
+  turn: number[]; // the last one includes the springback
+  slope: number[]; // by which the held body is turned about the x axis, before it is moved by y and z
   y: number[];
   z: number[];
   punch: number[]; // height of its lowest point
@@ -51,7 +51,7 @@ export interface Scene {
   origin: Vec2; // of the machine's x axis, in the pattern
   along: Vec2;
   pattern_up: boolean;
-  held: Vec2; // a place on the body that is held
+  held: Vec2; // a place on the body that is held; the rest of the sheet hangs on it
   across: number; // y of punch and die
   moments: Moments;
   punch: Vec2[]; // segments: from, length along x

@@ -1,7 +1,7 @@
 // The types of docs/studio-api.md and of the files and reports of the program.
 
 import type { BrakeOptions, OrderedStroke } from './order-types.ts';
-import type { Numbers, Place, Remedy } from './said.ts';
+import type { Numbers, Piece, Place, Remedy } from './said.ts';
 import type { Spec } from './spec-types.ts';
 
 export * from './order-types.ts';
@@ -22,6 +22,7 @@ export interface ApiProblem {
   numbers?: Numbers;
   remedy?: Remedy;
   remedies?: Remedy[]; // if there are several
+  wording?: Piece[]; // the message, where it names an option or a place
 }
 
 export interface Example {
@@ -184,30 +185,35 @@ export interface ShapeHeader {
   seconds?: number;
 }
 
+/**
+ * The sheet as plane regions hinged to each other, in the coordinates of the flat pattern (mm, z = 0): a flange is one
+ * facet, a bend is many, between its rulings. A facet is turned about its hinge against its parent by its angle;
+ * parents come first. At share s of the fold every angle is s times as large, so each stage is isometric.
+ */
 export interface Facets {
-  points: Float32Array;
-  ring_starts: Uint32Array;
-  polygon_starts: Uint32Array;
-  facet_starts: Uint32Array;
-  facet_parent: Int32Array;
-  facet_hinge: Float32Array;
-  facet_angle: Float32Array;
-  facet_part: Uint32Array;
-  edges: Float32Array;
-  edge_facet: Uint32Array;
-  edge_number: Uint32Array;
-  edge_length: Float32Array; // by border
-  edge_circle: Float32Array; // 4 a border: middle, radius (0: no arc), sweep
+  points: Float32Array; // 2 a point: of polygons, in the flat pattern
+  ring_starts: Uint32Array; // ring r has points ring_starts[r] to ring_starts[r + 1] − 1; holes are clockwise
+  polygon_starts: Uint32Array; // in the same way the rings of each polygon, the outer one first
+  facet_starts: Uint32Array; // in the same way the polygons of each facet
+  facet_parent: Int32Array; // −1: the root
+  facet_hinge: Float32Array; // 4 a facet: two points of the flat pattern
+  facet_angle: Float32Array; // radians, right-handed about the hinge, +z towards the viewer of the pattern
+  facet_part: Uint32Array; // row of `parts`
+  edges: Float32Array; // 4 an edge: segments in the flat pattern, cut (contours, slits) or drawn (outlines of forms)
+  edge_facet: Uint32Array; // on which each segment lies
+  edge_number: Uint32Array; // its border, from 0: a line, arc or spline of a face; of a bend across its facets
+  edge_length: Float32Array; // by border: its exact length in the flat pattern, mm
+  edge_circle: Float32Array; // 4 a border: an arc's middle, radius, sweep (radians; ±2π: whole); others 0
   edge_feature: Int32Array; // by border: the formed feature that it outlines, a row of the report's; −1: it is cut
-  contour_points: Float32Array;
-  contour_starts: Uint32Array;
-  contour_part: Int32Array;
-  bend_lines: Float32Array;
-  bend_line_part: Uint32Array;
-  overlaps: Float32Array;
-  space_points: Float32Array;
-  space_triangles: Uint32Array;
-  space_faces: Uint32Array; // by triangle, from 1
+  contour_points: Float32Array; // 2 a point: closed contours in the flat pattern, to be filled
+  contour_starts: Uint32Array; // in the same way the points of each contour; clockwise around openings
+  contour_part: Int32Array; // row of `parts`; −1: the whole pattern; −2: a relief or rip beyond its parts
+  bend_lines: Float32Array; // 4 a line: bend or press lines in the flat pattern
+  bend_line_part: Uint32Array; // the bend, row of `parts`
+  overlaps: Float32Array; // 2 a point: triangles covered twice, in the flat pattern; with a finding `overlap`
+  space_points: Float32Array; // 3 a point: the solid of a refused part to unfold
+  space_triangles: Uint32Array; // 3 a triangle
+  space_faces: Uint32Array; // by triangle: its face in the solid, from 1
 }
 
 export interface Shape extends Facets {

@@ -1,5 +1,7 @@
 #include "part.hpp"
 
+#include "refusals.hpp"
+
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/bend_plan_pages.hpp>
@@ -98,9 +100,10 @@ Result<std::vector<job::WrittenArtifact>> Part::write(const std::string& name,
   const std::lock_guard working(working_);
   const job::Artifact* artifact = job::built_in().artifact(*made_.maker, name);
   if (!artifact)
-    return fail(code::bad_option,
-                fmt::format("{} cannot write \"{}\"; it writes {}", made_.maker->name, name,
-                            fmt::join(artifacts(job::built_in()), ", ")),
+    return fail(refuse::not_written_by,
+                {{"maker", made_.maker->name},
+                 {"format", name},
+                 {"known", fmt::format("{}", fmt::join(artifacts(job::built_in()), ", "))}},
                 "format");
   job::Request request = made_.request;
   const auto values = job::read_options(options, *made_.maker, job::OptionFiles::path_or_content,

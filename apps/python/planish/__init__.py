@@ -9,12 +9,13 @@ Lengths are mm, or what `units` says. Reports and options are those of the progr
 """
 
 from ._errors import Cancelled, Error, Failed, InvalidInput, Refused
-from ._makers import bend, connect, slit, transition, unfold
+from . import _makers
+from ._makers import *
 from ._parts import Bend, BendPlan, Flat, Mesh, Part
 from ._planish import schema_names, version as __version__
 from ._program import batch, info, pack, schema
 from ._record import Record
 
 __all__ = ["Bend", "BendPlan", "Cancelled", "Error", "Failed", "Flat", "InvalidInput", "Mesh", "Part", "Record",
-           "Refused", "__version__", "batch", "bend", "connect", "info", "pack", "schema", "schema_names", "slit",
-           "transition", "unfold"]
+           "Refused", "__version__", "batch", "info", "pack", "schema", "schema_names"]
+__all__ += _makers.__all__

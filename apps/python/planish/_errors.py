@@ -57,6 +57,12 @@ class Failed(Error, RuntimeError):
     """A defect of Planish or of its CAD kernel."""
 
 
+def _worded(pieces: list[dict[str, Any]], pointer: str, name: str) -> str:
+    """A message from its pieces, in which the pointer of an argument is the argument's name."""
+    place = {"kind": "pointer", "id": pointer}
+    return "".join(name if piece.get("place") == place else piece["text"] for piece in pieces)
+
+
 _REFUSED, _WRONG_USE, _UNREADABLE = 4, 2, 3  # exit status of the program
 
 
@@ -65,8 +71,9 @@ def error_of(code: str, message: str, where: str, exit_status: int, reason: str 
     data = json.loads(reason)
     option = "/options/"
     if where.startswith(option):  # an argument of a function
-        message = message.replace(f"request: {where}", where.removeprefix(option))
-        where = where.removeprefix(option)
+        name = where.removeprefix(option)
+        message = _worded(data.get("wording") or [{"text": message}], where, name)
+        where = name
     if code == "cancelled":
         return Cancelled(code, message, where, data)
     if exit_status == _REFUSED:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from . import _planish
-from ._errors import Cancelled, Failed, InvalidInput, error_of
+from ._errors import _WRONG_USE, Cancelled, Failed, InvalidInput, error_of
 from ._inputs import PathLike
 from ._parts import Listener
 from ._record import Record
@@ -82,11 +82,14 @@ def _run(command: str, inputs: PathLike | Iterable[PathLike], out: PathLike, wor
     child = subprocess.Popen(call, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                              text=True, errors="replace")
     said = ""
+    reason: dict[str, Any] | None = None
     cancelled = False
     assert child.stderr is not None
     try:
         for line in child.stderr:
-            told = _told(line)
+            row = _row(line)
+            reason = row.get("reason", reason)
+            told = _told(row)
             if told is None:
                 said = line.strip() or said
             elif progress is not None and not cancelled and progress(*told) is False:
@@ -102,7 +105,7 @@ def _run(command: str, inputs: PathLike | Iterable[PathLike], out: PathLike, wor
     if cancelled:
         raise Cancelled("cancelled", "stopped; what is done is kept")
     if child.returncode != 0:
-        raise _error_in(said, child.returncode)
+        raise _error_of(reason, said, child.returncode)
 
 
 def _flag(name: str, value: Any) -> list[str]:
@@ -116,23 +119,26 @@ def _flag(name: str, value: Any) -> list[str]:
     return [flag, os.fspath(value) if isinstance(value, os.PathLike) else str(value)]
 
 
-def _told(line: str) -> tuple[str, float] | None:
+def _row(line: str) -> dict[str, Any]:
+    """A line of `--progress json`; empty for any other."""
     try:
-        step = json.loads(line)
+        row = json.loads(line)
     except ValueError:
-        return None
-    if not isinstance(step, dict) or "done" not in step:
-        return None
-    return f"{step['done']} of {step['all']}", step["done"] / max(1, step["all"])
+        return {}
+    return row if isinstance(row, dict) else {}
 
 
-def _error_in(said: str, status: int) -> Exception:
-    """The exception for the last line of the program: "planish: message [code]"."""
-    message, _, code = said.removeprefix("planish: ").rpartition(" [")
-    if not message and status == 2:
-        return InvalidInput("bad_option", said.removeprefix("planish: "))
-    if not message:
-        return Failed("internal", said or f"planish ended with status {status}")
-    return error_of(code.rstrip("]"), message, "", status) if status != 1 or code == "cancelled]" else Failed(
-        code.rstrip("]"), message)
+def _told(row: Mapping[str, Any]) -> tuple[str, float] | None:
+    if "done" not in row:
+        return None
+    return f"{row['done']} of {row['all']}", row["done"] / max(1, row["all"])
+
+
+def _error_of(reason: Mapping[str, Any] | None, said: str, status: int) -> Exception:
+    """The exception for what the program gives as its reason; without one, for what it said last."""
+    if reason is not None:
+        return error_of(reason["code"], reason["message"], reason["where"], status, json.dumps(reason))
+    if status == _WRONG_USE:
+        return InvalidInput("bad_option", said)
+    return Failed("internal", said or f"planish ended with status {status}")
 

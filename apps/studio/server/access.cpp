@@ -1,5 +1,7 @@
 #include "access.hpp"
 
+#include "../refusals.hpp"
+
 #include <fmt/format.h>
 #include <sys/random.h>
 
@@ -17,7 +19,7 @@ constexpr auto kOtherPages = "requests from other pages are not answered";
 Result<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return fail(code::internal, "the system supplies no random numbers");
+    return fail(refuse::no_random_numbers);
   std::string token;
   for (const unsigned char byte : bytes)
     token += fmt::format("{:02x}", byte);

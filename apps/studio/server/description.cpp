@@ -28,7 +28,7 @@ const char* kind_name(job::OptionKind kind) {
 }
 
 Json option_json(const job::OptionUse& use) {
-  const job::Option& option = job::option(use.name);
+  const job::Option& option = use.entry();
   return {{"name", option.name},
           {"kind", kind_name(option.kind)},
           {"group", option.group},

@@ -1,5 +1,6 @@
 #include "first_document.hpp"
 
+#include "../refusals.hpp"
 #include "../work/attachments.hpp"
 #include "api.hpp"
 
@@ -18,16 +19,17 @@ namespace {
 
 Error error_of(const Answer& answer) {
   const nlohmann::json json = nlohmann::json::parse(answer.body, nullptr, false);
-  if (!json.is_object()) return {code::internal, "the worker gave no answer", {}};
+  if (!json.is_object()) return planish::error_of(refuse::no_answer, {});
   const auto status = answer.status == 500 ? ExitStatus::internal : ExitStatus::unreadable;
   return {received_code(json.value("code", ""), status), json.value("message", ""),
           json.value("where", "")};
 }
 
 tl::unexpected<Error> too_large(const std::filesystem::path& file) {
-  return fail(code::cannot_read,
-              fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20),
-              file.string());
+  return fail(
+      refuse::file_too_large,
+      {{"file", file.string()}, {"most", static_cast<double>(kLargestBody >> 20), unit::mebibytes}},
+      file.string());
 }
 
 /// A name that the page can show, whatever the file is called.
@@ -53,8 +55,7 @@ Result<void> check_size(const std::filesystem::path& file) {
   std::error_code unknown;
   const auto type = std::filesystem::status(file, unknown).type();
   if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
-    return fail(code::cannot_read, fmt::format("{} is a device, not a file", file.string()),
-                file.string());
+    return fail(refuse::file_is_device, {{"file", file.string()}}, file.string());
   const bool regular = type == std::filesystem::file_type::regular;
   if (!regular || std::filesystem::file_size(file, unknown) <= kLargestBody) return {};
   return too_large(file);
@@ -81,7 +82,7 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
   for (const auto& [name, pointer] : files_named_in(file.string(), *bytes)) {
     // A file elsewhere is reported as missing when it is needed.
     const auto content = is_plain_name(name) ? schema::read_text(file.parent_path() / name, "file")
-                                             : fail(code::cannot_read, "");
+                                             : fail(refuse::not_read, {{"file", name}});
     if (content) store.attach(id, name, *content);
   }
   return {};

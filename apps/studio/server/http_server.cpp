@@ -1,5 +1,6 @@
 #include "http_server.hpp"
 
+#include "../refusals.hpp"
 #include "connections.hpp"
 
 #include <fmt/format.h>
@@ -178,11 +179,7 @@ Result<int> HttpServer::bind(int port) {
                     : server.bind_to_port(kHost, port) ? port
                                                        : -1;
   if (taken > 0) return taken;
-  return fail(
-      code::bad_option,
-      fmt::format("the port {} of {} is not available: another program uses it, or it is reserved",
-                  port, kHost),
-      "--port");
+  return fail(refuse::port_taken, {{"port", port}, {"host", kHost}}, "--port");
 }
 
 void HttpServer::serve(Api& api, Presence* presence) {

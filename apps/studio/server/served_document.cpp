@@ -1,5 +1,7 @@
 #include "served_document.hpp"
 
+#include "../refusals.hpp"
+
 #include <planish/io/flat_writers.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -26,14 +28,14 @@ Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, Do
   std::error_code error;
   fs::create_directories(document->attachments(), error);
   if (error)
-    return fail(code::cannot_write, fmt::format("cannot make the folder {}: {}",
-                                                document->folder_.string(), error.message()));
+    return fail(refuse::folder_not_made,
+                {{"folder", document->folder_.string()}, {"reason", error.message()}});
   if (auto written = write_file(document->file(), bytes); !written) return pass_on(written);
   return document;
 }
 
 ServedDocument::~ServedDocument() {
-  worker_.reset();
+  worker_.end();
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
@@ -77,8 +79,7 @@ Answer ServedDocument::computed(const Task& task, Turns& turns) {
   if (!turn || is_cancelled()) return worker_lost(Cause::crashed);
   if (const auto answer = known(); answer && (task.verb.empty() || answer->status != 200))
     return *answer;
-  const Worker last = worker();
-  if (!last || !last->is_alive()) {
+  if (!worker_.is_alive()) {
     Answer answer = read();
     if (answer.status != 200 || task.verb.empty()) return answer;
   }
@@ -88,11 +89,9 @@ Answer ServedDocument::computed(const Task& task, Turns& turns) {
 Answer ServedDocument::read() {
   const auto bytes = schema::read_text(file(), "document");
   if (!bytes) return failure(bytes.error());
-  auto started = start_worker(attachments());
-  if (!started) return failure(started.error());
-  replace_worker(std::move(*started));
+  if (const auto begun = worker_.begin(); !begun) return failure(begun.error());
   Answer answer = labelled(asked({"open", label_.name, *bytes}));
-  if (answer.status != 200) replace_worker(nullptr);
+  if (answer.status != 200) worker_.end();
   const std::lock_guard lock(state_);
   // Any other answer may be different next time.
   if (answer.status == 200 || answer.status == kUnreadable) known_ = answer;
@@ -120,19 +119,20 @@ bool ServedDocument::is_unreadable() const {
 
 Answer ServedDocument::asked(const Task& task) {
   if (is_cancelled()) return worker_lost(Cause::crashed);
-  const Worker asked_worker = worker();
-  auto answer = ask(*asked_worker, task, limit_, [this](Stage stage) {
+  process::Parent parent;
+  parent.progress.report = [this](std::string_view stage, double share) {
     const std::lock_guard lock(state_);
-    stage_ = std::move(stage);
-  });
+    stage_ = {std::string(stage), share};
+  };
+  auto answer = worker_.work_on(task, {.time = limit_, .parent = parent});
   if (!answer) return worker_lost(answer.error().cause);
   // After running out of memory a worker's heap is fragmented.
-  if (answer->status == 409) replace_worker(nullptr);
+  if (answer->status == 409) worker_.end();
   return std::move(*answer);
 }
 
 Answer ServedDocument::worker_lost(Cause cause) {
-  replace_worker(nullptr);
+  worker_.end();
   if (is_cancelled()) return failure(409, "cancelled", "cancelled");
   if (cause == Cause::out_of_time)
     return failure(
@@ -147,7 +147,7 @@ void ServedDocument::cancel() {
   const std::lock_guard lock(state_);
   if (!computing_) return;
   cancelled_ = true;
-  if (worker_) worker_->kill();
+  worker_.kill();
 }
 
 void ServedDocument::close() {
@@ -178,19 +178,8 @@ Answer ServedDocument::attach(const std::string& name, const std::string& bytes)
   if (auto written = write_file(attachments() / name, bytes); !written)
     return failure(written.error());
   // The worker's state was made without this file.
-  replace_worker(nullptr);
+  worker_.end();
   return {204, "", ""};
-}
-
-ServedDocument::Worker ServedDocument::worker() const {
-  const std::lock_guard lock(state_);
-  return worker_;
-}
-
-void ServedDocument::replace_worker(Worker worker) {
-  // Waits for the previous worker without holding the lock.
-  const std::lock_guard lock(state_);
-  worker_.swap(worker);
 }
 
 bool ServedDocument::is_cancelled() const {

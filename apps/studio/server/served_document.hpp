@@ -13,6 +13,12 @@ namespace planish::studio {
 
 using Moment = std::chrono::steady_clock::time_point;
 
+/// Progress of a task: a stage's name and the share done, 0 to 1.
+struct Stage {
+  std::string name;
+  double share = 0.0;
+};
+
 /// Who brought a document: the page, or the command line.
 enum class Origin { page, command_line };
 
@@ -58,9 +64,10 @@ class ServedDocument {
 
  private:
   ServedDocument(std::filesystem::path folder, DocumentLabel label, std::chrono::seconds limit)
-      : folder_(std::move(folder)), label_(std::move(label)), limit_(limit) {}
-
-  using Worker = std::shared_ptr<process::ChildProcess>;
+      : folder_(std::move(folder)),
+        label_(std::move(label)),
+        limit_(limit),
+        worker_(studio_worker(attachments()), answer_of) {}
 
   void begin();
   void end();
@@ -68,8 +75,6 @@ class ServedDocument {
   Answer asked(const Task& task);
   Answer read();
   Answer labelled(Answer answer) const;
-  Worker worker() const;
-  void replace_worker(Worker worker);
   bool is_cancelled() const;
   Answer worker_lost(process::ChildEnd::Cause cause);
   std::filesystem::path file() const { return folder_ / "document"; }
@@ -78,10 +83,10 @@ class ServedDocument {
   const std::filesystem::path folder_;
   const DocumentLabel label_;
   const std::chrono::seconds limit_;  ///< of one task
-  std::mutex turn_;                   ///< held throughout a task
+  DocumentWorker worker_;
+  std::mutex turn_;  ///< held throughout a task
 
   mutable std::mutex state_;  ///< of all below, held for a moment only
-  Worker worker_;
   Stage stage_;
   std::optional<Answer> known_;
   int waiting_ = 0;

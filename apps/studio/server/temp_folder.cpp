@@ -1,5 +1,7 @@
 #include "temp_folder.hpp"
 
+#include "../refusals.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -60,8 +62,8 @@ Result<TempFolder> TempFolder::make() {
   for (;;) {
     std::string name = place / (std::string(kPrefix) + "XXXXXX");
     if (!mkdtemp(name.data()))
-      return fail(code::cannot_write,
-                  fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)), name);
+      return fail(refuse::folder_not_made, {{"folder", name}, {"reason", std::strerror(errno)}},
+                  name);
     const int lock = open((fs::path(name) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
                           kOwner);
     flock(lock, LOCK_EX);

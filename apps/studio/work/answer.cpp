@@ -21,8 +21,10 @@ Answer failure(int status, const std::string& code, const std::string& message,
           json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
 }
 
-Answer failure(const Error& error) {
-  return {status_of(error.code), kJsonType, job::reason_text(error)};
+Answer failure(int status, const Error& error) {
+  return {status, kJsonType, job::reason_text(error)};
 }
+
+Answer failure(const Error& error) { return failure(status_of(error.code), error); }
 
 }  // namespace planish::studio

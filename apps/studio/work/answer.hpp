@@ -29,5 +29,7 @@ Answer failure(int status, const std::string& code, const std::string& message,
 
 /// The same for an error of the program: 409 for `cancelled`, 500 for `internal`, else 422.
 Answer failure(const Error& error);
+/// The same with another status of HTTP.
+Answer failure(int status, const Error& error);
 
 }  // namespace planish::studio

@@ -1,5 +1,7 @@
 #include "attachments.hpp"
 
+#include "../refusals.hpp"
+
 #include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
@@ -27,10 +29,8 @@ Result<void> check_names(const job::Maker& maker, const std::string& spec,
                          const std::string& name) {
   for (const job::NamedFile& named : named_files(maker, spec))
     if (!is_plain_name(named.file))
-      return fail(code::invalid_input,
-                  fmt::format("{}: {} must name a file that was added to the document, without "
-                              "folders",
-                              maker.input_kind(), named.pointer),
+      return fail(refuse::no_plain_name,
+                  {{"kind", maker.input_kind()}, {"field", place::pointer(named.pointer)}},
                   name + named.pointer);
   return {};
 }
@@ -41,8 +41,8 @@ Result<void> check_attachments(const job::Maker& maker, const std::string& spec,
   for (const job::NamedFile& named : named_files(maker, spec)) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(attachments / named.file, ignored))
-      return fail(code::cannot_read,
-                  fmt::format("the file {} was not added to the document", named.file),
+      return fail(refuse::file_not_added,
+                  {{"file", named.file}, {"field", place::pointer(named.pointer)}},
                   name + named.pointer);
   }
   return {};

@@ -1,5 +1,6 @@
 #include "document.hpp"
 
+#include "../refusals.hpp"
 #include "attachments.hpp"
 
 #include <planish/schema/fail_at.hpp>
@@ -63,9 +64,7 @@ job::Request Document::request_of(const Asked& asked, job::Effort effort) const 
 
 Result<void> Document::take_spec(const Asked& asked) {
   if (maker_->format.empty()) return {};
-  if (asked.spec.empty())
-    return schema::fail_at(code::bad_option,
-                           "the request has no spec, which this kind of document needs", "/spec");
+  if (asked.spec.empty()) return schema::fail_at(refuse::no_spec, "/spec");
   if (auto there = check_attachments(*maker_, asked.spec, name_, attachments_); !there)
     return there;
   return work_->edit({name_, asked.spec, attachments_});
@@ -101,11 +100,7 @@ Result<Shape> Document::shape(const Asked& asked, job::Effort effort, const Prog
 Result<job::WrittenArtifact> Document::file(const Asked& asked, const std::string& name,
                                             const Progress& progress) {
   const job::Artifact* artifact = catalogue_->artifact(*maker_, name);
-  if (!artifact)
-    return fail(
-        code::bad_option,
-        fmt::format("files of the format \"{}\" cannot be made of this kind of document", name),
-        name);
+  if (!artifact) return fail(refuse::no_such_file, {{"format", name}}, name);
   const auto made = make(asked, job::Effort::full, progress);
   if (!made) return pass_on(made);
   if ((*made)->report().refusal && artifact->role != job::Role::report)

@@ -1,22 +1,14 @@
 #include "json_text.hpp"
 
+#include "../refusals.hpp"
+
+#include <planish/schema/json_depth.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace planish::studio {
-namespace {
-
-/// Line and column, from 1, of a byte.
-std::string place_of(const std::string& text, std::size_t byte) {
-  const std::string before = text.substr(0, byte > 0 ? byte - 1 : 0);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t last = before.rfind('\n');
-  return fmt::format("{}:{}", line, before.size() - (last == std::string::npos ? 0 : last + 1) + 1);
-}
-
-}  // namespace
-
 Result<Json> parse_json(const std::string& text, const std::string& what) {
   // Functions that walk a document recurse once per level.
   constexpr int kDeepest = 100;
@@ -28,15 +20,12 @@ Result<Json> parse_json(const std::string& text, const std::string& what) {
   try {
     Json json = Json::parse(text, watch);
     if (too_deep)
-      return fail(code::invalid_input,
-                  fmt::format("the {} is nested more than {} deep", what, kDeepest));
+      return fail(refuse::nested_too_deep, {{"what", "The " + what}, {"most", kDeepest}});
     return json;
   } catch (const Json::parse_error& error) {
-    return fail(code::invalid_input, fmt::format("the {} is not JSON: mistake at line:column {}",
-                                                 what, place_of(text, error.byte)));
+    return fail(schema::not_json(text, error.byte, "The " + what, ":"));
   } catch (const Json::exception&) {
-    return fail(code::invalid_input,
-                fmt::format("the {} is not JSON: a number is too large", what));
+    return fail(refuse::number_too_large, {{"what", "The " + what}});
   }
 }
 

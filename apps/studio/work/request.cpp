@@ -1,5 +1,6 @@
 #include "request.hpp"
 
+#include "../refusals.hpp"
 #include "json_text.hpp"
 
 #include <planish/schema/fail_at.hpp>
@@ -8,10 +9,6 @@
 
 namespace planish::studio {
 namespace {
-
-tl::unexpected<Error> mistake(const std::string& message, const std::string& where) {
-  return schema::fail_at(code::invalid_input, message, where);
-}
 
 Result<void> read_options(const Json& options, const job::Maker& maker, job::Request& request) {
   const auto values = job::read_options(json_text(options), maker, job::OptionFiles::content,
@@ -36,12 +33,13 @@ constexpr double kFinestChord = 1e-5, kCoarsestChord = 10.0;  // mm
 
 Result<double> read_chord(const Json& value) {
   if (!value.is_number())
-    return mistake(fmt::format("the chord is {}; it must be a number", json_text(value)), "/chord");
+    return schema::fail_at(refuse::chord_no_number, "/chord", {{"value", json_text(value)}});
   const double chord = value.get<double>();
   if (chord >= kFinestChord && chord <= kCoarsestChord) return chord;
-  return mistake(fmt::format("the chord is {} mm; it must be from {} to {} mm", chord, kFinestChord,
-                             kCoarsestChord),
-                 "/chord");
+  return schema::fail_at(refuse::chord_out_of_range, "/chord",
+                         {{"chord", chord, unit::mm},
+                          {"least", kFinestChord, unit::mm},
+                          {"most", kCoarsestChord, unit::mm}});
 }
 
 }  // namespace
@@ -49,7 +47,7 @@ Result<double> read_chord(const Json& value) {
 Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
   const auto json = parse_json(text, "request");
   if (!json) return pass_on(json);
-  if (!json->is_object()) return mistake("the request must be an object", "");
+  if (!json->is_object()) return fail(refuse::request_no_object);
   Asked asked;
   std::string options;
   for (const auto& [key, value] : json->items()) {
@@ -67,7 +65,7 @@ Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
     } else if (key == "order") {
       if (!value.is_null()) asked.order = json_text(value);
     } else {
-      return mistake(fmt::format("a request has no key \"{}\"", key), "/" + key);
+      return schema::fail_at(refuse::unknown_key, "/" + key);
     }
   }
   asked.key = asked.spec + "\n" + options;

@@ -21,7 +21,9 @@ bool is_of_file(const Error& error) {
 /// or a file of its options is invalid.
 Answer bad_request(const Error& error) {
   if (error.code == code::bad_option || is_of_file(error)) return failure(error);
-  return failure(400, "bad_request", error.message, error.where);
+  Error bad = error;
+  bad.code = {"bad_request", ExitStatus::usage};
+  return failure(400, bad);
 }
 
 }  // namespace

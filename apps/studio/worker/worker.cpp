@@ -11,23 +11,8 @@ constexpr int kLeastStatus = 200, kLargestStatus = 599;  // of HTTP
 
 }  // namespace
 
-Result<std::unique_ptr<process::ChildProcess>> start_worker(const std::filesystem::path& folder) {
-  return process::ChildProcess::program({"studio-worker"}, folder);
-}
-
-tl::expected<Answer, process::ChildEnd> ask(process::ChildProcess& worker, const Task& task,
-                                            std::chrono::seconds limit,
-                                            const std::function<void(Stage)>& report) {
-  process::Parent parent;
-  parent.progress.report = [&](std::string_view stage, double share) {
-    report({std::string(stage), share});
-  };
-  const auto texts = worker.ask(texts_of(task), limit, parent);
-  if (!texts) return tl::unexpected(texts.error());
-  if (auto answer = answer_of(*texts)) return std::move(*answer);
-  worker.kill();
-  return tl::unexpected(
-      process::ChildEnd{process::ChildEnd::Cause::crashed, process::kDamagedAnswer});
+process::Starting studio_worker(const std::filesystem::path& folder) {
+  return process::program_again({"studio-worker"}, folder);
 }
 
 process::Texts texts_of(const Task& task) { return {task.verb, task.argument, task.body}; }

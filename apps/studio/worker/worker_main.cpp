@@ -4,8 +4,6 @@
 
 #include <malloc.h>
 
-#include <stdexcept>
-
 namespace planish::studio {
 namespace {
 
@@ -22,15 +20,13 @@ void keep_memory() {
 int run_worker(const std::string& server) {
   keep_memory();
   Workbench bench(".");
-  const auto answering = [&](const process::Texts& question, const process::Parent& parent) {
-    const auto task = task_of(question);
-    if (!task) throw std::invalid_argument("a question that is no task");
-    return texts_of(bench.perform(*task, parent.progress));
+  const auto perform = [&](const Task& task, const process::Parent& parent) {
+    return bench.perform(task, parent.progress);
   };
   const auto rest = [&] {
     if (bench.rest()) malloc_trim(0);
   };
-  return process::answer_parent(server, answering, rest);
+  return process::answer_parent(server, process::answering<Task>(task_of, perform), rest);
 }
 
 }  // namespace planish::studio

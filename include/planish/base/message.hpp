@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,11 +70,29 @@ class Fact {
 
 using Facts = std::vector<Fact>;
 
+/// A part of a sentence that front ends may spell their own way: an option of the program, or a
+/// place.
+struct Named {
+  std::size_t at = 0;  ///< bytes of the sentence before it
+  std::string text = {};
+  std::string option = {};  ///< the option's name as requests spell it; empty: it is a place
+  Place place = {};
+  friend bool operator==(const Named&, const Named&) = default;
+};
+
+/// A piece of a sentence: plain text if it names nothing.
+struct Piece {
+  std::string text = {};
+  std::string option = {};
+  std::optional<Place> place = {};
+};
+
 /// A sentence made from data, beside the data.
 struct Told {
   std::string sentence;
   std::vector<Place> places;           ///< in the order of the facts
   std::vector<NamedQuantity> numbers;  ///< likewise
+  std::vector<Named> named = {};       ///< in the order of the sentence
 };
 
 /// Fills a template. In it stands
@@ -81,7 +100,9 @@ struct Told {
 /// - `{name}` for a quantity with its unit, to four significant digits, or for words;
 /// - `{name:6}` for a quantity to six digits;
 /// - `{name:bend}` for a count and its noun: "1 bend", "3 bends"; `{name:body/bodies}` where the
-///   plural is irregular.
+///   plural is irregular;
+/// - `` `name` `` for an option by its name in requests, in backticks that stay: `` `{option}` ``
+///   where the name is a fact.
 /// What a template needs and the facts do not hold is left as it stands, braces and all. Facts that
 /// the template does not name are data all the same: a place that the sentence leaves out.
 Told tell(std::string_view pattern, const Facts& facts);

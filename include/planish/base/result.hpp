@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,11 +22,21 @@ struct Error {
   std::vector<Place> places = {};
   std::vector<NamedQuantity> numbers = {};
   std::vector<Remedy> remedies = {};  ///< the best first
+  std::vector<Named> named = {};      ///< the parts of `message` that are places and options
 };
 
 /// The error of a refusal, its sentences made from the facts. `where` is the first pointer among
 /// the places, else all places as text, unless it is given.
 Error error_of(const Refusal& refusal, const Facts& facts, std::string where = {});
+
+/// The message in pieces, of which a front end spells options and places its own way.
+std::vector<Piece> wording(const Error& error);
+
+/// Puts a text before the message.
+void say_before(Error& error, std::string_view text);
+
+/// Puts another message behind it, with a blank between.
+void say_after(Error& error, const Error& more);
 
 /// A value or an `Error`. Not to be dropped.
 template <typename T>

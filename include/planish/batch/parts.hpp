@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/batch/part_record.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -16,10 +17,8 @@ std::string view_name(std::size_t piece);
 
 /// A part of a finished batch.
 struct BatchPart {
-  std::string folder;               ///< of the part, below that of all parts
-  std::string report;               ///< JSON on one line
-  std::vector<std::string> shapes;  ///< the pattern of each piece, as `flat_json`; none: refused
-  std::filesystem::path files;      ///< the folder where its files are
+  PartRecord record;
+  std::filesystem::path files;  ///< the folder where its files are
 };
 
 /// Whether a folder holds the results of a batch.

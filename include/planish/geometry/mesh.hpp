@@ -15,7 +15,8 @@ struct Mesh {
 
 using Box3 = Eigen::AlignedBox3d;
 
-/// The surface of a solid as triangles that know their faces of the solid, numbered from 0.
+/// The surface of a solid as triangles that know their faces: indices from 0, where places and
+/// `planish info` count from 1.
 struct MeshOfFaces {
   Mesh mesh;
   std::vector<int> face;  ///< by triangle

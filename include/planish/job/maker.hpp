@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace planish::schema {
@@ -109,7 +110,10 @@ struct Maker {
   std::string_view input = {};        ///< "plates": its file is the "plates file"
   std::string_view format = {};       ///< "planish/plates", its schema "plates"; empty: STEP
   std::string_view mark = {};         ///< a key that only files of this format have
-  std::string_view help = {};         ///< examples and exit status, below the options
+  /// A command line and what it does, in the help of the program: {"planish connect plates.json",
+  /// "joins plates by bends, and lays them flat"}.
+  std::vector<std::pair<std::string_view, std::string_view>> examples = {};
+  std::string_view help = {};  ///< examples and exit status, below the options
   std::vector<Source> sources = {};
   std::vector<OptionUse> options = {};
   const schema::Schema& (*schema)() = nullptr;  ///< of the input; null: not JSON

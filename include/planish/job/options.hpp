@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/job/option_value.hpp>
 #include <planish/job/request.hpp>
 #include <planish/schema/range.hpp>
 
@@ -9,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace planish::job {
@@ -25,14 +25,6 @@ enum class OptionKind {
   by_bend,  ///< numbers within `range` by ids of bends
 };
 
-/// The content of an option's file; `name` is for messages and reports.
-struct OptionFile {
-  std::string name, text;
-};
-
-using OptionValue = std::variant<bool, double, std::string, OptionFile,
-                                 std::vector<std::pair<std::string, double>>>;
-
 /// An option of a request, with the same name everywhere: `name` is its key in requests; on the
 /// command line it follows "--", with "-" for "_".
 struct Option {
@@ -46,8 +38,8 @@ struct Option {
   std::string_view file_type = {};  ///< "FILE.csv"
   std::string_view file_kind = {};  ///< what a file is called in messages: "bend table"
   bool on_command_line = true;
-  /// Stores a value of the option's kind in the request. Errors: `invalid_input` for the content of
-  /// files.
+  /// Stores a value of the option's kind in the request; null: it is stored in `Request::own`.
+  /// Errors: `invalid_input` for the content of files.
   Result<void> (*set)(Request& request, const OptionValue& value) = nullptr;
 };
 
@@ -55,9 +47,12 @@ struct Option {
 struct OptionUse {
   std::string_view name;
   std::string_view otherwise = {};
+  const Option* own = nullptr;  ///< its entry, if no other maker has it: it is not in `options()`
+
+  const Option& entry() const;
 };
 
-/// Every option of the built-in makers, in the order of the help.
+/// Every option that several makers share, or that the program knows, in the order of the help.
 std::span<const Option> options();
 /// The option of that name, which must exist.
 const Option& option(std::string_view name);

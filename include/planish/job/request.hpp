@@ -4,10 +4,13 @@
 #include <planish/connect/plates.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
+#include <planish/job/option_value.hpp>
 #include <planish/sheet/layout.hpp>
 #include <planish/shop/shop.hpp>
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,8 +73,8 @@ struct JoinOptions {
   std::optional<double> largest_span;
 };
 
-/// A request to a maker, as data. `options()` has an entry for each member except `input`; a maker
-/// uses those that its own entry lists.
+/// A request to a maker, as data. `options()` has an entry for each member except `input` and
+/// `own`; a maker uses those that its own entry lists.
 struct Request : PatternChecks {
   std::filesystem::path input;             ///< "-" reads standard input
   std::string body;                        ///< number (1-based) or name; empty: the only body
@@ -87,6 +90,7 @@ struct Request : PatternChecks {
   std::optional<LengthUnit> units;  ///< of the report and of the DXF; empty: the file's
   int piece = 0;                    ///< which of several pieces is shown, from 0
   DxfOptions dxf;                   ///< its units are ignored: the report's are used
+  std::map<std::string, OptionValue, std::less<>> own;  ///< of options that one maker alone has
 };
 
 }  // namespace planish::job

@@ -15,12 +15,23 @@ struct ArtifactFile {
 };
 
 /// The result of a request: its report as JSON text and as text for a terminal, and the artifacts
-/// that it asked for; if the report has a refusal, only those that show it.
+/// that it asked for.
 struct RunResult {
   Status status = Status::ok;
   std::string report, summary;
-  std::optional<Error> refusal;
   std::vector<ArtifactFile> artifacts;
+};
+
+/// Why a request has no result. What was understood and refused has a report all the same, and the
+/// artifacts that show it: a bend plan shows what is in the way.
+struct RunFailure : Error {
+  std::optional<RunResult> shown = {};  ///< with status `refused`; empty: the request failed
+};
+
+/// What became of a request. Not to be dropped: whatever gave no pattern is an error.
+class [[nodiscard]] Ran : public tl::expected<RunResult, RunFailure> {
+ public:
+  using tl::expected<RunResult, RunFailure>::expected;
 };
 
 /// What was made for a request, kept so that artifacts can be written of it.
@@ -41,9 +52,9 @@ struct MadeRequest {
 /// holds, with "sheets": true the sheet in each body. From any thread, several at a time. Errors:
 /// `invalid_input` for a request that breaks its schema (`where` is the JSON pointer) or is nested
 /// more than 100 deep, `bad_option` (`where` is that of the option, "/options/bend_k/B99"), those
-/// of the maker's input.
-Result<RunResult> run(const std::string& request, const Progress& progress = {},
-                      const Catalogue& catalogue = built_in());
+/// of the maker's input, and the refusal of its report, which is then in `shown`.
+Ran run(const std::string& request, const Progress& progress = {},
+        const Catalogue& catalogue = built_in());
 
 /// What `run` makes before it writes, of a maker or "bend"; `artifacts` of the request are left
 /// unwritten. `bytes`, if given, stand for the content of its input, since JSON cannot hold any
@@ -59,9 +70,8 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress = 
 /// process immediately. Costs some milliseconds more. Errors beyond those of `run`: `crashed`,
 /// `out_of_time`, `out_of_memory`, each with the stage that was reached, and `internal` if the
 /// system cannot start a process.
-Result<RunResult> run_apart(const std::string& request, const Progress& progress = {},
-                            const process::Limits& limits = {},
-                            const Catalogue& catalogue = built_in());
+Ran run_apart(const std::string& request, const Progress& progress = {},
+              const process::Limits& limits = {}, const Catalogue& catalogue = built_in());
 
 /// Option values from the text of a JSON object, like the "options" of a request. With
 /// `OptionFiles::content` files are given by content only: {"name": "steel.csv", "content": ...};

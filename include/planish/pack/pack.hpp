@@ -36,7 +36,6 @@ struct PackOptions {
 };
 
 struct PackResult {
-  std::size_t bodies = 0;                    ///< made or refused, as many as there are in the files
   std::size_t parts = 0;                     ///< distinct ones
   std::size_t pieces = 0;                    ///< of all parts together, by their quantities
   std::size_t groups = 0;                    ///< of one material and thickness

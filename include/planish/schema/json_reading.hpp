@@ -2,6 +2,7 @@
 
 #include <planish/base/angle.hpp>
 #include <planish/base/length_unit.hpp>
+#include <planish/base/result.hpp>
 #include <planish/geometry/frame.hpp>
 #include <planish/schema/schema.hpp>
 
@@ -51,8 +52,9 @@ class JsonReading {
   /// The unit of the file's lengths: its "units", else mm.
   LengthUnit unit() const { return unit_; }
 
-  /// Records a mistake: "<what>: <pointer> <sentence>".
-  void mistake(const std::string& pointer, const std::string& sentence);
+  /// Records a mistake: "<what>: <sentence>" of a file, the sentence alone of what has no name.
+  /// The sentence calls the place `field`.
+  void mistake(const std::string& pointer, const Refusal& refusal, Facts facts = {});
 
  private:
   void parse(const std::string& text);
@@ -75,8 +77,10 @@ class JsonPlace {
 
   const std::string& pointer() const { return pointer_; }
   bool given() const { return value_ != nullptr; }
-  /// Records a mistake about this place: "/plates/2/id" + " " + sentence.
-  void mistake(const std::string& sentence) const { reading_->mistake(pointer_, sentence); }
+  /// Records a mistake about this place, which the sentence calls `field`.
+  void mistake(const Refusal& refusal, Facts facts = {}) const {
+    reading_->mistake(pointer_, refusal, std::move(facts));
+  }
 
   /// The value under a key that the schema knows.
   JsonPlace operator[](const std::string& key) const;

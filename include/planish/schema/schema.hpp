@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/base/message.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/range.hpp>
 
@@ -96,10 +97,12 @@ Schema units();
 /// itself; null if no part has the value's JSON type.
 const Schema* branch_for(const Schema& schema, const Json& value);
 
-/// A rule that a document breaks, and where: "must be a number above 0, not -1" at a JSON pointer
-/// (RFC 6901).
+/// A rule that a document breaks, and where: "{@field} must be a number above 0, not -1." of a
+/// field by its JSON pointer (RFC 6901). What `error_at` needs.
 struct Mistake {
-  std::string pointer, sentence;
+  std::string pointer;
+  const Refusal* refusal;
+  Facts facts;
 };
 /// The first mistake. `millimetres` is one unit of the document's lengths, which must be finite in
 /// mm.

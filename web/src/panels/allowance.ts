@@ -15,7 +15,7 @@ import {
   type ShopMaterial,
 } from '../allowance.ts';
 import { pieceOf } from '../report.ts';
-import type { ApiProblem, LengthUnit, Options } from '../types.ts';
+import type { ApiProblem, LengthUnit, Options, Place } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, convert, gaugeText, lengthText, unitName } from '../units.ts';
 import { filesOf, type TableFile } from '../workshop-state.ts';
@@ -216,11 +216,16 @@ async function useFile(ui: Ui, file: TableFile) {
 }
 
 /** What is wrong in a file, by its name instead of its place in the request. */
-function inFile({ code, message, where }: ApiProblem, { kind, name }: TableFile): ApiProblem {
-  const place = `/options/${kind}/content`;
-  if (!where?.startsWith(place)) return { code, message, where };
-  const said = message.includes(place) ? message.replace(`request: ${place}`, name) : `${name}: ${message}`;
-  return { code, message: said, where: where.replace(place, name) };
+function inFile(problem: ApiProblem, { kind, name }: TableFile): ApiProblem {
+  const content = `/options/${kind}/content`,
+    { message, where } = problem;
+  if (!where?.startsWith(content)) return problem;
+  const of = (place?: Place) => place?.kind === 'pointer' && String(place.id).startsWith(content),
+    wording = (problem.wording ?? [{ text: message }]).map((piece) =>
+      of(piece.place) ? { ...piece, text: String(piece.place!.id).replace(content, name) } : piece,
+    );
+  if (!wording.some((piece) => of(piece.place))) wording.unshift({ text: `${name}: ` });
+  return { ...problem, wording, where: where.replace(content, name) };
 }
 
 /** Of a file that may be anything. */

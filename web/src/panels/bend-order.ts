@@ -2,12 +2,12 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { shopOf } from '../allowance.ts';
 import { moved, nameOf, orderOf } from '../order-state.ts';
+import { sentence } from '../said.ts';
 import type { BrakeOptions, OrderAnswer, OrderedStroke, StrokeRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
 import { filesOf, type TableFile } from '../workshop-state.ts';
 import { choice, lengthField, numberField, section } from './fields.ts';
-import { sentence } from './message-bar.ts';
 
 /** Planning how the part is bent on a press brake, and trying other orders. */
 export function bendOrder(ui: Ui): TemplateResult {
@@ -30,7 +30,7 @@ export function bendOrder(ui: Ui): TemplateResult {
         : nothing}
     </p>
     ${order.problem
-      ? html`<p class="hint bad" role="alert" data-testid="order-problem">${sentence(order.problem.message)}</p>`
+      ? html`<p class="hint bad" role="alert" data-testid="order-problem">${sentence(order.problem)}</p>`
       : nothing}
     ${old
       ? html`<p class="hint bad" data-testid="order-old">
@@ -159,7 +159,7 @@ function outcome(ui: Ui, answer: OrderAnswer, old: boolean) {
         : nothing}
     </p>
     ${answer.sentence
-      ? html`<p class="hint bad" data-testid="order-sentence">${sentence(byPlates(ui, answer.sentence))}</p>`
+      ? html`<p class="hint bad" data-testid="order-sentence">${byPlates(ui, answer.sentence)}</p>`
       : nothing}
     <ol
       class="strokes ${old ? 'old' : ''} ${order.asked ? 'pending' : ''}"
@@ -171,7 +171,7 @@ function outcome(ui: Ui, answer: OrderAnswer, old: boolean) {
     ${answer.strokes.length > 1
       ? html`<p class="hint">Drag a stroke to another place, or press Alt with ↑ or ↓.</p>`
       : nothing}
-    ${answer.notes.map((n) => html`<p class="hint">${sentence(n)}</p>`)}`;
+    ${answer.notes.map((n) => html`<p class="hint">${n}</p>`)}`;
 }
 
 function statusText({ status, cost, strokes, turn_overs, rotations, tool_changes }: OrderAnswer): string {
@@ -258,7 +258,7 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     .filter(Boolean)
     .join(' · ');
   return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked
-      ? html`<small class="bad" data-testid="why-blocked">${sentence(byPlates(ui, row.blocked.sentence))}</small>`
+      ? html`<small class="bad" data-testid="why-blocked">${byPlates(ui, row.blocked.sentence)}</small>`
       : nothing}`;
 }
 

@@ -3,7 +3,6 @@ import { isRefused, pieceOf } from '../report.ts';
 import { severities, type Severity, type State } from '../state.ts';
 import type { Finding } from '../types.ts';
 import type { Ui } from '../ui.ts';
-import { sentence } from './message-bar.ts';
 import { remedies } from './remedies.ts';
 
 /** The findings of what was last computed whole: one for each rule. */
@@ -64,7 +63,7 @@ function finding(ui: Ui, f: Finding, i: number) {
   return html`<li class="${f.severity} ${chosen ? 'selected' : ''}" data-testid="finding-${i + 1}">
     <button class="finding" aria-expanded=${chosen} @click=${choose}>
       <b aria-label="${names[f.severity][0]} ${i + 1}">${i + 1}</b
-      ><span>${sentence(f.message)}<small>${f.code}${places > 1 ? `, ${places} places` : ''}</small></span>
+      ><span>${f.message}<small>${f.code}${places > 1 ? `, ${places} places` : ''}</small></span>
     </button>
     ${remedies(ui, f)}${chosen ? placesOf(f) : nothing}
   </li>`;
@@ -74,6 +73,6 @@ function finding(ui: Ui, f: Finding, i: number) {
 const placesOf = ({ places, count = 0 }: Finding) =>
   count > 1
     ? html`<ul class="places" data-testid="places" tabindex="0" aria-label="Places">
-        ${places!.map((place) => html`<li class="${place.severity}">${sentence(place.message!)}</li>`)}
+        ${places!.map((place) => html`<li class="${place.severity}">${place.message!}</li>`)}
       </ul>`
     : nothing;

@@ -1,5 +1,6 @@
 import { html, nothing } from 'lit-html';
 import { pickedEdgeText } from '../picked.ts';
+import { sentence } from '../said.ts';
 import type { State } from '../state.ts';
 import type { ApiProblem, Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
@@ -40,15 +41,10 @@ export function messageBar(ui: Ui) {
     >`;
 }
 
-/** A message of the program: options, which it names as requests spell them, are said in words. */
-export const sentence = (message: string): string =>
-  message.replace(/`([a-z_]+)`/g, (_, name: string) => `“${name.replaceAll('_', ' ')}”`);
-
 /** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;
 
-const textOf = (p: ApiProblem) =>
-  sentence(p.message) + (wantsScans(p) ? '; drop its files of points on the page too' : '');
+const textOf = (p: ApiProblem) => sentence(p) + (wantsScans(p) ? ' Drop its files of points on the page too.' : '');
 
 const placeOf = (p: ApiProblem) => `[${p.code}]${p.where ? ` ${p.where}` : ''}`;
 

@@ -132,7 +132,7 @@ export async function drop({ page }) {
   // What the sentence offers is there: the files are written all the same, until it is taken back.
   assert.match(
     await page.textContent('[data-testid=message]'),
-    /with “write overlapping” the pattern is written anyway/,
+    /Set “write overlapping” to write the pattern anyway/,
   );
   await page.click('[data-testid=remedy-write_overlapping-true]');
   await rested(page);

@@ -1,9 +1,7 @@
-#include "bend_pages.hpp"
-
-#include "bend_reasons.hpp"
-#include "report_text.hpp"
+#include "filling.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/drawing/bend_pages.hpp>
 #include <planish/drawing/page_parts.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/schema/units.hpp>
@@ -11,15 +9,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <span>
 
-namespace planish::job {
-using namespace drawing;
+namespace planish::drawing {
 using namespace schema;
 namespace {
 
-constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0;
 constexpr double kHead = 34.0, kFlat = 104.0, kRow = 60.0;  // heights, mm
 constexpr Colour kUp = kPageUp, kDown = kPageDown, kGrey = kPageGrey;
 constexpr Colour kSheet = kPageSheet, kSteel{0.80, 0.83, 0.86}, kPart{0.16, 0.42, 0.75};
@@ -30,19 +25,19 @@ void add(Box2& box, const std::vector<Vec2>& points) {
     box.add(p);
 }
 
-const FlatBend& bend_of(const Report& report, BendId id) {
-  const auto found = std::ranges::find(report.flat.bends, id, &FlatBend::bend);
-  PLANISH_ASSERT(found != report.flat.bends.end());
+const FlatBend& bend_of(const BendDrawing& drawing, BendId id) {
+  const auto found = std::ranges::find(drawing.flat.bends, id, &FlatBend::bend);
+  PLANISH_ASSERT(found != drawing.flat.bends.end());
   return *found;
 }
 
 Colour colour_of(const FlatBend& bend) { return bend.direction == BendDirection::up ? kUp : kDown; }
 
 /// The lines that a stroke presses.
-std::vector<Segment> pressed_lines(const Report& report, const Stroke& stroke) {
+std::vector<Segment> pressed_lines(const BendDrawing& drawing, const Stroke& stroke) {
   std::vector<Segment> lines;
   for (const BendId id : stroke.bends) {
-    const std::vector<Segment>& all = bend_of(report, id).lines;
+    const std::vector<Segment>& all = bend_of(drawing, id).lines;
     if (stroke.press_line && *stroke.press_line < std::ssize(all))
       lines.push_back(all[static_cast<std::size_t>(*stroke.press_line)]);
     else
@@ -51,32 +46,32 @@ std::vector<Segment> pressed_lines(const Report& report, const Stroke& stroke) {
   return lines;
 }
 
-std::span<const Stroke> strokes_of(const Report& report) {
-  if (!report.plan) return {};
-  return report.plan->strokes;
+std::span<const Stroke> strokes_of(const BendDrawing& drawing) {
+  if (!drawing.plan) return {};
+  return drawing.plan->strokes;
 }
 
-std::string names_of(const Report& report, const Stroke& stroke) {
+std::string names_of(const BendDrawing& drawing, const Stroke& stroke) {
   std::string names;
   for (const BendId id : stroke.bends)
-    names += (names.empty() ? "" : " + ") + bend_of(report, id).id;
+    names += (names.empty() ? "" : " + ") + bend_of(drawing, id).id;
   if (stroke.press_line) names += fmt::format(", line {}", *stroke.press_line + 1);
   return names;
 }
 
 /// The drawn side of the pattern shows the reference skin.
-bool shows_reference(const Report& report) {
-  return report.layout.placement[report.layout.root].linear().determinant() > 0.0;
+bool shows_reference(const BendDrawing& drawing) {
+  return drawing.layout.placement[drawing.layout.root].linear().determinant() > 0.0;
 }
 
 /// As exactly as a gauge is set: to 0.1 mm, or a thousandth of another unit.
-std::string size_text(const Report& report, double mm) {
-  const bool metric = report.units == LengthUnit::mm;
-  return fmt::format("{:.{}f}", Units(report.units).length(mm), metric ? 1 : 3);
+std::string size_text(const BendDrawing& drawing, double mm) {
+  const bool metric = drawing.units == LengthUnit::mm;
+  return fmt::format("{:.{}f}", Units(drawing.units).length(mm), metric ? 1 : 3);
 }
 
-std::string size_with_unit(const Report& report, double mm) {
-  return fmt::format("{} {}", size_text(report, mm), Units(report.units).symbol());
+std::string size_with_unit(const BendDrawing& drawing, double mm) {
+  return fmt::format("{} {}", size_text(drawing, mm), Units(drawing.units).symbol());
 }
 
 std::string state_of(const Plan& plan) {
@@ -94,64 +89,47 @@ std::string state_of(const Plan& plan) {
 }
 
 /// One line on the order of strokes.
-std::string order_of(const Report& report) {
-  if (!report.plan) return "no bend plan";
-  const Plan& plan = *report.plan;
+std::string order_of(const BendDrawing& drawing) {
+  if (!drawing.plan) return "no bend plan";
+  const Plan& plan = *drawing.plan;
   if (plan.strokes.empty()) return state_of(plan);
   return fmt::format("{}, turned over {}×, rotated {}×, tools changed {}×: {}",
                      counted(static_cast<int>(plan.strokes.size()), "stroke"), plan.turn_overs,
                      plan.rotations, plan.tool_changes, state_of(plan));
 }
 
-/// What the force and the angles are for.
-std::string metal_of(const Bending& bending) {
-  std::string text = fmt::format("{} {:g} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
-                                 bending.plan.tensile_strength);
-  const double springback = bending.plan.springback.degrees();
-  return springback == 0.0 ? text : text + fmt::format(", springback {:g}°", springback);
-}
-
-/// The part as its file is called, and its body where that has a name of its own.
-std::string title_of(const Report& report) {
-  const std::string file = std::filesystem::path(input_name(report)).stem().string();
-  return report.body.empty() || report.body == file ? file : file + " · " + report.body;
-}
-
-void head(Page& page, const Report& report, const Bending& bending, std::size_t at,
-          std::size_t of) {
-  const double right = kWidth - kMargin;
+void head(Page& page, const BendDrawing& drawing, std::size_t at, std::size_t of) {
+  const double right = kSheetWidth - kEdge;
   constexpr double kLargest = 6.5, kRoom = 150.0;  // mm
-  const std::string title = title_of(report);
-  const double size = fitting_size(title, kRoom, kLargest);
-  page.text({kMargin, kMargin + 5.0}, title, {.size = size, .bold = true});
-  page.text({right, kMargin + 5.0}, fmt::format("bend plan {} / {}", at, of),
+  const double size = fitting_size(drawing.title, kRoom, kLargest);
+  page.text({kEdge, kEdge + 5.0}, drawing.title, {.size = size, .bold = true});
+  page.text({right, kEdge + 5.0}, fmt::format("bend plan {} / {}", at, of),
             {.size = 3.5, .anchor = TextAnchor::end, .colour = kGrey});
-  const Units units(report.units);
-  std::string blank = fmt::format("{} {} {}, blank {} × {}",
-                                  units.short_text(report.summary.thickness), units.symbol(),
-                                  metal_of(bending), size_text(report, report.size.x()),
-                                  size_with_unit(report, report.size.y()));
-  if (report.mass) blank += fmt::format(", {:.3g} kg", *report.mass);
-  page.text({kMargin, kMargin + 12.0}, blank, {.size = 4.0});
-  page.text({kMargin, kMargin + 18.0}, order_of(report), {.size = 4.0});
-  page.line({kMargin, kMargin + 21.0}, {right, kMargin + 21.0}, {.width = 0.4});
+  const Units units(drawing.units);
+  std::string blank = fmt::format(
+      "{} {} {}, blank {} × {}", units.short_text(drawing.thickness), units.symbol(), drawing.metal,
+      size_text(drawing, drawing.size.x()), size_with_unit(drawing, drawing.size.y()));
+  if (drawing.mass) blank += fmt::format(", {:.3g} kg", *drawing.mass);
+  page.text({kEdge, kEdge + 12.0}, blank, {.size = 4.0});
+  page.text({kEdge, kEdge + 18.0}, order_of(drawing), {.size = 4.0});
+  page.line({kEdge, kEdge + 21.0}, {right, kEdge + 21.0}, {.width = 0.4});
 }
 
-void flat_drawing(Page& page, const Report& report, const Rectangle& into) {
+void flat_drawing(Page& page, const BendDrawing& drawing, const Rectangle& into) {
   Box2 box;
-  add(box, sampled(report.flat.outer.loop, 1.0));
+  add(box, sampled(drawing.flat.outer.loop, 1.0));
   constexpr double kRoom = 9.0;  // for dimensions
   const Rectangle inner{into.corner + Vec2(kRoom, kRoom), into.size - Vec2(2 * kRoom, 2 * kRoom)};
   const Fit fit(box, inner, 1.0);
   std::vector<std::vector<Vec2>> rings;
-  for (auto& ring : rings_of(report.flat, fit.scale()))
+  for (auto& ring : rings_of(drawing.flat, fit.scale()))
     rings.push_back(fit(std::move(ring)));
   page.area(std::move(rings), {.fill = kSheet, .width = 0.35});
-  const std::span<const Stroke> strokes = strokes_of(report);
+  const std::span<const Stroke> strokes = strokes_of(drawing);
   for (std::size_t s = 0; s < strokes.size(); ++s) {
     const Stroke& stroke = strokes[s];
-    const Colour colour = colour_of(bend_of(report, stroke.bends.front()));
-    const std::vector<Segment> lines = pressed_lines(report, stroke);
+    const Colour colour = colour_of(bend_of(drawing, stroke.bends.front()));
+    const std::vector<Segment> lines = pressed_lines(drawing, stroke);
     for (const Segment& line : lines)
       page.line(fit(line.a), fit(line.b), {.stroke = colour, .width = 0.3, .dashes = {2.5, 1.2}});
     const Segment& first = lines.front();
@@ -159,9 +137,8 @@ void flat_drawing(Page& page, const Report& report, const Rectangle& into) {
     const double along = 0.5 + 0.06 * static_cast<double>(s % 3);
     number(page, fit(first.a + along * (first.b - first.a)), s, colour);
   }
-  const std::vector<BlockedBend> obstacles = obstacles_of(report);
-  for (const FlatBend& bend : report.flat.bends) {
-    const bool blocked = std::ranges::count(obstacles, bend.bend, &BlockedBend::bend) > 0;
+  for (const FlatBend& bend : drawing.flat.bends) {
+    const bool blocked = std::ranges::count(drawing.blocked, bend.bend) > 0;
     for (const Segment& line : bend.lines)
       if (strokes.empty())
         page.line(fit(line.a), fit(line.b),
@@ -173,18 +150,18 @@ void flat_drawing(Page& page, const Report& report, const Rectangle& into) {
   }
   const Vec2 low = fit(box.lo), high = fit(box.hi);
   dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0},
-            size_text(report, box.hi.x() - box.lo.x()));
+            size_text(drawing, box.hi.x() - box.lo.x()));
   dimension(page, {low.x(), low.y()}, {low.x(), high.y()}, {-6.0, 0.0},
-            size_text(report, box.hi.y() - box.lo.y()));
+            size_text(drawing, box.hi.y() - box.lo.y()));
   page.text({into.corner.x() + into.size.x(), into.corner.y() + into.size.y()},
             fmt::format("drawn side up, scale {:.3g} : 1; blue bends up, red down", fit.scale()),
             {.size = 3.0, .anchor = TextAnchor::end, .colour = kGrey});
 }
 
 /// The sheet as the operator sees it, the gauge at the top.
-void lying(Page& page, const Report& report, std::size_t s, const Rectangle& into) {
-  const Stroke& stroke = report.plan->strokes[s];
-  const bool drawn_up = stroke.reference_up == shows_reference(report);
+void lying(Page& page, const BendDrawing& drawing, std::size_t s, const Rectangle& into) {
+  const Stroke& stroke = drawing.plan->strokes[s];
+  const bool drawn_up = stroke.reference_up == shows_reference(drawing);
   const Vec2 up = stroke.gauge_direction;
   const Vec2 right = drawn_up ? Vec2(up.y(), -up.x()) : Vec2(-up.y(), up.x());
   const auto seen = [&](std::vector<Vec2> points) {
@@ -193,26 +170,26 @@ void lying(Page& page, const Report& report, std::size_t s, const Rectangle& int
     return points;
   };
   Box2 box;
-  add(box, seen(sampled(report.flat.outer.loop, 1.0)));
+  add(box, seen(sampled(drawing.flat.outer.loop, 1.0)));
   constexpr double kRoom = 11.0;  // for the dimension
   const Fit fit(box, {into.corner, into.size - Vec2(kRoom, 0.0)}, 1.0);
   std::vector<std::vector<Vec2>> rings;
-  for (auto& ring : rings_of(report.flat, fit.scale()))
+  for (auto& ring : rings_of(drawing.flat, fit.scale()))
     rings.push_back(fit(seen(std::move(ring))));
   page.area(std::move(rings), {.fill = kSheet, .width = 0.25});
   for (std::size_t before = 0; before < s; ++before)
-    for (const Segment& line : pressed_lines(report, report.plan->strokes[before]))
+    for (const Segment& line : pressed_lines(drawing, drawing.plan->strokes[before]))
       page.lines({fit(seen({line.a, line.b}))}, {.stroke = kGrey, .width = 0.3});
-  for (const Segment& line : pressed_lines(report, stroke))
+  for (const Segment& line : pressed_lines(drawing, stroke))
     page.lines({fit(seen({line.a, line.b}))}, {.stroke = kPart, .width = 0.9});
   if (!stroke.gauge) return;
   const auto edge = fit(seen({stroke.gauge->edge.a, stroke.gauge->edge.b}));
-  const Segment line = pressed_lines(report, stroke).front();
+  const Segment line = pressed_lines(drawing, stroke).front();
   const auto bend = fit(seen({line.a, line.b}));
   page.lines({edge}, {.stroke = kAlert, .width = 0.9});
   const double right_side = fit(box.hi).x();
   dimension(page, {right_side, bend[0].y()}, {right_side, edge[0].y()}, {4.0, 0.0},
-            size_text(report, stroke.gauge->distance));
+            size_text(drawing, stroke.gauge->distance));
 }
 
 /// The workpiece between the tools, the gauge on the right.
@@ -255,22 +232,23 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
 }
 
 /// "40 + 15 from 0.5 mm", a line for each row.
-std::vector<std::string> row_texts(const Report& report, const std::vector<SegmentRow>& rows) {
-  const Units units(report.units);
+std::vector<std::string> row_texts(const BendDrawing& drawing,
+                                   const std::vector<SegmentRow>& rows) {
+  const Units units(drawing.units);
   std::vector<std::string> texts;
   for (const SegmentRow& row : rows) {
     std::string text;
     for (const double length : row.segments)
       text += (text.empty() ? "  " : " + ") + units.short_text(length);
-    texts.push_back(text + ", from " + size_with_unit(report, row.from));
+    texts.push_back(text + ", from " + size_with_unit(drawing, row.from));
   }
   return texts;
 }
 
 /// What is done to the sheet since the stroke before.
-std::string handling(const Report& report, std::size_t s) {
+std::string handling(const BendDrawing& drawing, std::size_t s) {
   if (s == 0) return "start";
-  const Stroke &now = report.plan->strokes[s], &before = report.plan->strokes[s - 1];
+  const Stroke &now = drawing.plan->strokes[s], &before = drawing.plan->strokes[s - 1];
   std::string text;
   if (now.reference_up != before.reference_up) text = "TURN OVER";
   constexpr double kSame = 1e-9;
@@ -281,72 +259,94 @@ std::string handling(const Report& report, std::size_t s) {
   return text;
 }
 
-void stroke_texts(Page& page, const Report& report, std::size_t s, const Vec2& at) {
-  const Stroke& stroke = report.plan->strokes[s];
-  const bool drawn_up = stroke.reference_up == shows_reference(report);
+/// Why the part cannot be bent, and how it could be, as far down as `bottom`.
+void write_reasons(Page& page, const BendDrawing& drawing, const Vec2& from, double bottom) {
+  constexpr std::size_t kReasonLetters = 100;  // about as many as a page is wide
+  constexpr double kSpacing = 1.5, kGap = 3.0;
+  double y = from.y();
+  const auto tell = [&](const std::string& text, const TextStyle& style) {
+    for (const std::string& line : wrapped(text, kReasonLetters)) {
+      if (y > bottom) return;
+      page.text({from.x(), y}, line, style);
+      y += kSpacing * style.size;
+    }
+  };
+  for (const std::string& obstacle : drawing.obstacles)
+    tell(obstacle, {.size = 3.4, .colour = kPageAlert});
+  if (drawing.proposals.empty()) return;
+  y += kGap;
+  tell("It can be bent", {.size = 3.8, .bold = true});
+  for (const std::string& proposal : drawing.proposals)
+    tell("– " + proposal, {.size = 3.4});
+}
+
+void stroke_texts(Page& page, const BendDrawing& drawing, std::size_t s, const Vec2& at) {
+  const Stroke& stroke = drawing.plan->strokes[s];
+  const bool drawn_up = stroke.reference_up == shows_reference(drawing);
   double y = at.y();
   const auto line = [&](const std::string& text, const TextStyle& style = {.size = 3.2}) {
     page.text({at.x(), y}, text, style);
     y += 1.45 * style.size;
   };
-  line(fmt::format("{}  {}{:.4g}°", names_of(report, stroke), stroke.flattening ? "flatten " : "",
+  line(fmt::format("{}  {}{:.4g}°", names_of(drawing, stroke), stroke.flattening ? "flatten " : "",
                    stroke.angle.degrees()),
        {.size = 4.2, .bold = true});
-  if (const std::string text = handling(report, s); !text.empty())
+  if (const std::string text = handling(drawing, s); !text.empty())
     line(text, {.size = 3.4, .bold = true, .colour = kAlert});
   line(drawn_up ? "drawn side up" : "drawn side down");
-  line(stroke.gauge ? "gauge " + size_with_unit(report, stroke.gauge->distance)
+  line(stroke.gauge ? "gauge " + size_with_unit(drawing, stroke.gauge->distance)
                     : std::string("no edge to gauge: mark the line"));
   line(fmt::format("punch {}", stroke.punch));
-  for (const std::string& row : row_texts(report, stroke.punch_rows))
+  for (const std::string& row : row_texts(drawing, stroke.punch_rows))
     line(row, {.size = 2.9, .colour = kGrey});
   line(fmt::format("die {}", stroke.die));
-  for (const std::string& row : row_texts(report, stroke.die_rows))
+  for (const std::string& row : row_texts(drawing, stroke.die_rows))
     line(row, {.size = 2.9, .colour = kGrey});
-  line(fmt::format("{:.3g} kN, {} clear", stroke.force, size_with_unit(report, stroke.clearance)));
+  line(fmt::format("{:.3g} kN, {} clear", stroke.force, size_with_unit(drawing, stroke.clearance)));
 }
 
-void stroke_row(Page& page, const Report& report, const StrokePicture& picture, std::size_t s,
+void stroke_row(Page& page, const BendDrawing& drawing, const StrokePicture& picture, std::size_t s,
                 double top) {
   constexpr double kGap = 3.0, kLying = 52.0, kTexts = 52.0;
-  const double left = kMargin, inner = kRow - 2 * kGap;
+  const double left = kEdge, inner = kRow - 2 * kGap;
   number(page, {left + 3.0, top + kGap + 3.0}, s, kBlack);
-  lying(page, report, s, {{left + 8.0, top + kGap}, {kLying, inner}});
-  const double tools = kWidth - 2 * kMargin - kLying - kTexts - 16.0;
+  lying(page, drawing, s, {{left + 8.0, top + kGap}, {kLying, inner}});
+  const double tools = kSheetWidth - 2 * kEdge - kLying - kTexts - 16.0;
   between_tools(page, picture, {{left + kLying + 12.0, top + kGap}, {tools, inner}});
-  stroke_texts(page, report, s, {kWidth - kMargin - kTexts, top + kGap + 4.0});
-  page.line({left, top + kRow}, {kWidth - kMargin, top + kRow}, {.stroke = kGrey, .width = 0.15});
+  stroke_texts(page, drawing, s, {kSheetWidth - kEdge - kTexts, top + kGap + 4.0});
+  page.line({left, top + kRow}, {kSheetWidth - kEdge, top + kRow},
+            {.stroke = kGrey, .width = 0.15});
 }
 
 }  // namespace
 
-std::vector<Page> bend_pages(const Report& report, const Bending& bending,
+std::vector<Page> bend_pages(const BendDrawing& drawing,
                              const std::vector<StrokePicture>& pictures) {
-  const std::size_t strokes = strokes_of(report).size();
+  const std::size_t strokes = strokes_of(drawing).size();
   PLANISH_ASSERT(pictures.size() == strokes);
-  const double below = kHeight - kMargin;
+  const double below = kSheetHeight - kEdge;
   const auto rows = [&](double top) { return static_cast<std::size_t>((below - top) / kRow); };
-  const double first_top = kMargin + kHead - 10.0 + kFlat, next_top = kMargin + kHead - 10.0;
+  const double first_top = kEdge + kHead - 10.0 + kFlat, next_top = kEdge + kHead - 10.0;
   const std::size_t on_first = rows(first_top), on_next = rows(next_top);
   const std::size_t rest = strokes > on_first ? strokes - on_first : 0;
   const std::size_t count = 1 + (rest + on_next - 1) / on_next;
   std::vector<Page> pages;
   std::size_t s = 0;
   for (std::size_t p = 0; p < count; ++p) {
-    Page& page = pages.emplace_back(kWidth, kHeight);
-    head(page, report, bending, p + 1, count);
+    Page& page = pages.emplace_back(kSheetWidth, kSheetHeight);
+    head(page, drawing, p + 1, count);
     double top = p == 0 ? first_top : next_top;
     if (p == 0)
-      flat_drawing(page, report,
-                   {{kMargin, kMargin + kHead - 9.0}, {kWidth - 2 * kMargin, kFlat - 6.0}});
-    if (p == 0 && !obstacles_of(report).empty())
-      write_reasons(page, report, {kMargin, top + 6.0}, below);
+      flat_drawing(page, drawing,
+                   {{kEdge, kEdge + kHead - 9.0}, {kSheetWidth - 2 * kEdge, kFlat - 6.0}});
+    if (p == 0 && !drawing.obstacles.empty())
+      write_reasons(page, drawing, {kEdge, top + 6.0}, below);
     for (std::size_t row = 0; row < (p == 0 ? on_first : on_next) && s < strokes; ++row, ++s) {
-      stroke_row(page, report, pictures[s], s, top);
+      stroke_row(page, drawing, pictures[s], s, top);
       top += kRow;
     }
   }
   return pages;
 }
 
-}  // namespace planish::job
+}  // namespace planish::drawing

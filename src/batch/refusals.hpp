@@ -1,0 +1,58 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/batch/codes.hpp>
+
+/// The sentences with which `batch` refuses.
+namespace planish::refuse {
+
+constexpr Refusal ended_from_outside{
+    code::worker_died,
+    "The process that worked on {input} was ended from outside twice ({reason}): if it was the "
+    "system, memory is short.",
+    "Use fewer --jobs, and run the batch again."};
+
+// Inputs.
+constexpr Refusal no_file_or_folder{code::cannot_read, "{file} is no file or folder."};
+constexpr Refusal same_input_name{code::bad_option,
+                                  "Two inputs are called {name}: {first} and {second}.",
+                                  "Give the folder above both."};
+constexpr Refusal nothing_to_do{
+    code::no_input,
+    "There is nothing to work on: no file ends in .step or .stp or is a "
+    "JSON file that planish reads."};
+constexpr Refusal list_in_itself{code::cannot_read, "The list {file} names itself."};
+constexpr Refusal output_in_input{
+    code::bad_option, "The results would go into {output}, which is in the input folder {folder}.",
+    "Name a folder outside with -o."};
+constexpr Refusal folder_unread{code::cannot_read, "Cannot read the folder {file}: {reason}."};
+
+// Results of this batch and of others.
+constexpr Refusal batch_unread{code::cannot_read, "Cannot read {file}: {reason}."};
+constexpr Refusal batch_unwritten{code::cannot_write, "Cannot write {file}: {reason}."};
+constexpr Refusal batch_unfinished{code::cannot_read, "The batch in {folder} is not finished.",
+                                   "Run it again to go on."};
+constexpr Refusal journal_damaged{code::cannot_read, "{file} is damaged at {name}.",
+                                  "Remove it, and run the batch again."};
+constexpr Refusal record_damaged{code::cannot_read, "{file} is damaged.", "Run that batch again."};
+constexpr Refusal folder_taken{code::cannot_write, "Another batch is writing to {folder}.",
+                               "Wait until it is done, or name another folder with -o."};
+constexpr Refusal interrupted{code::cancelled, "Interrupted.",
+                              "Run the same command again to go on."};
+constexpr Refusal shape_unread{code::cannot_read, "A stored shape cannot be read: {reason}"};
+
+// Shards.
+constexpr Refusal no_batch{code::cannot_read,
+                           "{folder} holds no results of planish batch, nor shards of them."};
+constexpr Refusal shard_unfinished{code::cannot_read, "{folder} is not finished.",
+                                   "Run --shard {shard} again, then merge."};
+constexpr Refusal other_batch{
+    code::cannot_read, "{folder} and {other} are not of one batch.",
+    "Merge shards with the same inputs, options, number of shards and version of planish."};
+constexpr Refusal shard_twice{code::cannot_read, "{folder} is shard {shard} for the second time."};
+constexpr Refusal shard_missing{code::cannot_read, "Shard {shard} is missing.",
+                                "Run --shard {shard}, then merge."};
+constexpr Refusal merged_into_itself{code::bad_option, "{folder} is to be merged.",
+                                     "Name another folder with -o."};
+
+}  // namespace planish::refuse

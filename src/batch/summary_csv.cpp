@@ -1,0 +1,65 @@
+#include "summary_csv.hpp"
+
+#include <planish/sheet/csv.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace planish::batch {
+namespace {
+
+std::string cell(const std::string& text) { return text; }
+
+/// As JSON has it, so that tables and reports say the same.
+template <typename Number>
+std::string cell(const std::optional<Number>& number) {
+  return number ? nlohmann::json(*number).dump() : std::string();
+}
+
+/// Titles and cells.
+std::vector<std::pair<std::string, std::string>> row_of(const PartRecord& part,
+                                                        const std::string& same_as) {
+  return {{"input", cell(part.input)},
+          {"body", cell(part.body)},
+          {"quantity", cell(part.quantity)},
+          {"status", cell(part.status)},
+          {"reason", cell(part.reason)},
+          {"message", cell(part.message)},
+          {"units", cell(part.units)},
+          {"thickness", cell(part.thickness)},
+          {"length", cell(part.length)},
+          {"width", cell(part.width)},
+          {"area", cell(part.area)},
+          {"outer_cutting", cell(part.outer_cutting)},
+          {"inner_cutting", cell(part.inner_cutting)},
+          {"openings", cell(part.openings)},
+          {"bends", cell(part.bends)},
+          {"mass", cell(part.mass)},
+          {"volume_ratio", cell(part.volume_ratio)},
+          {"warnings", std::to_string(warnings_of(part).size())},
+          {"files", fmt::format("{}", fmt::join(part.written, ";"))},
+          {"same_as", same_as},
+          {"material", cell(part.material)}};
+}
+
+}  // namespace
+
+std::string csv_titles() {
+  std::vector<std::string> titles;
+  for (const auto& [title, text] : row_of({}, {}))
+    titles.push_back(title);
+  return csv_row(titles);
+}
+
+std::string csv_of(const PartRecord& part, const std::string& same_as) {
+  std::vector<std::string> cells;
+  for (const auto& [title, text] : row_of(part, same_as))
+    cells.push_back(text);
+  return csv_row(cells);
+}
+
+}  // namespace planish::batch

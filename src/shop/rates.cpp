@@ -1,0 +1,118 @@
+#include "refusals.hpp"
+
+#include <planish/shop/rates.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace planish::shop {
+namespace {
+
+using RatesJson = nlohmann::ordered_json;
+
+struct RateKey {
+  std::string_view name;
+  double Rates::Row::*value;
+};
+constexpr std::array kRateKeys{
+    RateKey{"cut", &Rates::Row::cut},   RateKey{"pierce", &Rates::Row::pierce},
+    RateKey{"bend", &Rates::Row::bend}, RateKey{"setup", &Rates::Row::setup},
+    RateKey{"kg", &Rates::Row::kg},     RateKey{"area", &Rates::Row::area}};
+
+/// A key as part of a JSON pointer.
+std::string in_pointer(const std::string& key) {
+  std::string escaped;
+  for (const char c : key)
+    escaped += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return escaped;
+}
+
+tl::unexpected<Error> wrong_rates(const std::string& file, const std::string& pointer,
+                                  const Refusal& refusal, Facts facts = {}) {
+  facts.emplace_back("file", file);
+  if (!pointer.empty()) facts.emplace_back("field", place::pointer(pointer));
+  return fail(refusal, facts, file + pointer);
+}
+
+Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer,
+                             const RatesJson& json) {
+  if (!json.is_object()) return wrong_rates(file, pointer, refuse::row_no_object);
+  Rates::Row row;
+  for (const auto& [key, value] : json.items()) {
+    const std::string at = pointer + "/" + in_pointer(key);
+    const auto found = std::ranges::find(kRateKeys, key, &RateKey::name);
+    if (found == kRateKeys.end()) {
+      std::vector<std::string_view> known;
+      for (const RateKey& one : kRateKeys)
+        known.push_back(one.name);
+      return wrong_rates(file, at, refuse::unknown_rate,
+                         {{"known", fmt::format("{}", fmt::join(known, ", "))}});
+    }
+    if (!value.is_number() || !(value.get<double>() >= 0.0))
+      return wrong_rates(file, at, refuse::bad_rate);
+    row.*(found->value) = value.get<double>();
+  }
+  return row;
+}
+
+double cost_at(const PricedPart& part, const Rates::Row& rates) {
+  const double each = rates.cut * part.cut_length +
+                      rates.pierce * static_cast<double>(part.pierces) +
+                      rates.bend * static_cast<double>(part.bends) +
+                      rates.kg * part.mass.value_or(0.0) +
+                      rates.area * part.size.x() * part.size.y();
+  return rates.setup + each * part.quantity;
+}
+
+}  // namespace
+
+Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
+  const RatesJson json = RatesJson::parse(text, nullptr, false);
+  if (!json.is_object()) return wrong_rates(file, "", refuse::rates_no_object);
+  Rates rates;
+  rates.name_ = file;
+  for (const auto& [key, value] : json.items()) {
+    const std::string at = "/" + in_pointer(key);
+    if (key == "format" || key == "version") {
+      const bool fits = key == "format" ? value == "planish/rates" : value == 1;
+      if (!fits) return wrong_rates(file, at, refuse::not_rates);
+    } else if (key == "currency" && value.is_string()) {
+      rates.currency_ = value.get<std::string>();
+    } else if (key == "materials" && value.is_object()) {
+      for (const auto& [material, row] : value.items()) {
+        auto read = rates_row(file, at + "/" + in_pointer(material), row);
+        if (!read) return pass_on(read);
+        rates.rows_.emplace(material, *read);
+      }
+    } else {
+      return wrong_rates(file, at, refuse::unknown_rates_key);
+    }
+  }
+  if (rates.rows_.empty()) return wrong_rates(file, "/materials", refuse::no_rates);
+  return rates;
+}
+
+Result<double> Rates::cost_of(const PricedPart& part) const {
+  const auto row = rows_.find(part.material);
+  if (row == rows_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [material, rates] : rows_)
+      known.push_back(material);
+    return fail(refuse::no_rates_of,
+                {{"file", name_},
+                 {"material", part.material},
+                 {"part", part.name},
+                 {"known", fmt::format("{}", fmt::join(known, ", "))}},
+                "rates");
+  }
+  if (row->second.kg > 0.0 && !part.mass)
+    return fail(refuse::mass_unknown,
+                {{"part", part.name}, {"file", name_}, {"material", part.material}}, "rates");
+  return cost_at(part, row->second);
+}
+
+}  // namespace planish::shop

@@ -1,0 +1,40 @@
+#include "summary_csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace planish::batch {
+namespace {
+
+std::ptrdiff_t cells(const std::string& line) { return std::ranges::count(line, ',') + 1; }
+
+TEST(SummaryCsv, HasACellForEachTitle) {
+  EXPECT_EQ(cells(csv_of({}, "")), cells(csv_titles()));
+  EXPECT_TRUE(csv_titles().starts_with("input,body,quantity,status,reason,message,units,"));
+}
+
+// Numbers stand as in the report, and what the report does not say is empty.
+TEST(SummaryCsv, SaysWhatTheReportSays) {
+  const PartRecord part = part_record(
+      "f",
+      R"({"input":"a.step","body":"b","quantity":2,"status":"warning","units":"mm",)"
+      R"("material":"S235",)"
+      R"("sheet":{"thickness":2.0,"bends":3},"flat":{"size":[120.25,80.0],"area":9620.1,)"
+      R"("openings":0},)"
+      R"("checks":[{"severity":"warning"},{"severity":"info"},{"severity":"error"}],)"
+      R"("files":["f/a.dxf","f/a.svg"]})",
+      {}, {});
+  EXPECT_EQ(
+      csv_of(part, "e"),
+      "a.step,b,2,warning,,,mm,2.0,120.25,80.0,9620.1,,,0,3,,,2,\"f/a.dxf;f/a.svg\",e,S235\n");
+}
+
+TEST(SummaryCsv, QuotesWhatWouldBeMisread) {
+  const PartRecord part = part_record(
+      "f", R"({"reason":{"code":"c","message":"It is a block, 3 mm \"thick\"."}})", {}, {});
+  EXPECT_NE(csv_of(part, "").find(R"(,c,"It is a block, 3 mm ""thick"".",)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace planish::batch
