@@ -136,10 +136,12 @@ Ring ellipses() {
 
 /// Four cones that are not alike: none is symmetric, and of none is the tightest place in its
 /// middle.
-Ring uneven() { return ring_between(rectangle(200, 60), EllipseProfile{30, 30}, {25, 10, 80}); }
+Ring uneven_cones() {
+  return ring_between(rectangle(200, 60), EllipseProfile{30, 30}, {25, 10, 80});
+}
 
 /// The same the other way up.
-Ring uneven_turned() {
+Ring uneven_cones_turned() {
   return ring_between(EllipseProfile{30, 20}, rectangle(200, 60), {25, 10, 80});
 }
 
@@ -156,7 +158,7 @@ SplineProfile squarish(double radius) {
 }
 
 TEST(PatchMeasures, OfAnyPatchAreThoseOfSmallSteps) {
-  for (const Ring& ring : {ellipses(), uneven(), uneven_turned(), frustum(),
+  for (const Ring& ring : {ellipses(), uneven_cones(), uneven_cones_turned(), frustum(),
                            ring_between(squarish(60), EllipseProfile{30, 30}, {5, 3, 80}),
                            ring_between(EllipseProfile{30, 30}, squarish(60), {5, 3, 80})})
     for (const RuledPatch& patch : ring.patches) {
@@ -188,7 +190,7 @@ TEST(PatchTurned, IsTheAngleBetweenTheNormalsUpToHalfATurnAndTheRestBeyond) {
 
 TEST(PatchDistanceOfRadius, IsFoundWhereverOnAConeItsTightestRulingIs) {
   const Vec3 centre(25, 10, 80);
-  const Ring ring = uneven();
+  const Ring ring = uneven_cones();
   int cones = 0;
   for (const RuledPatch& patch : ring.patches) {
     if (patch.plane()) continue;
