@@ -1,3 +1,4 @@
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <gmock/gmock.h>
@@ -56,7 +57,7 @@ TEST(Csv, KeepsWhatIsQuoted) {
 TEST(Csv, NamesTheLineOfAQuoteThatIsNotClosed) {
   const auto split = split_csv("a\n\n\"b\nc", "table.csv");
   ASSERT_FALSE(split);
-  EXPECT_EQ(split.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(split.error().code, code::invalid_input);
   EXPECT_EQ(split.error().where, "table.csv:3");
 }
 
