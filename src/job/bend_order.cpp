@@ -6,6 +6,7 @@
 
 #include <planish/job/bend_order.hpp>
 #include <planish/job/run.hpp>
+#include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_reading.hpp>
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 #include "refusals.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/brake/codes.hpp>
 #include <planish/brake/proposals.hpp>
 #include <planish/shop/tools_json.hpp>

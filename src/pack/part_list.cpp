@@ -2,6 +2,7 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/outputs.hpp>
