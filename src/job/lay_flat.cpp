@@ -7,6 +7,7 @@
 #include "taken_shop.hpp"
 #include "verdict.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
