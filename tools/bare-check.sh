@@ -12,8 +12,8 @@ set -euo pipefail
 
 # Whoever takes longer has failed.
 root_minutes=10
-quickstart_minutes=20
-test_minutes=50
+quickstart_minutes=15
+test_minutes=60
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 logs="$top/build/logs/bare"

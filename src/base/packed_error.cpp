@@ -164,7 +164,8 @@ std::optional<Error> unpacked(std::span<const std::string> texts) {
     error.remedies.push_back(std::move(remedy));
   }
   for (long long left = in.count(); left > 0 && in.fine(); --left) {
-    Named named{static_cast<std::size_t>(in.whole(0, kMostWhole)), in.text(), in.text()};
+    const auto at = static_cast<unsigned>(in.whole(0, kMostWhole));
+    Named named{at, in.text(), in.text()};
     named.place = in.place();
     error.named.push_back(std::move(named));
   }

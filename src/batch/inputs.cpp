@@ -1,5 +1,6 @@
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
 #include <planish/schema/text_file.hpp>

@@ -83,7 +83,7 @@ Mended mended(const TopoDS_Shape& shape, const Fit& fit) {
 
 TopoDS_Shape with_parameter_curves(const TopoDS_Shape& shape) {
   if (faces_without(has_parameter_curves, shape).empty()) return shape;
-  const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, false, false).Shape();
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, false).Shape();
   return with_faces_mended(copy, faces_without(has_parameter_curves, copy),
                            {.precision = Precision::Confusion()});
 }

@@ -72,13 +72,11 @@ Frame frame_of(const gp_Ax3& axes) {
                          vec(axes.XDirection().XYZ()));
 }
 
+/// Opening along its axis or against it: `towards` tells.
 Cone cone_of(const gp_Cone& cone) {
   Frame frame = frame_of(cone.Position());
-  const double half_angle = cone.SemiAngle();
   frame.origin = vec(cone.Apex().XYZ());
-  // A negative angle narrows towards +z: the used part opens the other way.
-  if (half_angle < 0) frame = frame_from_axes(frame.origin, -frame.z, frame.x);
-  return {frame, std::abs(half_angle)};
+  return {frame, std::abs(cone.SemiAngle())};
 }
 
 /// The kernel's cones continue through their apex; the nappe in use determines the axis.

@@ -83,24 +83,12 @@ Gap refined(const Curve2& a, const Curve2& b, double t0, double t1) {
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kSteps = 45;  // 0.618^45 = 4e-10 of the interval: beyond, rounding decides
   const auto distance_at = [&](double t) { return nearest(b, point_at(a, t)).distance; };
-  double left = t1 - kGolden * (t1 - t0);
-  double right = t0 + kGolden * (t1 - t0);
-  double at_left = distance_at(left);
-  double at_right = distance_at(right);
   for (int step = 0; step < kSteps; ++step) {
-    if (at_left < at_right) {
+    const double left = t1 - kGolden * (t1 - t0), right = t0 + kGolden * (t1 - t0);
+    if (distance_at(left) < distance_at(right))
       t1 = right;
-      right = left;
-      at_right = at_left;
-      left = t1 - kGolden * (t1 - t0);
-      at_left = distance_at(left);
-    } else {
+    else
       t0 = left;
-      left = right;
-      at_left = at_right;
-      right = t0 + kGolden * (t1 - t0);
-      at_right = distance_at(right);
-    }
   }
   return gap_from(point_at(a, 0.5 * (t0 + t1)), b);
 }

@@ -95,8 +95,9 @@ std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, c
   std::vector<Observation> result;
   for (const Opening& opening : workpiece.openings) {
     Gap nearest;
+    nearest.distance = limit;
     edges.visit(widened(opening.boxed.box, limit), [&](size_t i) {
-      const Gap gap = gap_between(opening.boxed, outer[i], std::min(limit, nearest.distance));
+      const Gap gap = gap_between(opening.boxed, outer[i], nearest.distance);
       if (gap.distance < nearest.distance) nearest = gap;
     });
     if (nearest.distance >= limit - kDrawn) continue;

@@ -98,7 +98,7 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const
   std::vector<Observation> result;
   for (const Opening& opening : workpiece.openings) {
     if (opening.is_cut) continue;
-    const double width = 2.0 * inscribed_radius(opening, 0.5 * (limit - kDrawn));
+    const double width = 2.0 * inscribed_radius(opening, 0.5 * limit);
     if (width >= limit - kDrawn) continue;
     const Facts facts{{"opening", place::point(opening.center)},
                       {"size", opening.size_text},

@@ -5,6 +5,7 @@
 #include "refusals.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/brake/codes.hpp>
 #include <planish/brake/proposals.hpp>
 #include <planish/shop/tools_json.hpp>
@@ -94,24 +95,28 @@ Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending
   return error;
 }
 
+/// The same where bending is only looked into.
+Finding cannot_bend_finding(Error why, std::vector<Vec2> at) {
+  if (why.message.ends_with('.')) why.message.pop_back();  // findings have no full stop
+  return {"cannot_bend",
+          Severity::error,
+          continued(std::move(why.message)),
+          std::move(at),
+          {},
+          std::move(why.places),
+          std::move(why.numbers)};
+}
+
 std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
   const bool only_finding = bending.ask == Bending::Ask::finding;
   std::optional<Error> refusal;
   name_once(plan.blocked);
   if (plan.status == PlanStatus::infeasible) {
     Error why = cannot_bend(report, plan, bending);
-    if (only_finding) {
-      why.message.pop_back();  // findings have no full stop
-      report.findings.push_back({"cannot_bend",
-                                 Severity::error,
-                                 continued(std::move(why.message)),
-                                 places_of(report, plan),
-                                 {},
-                                 std::move(why.places),
-                                 std::move(why.numbers)});
-    } else {
+    if (only_finding)
+      report.findings.push_back(cannot_bend_finding(std::move(why), places_of(report, plan)));
+    else
       refusal = std::move(why);
-    }
   }
   if (plan.status == PlanStatus::gave_up)
     report.findings.push_back({"no_plan",
@@ -192,7 +197,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   if (plan) return take_plan(report, std::move(*plan), bending);
   if (bending.ask == Bending::Ask::plan || exit_status(plan.error().code) != kCannotStatus)
     return plan.error();
-  report.findings.push_back({"cannot_bend", Severity::error, plan.error().message, {}});
+  report.findings.push_back(cannot_bend_finding(plan.error(), {}));
   return std::nullopt;
 }
 

@@ -59,19 +59,11 @@ class MadeConnection : public MadeReport<ConnectReport> {
   std::vector<Plate> plates_;  // as in the input, joined or not
 };
 
-Result<PlatesFile> plates_in(const InputFile& input) {
-  return parse_plates(input.content, input.name);
-}
-
-Result<std::unique_ptr<Made>> make(const PlatesFile& file, const Request& request,
-                                   const Progress& progress) {
+Result<std::unique_ptr<Made>> connection_of(const PlatesFile& file, const Request& request,
+                                            const Progress& progress) {
   auto report = connect_plates(file, request, progress);
   if (!report) return pass_on(report);
   return std::make_unique<MadeConnection>(std::move(*report), file.structure.plates);
-}
-
-Result<std::unique_ptr<Work>> open_plates(const InputFile& input, const Progress&) {
-  return SpecWork<PlatesFile>::open(input, plates_in, make);
 }
 
 }  // namespace
@@ -102,7 +94,7 @@ Maker connect_maker() {
                                        {"no_rules"}}),
       .schema = plates_schema,
       .report_details = connect_report_details,
-      .open = open_plates,
+      .open = SpecWork<PlatesFile, parse_plates, connection_of>::open,
       .failed = failed_as<MadeConnection, ConnectReport>,
   };
 }

@@ -7,6 +7,7 @@
 #include "taken_shop.hpp"
 #include "verdict.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
@@ -26,7 +27,7 @@ constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 // Bends from one table row may differ in the last digits; that still counts as one K.
 constexpr double kSameK = tolerance::kComputed;
 
-Error stopped() { return {code::cancelled, "cancelled", {}}; }
+Error stopped() { return error_of(refuse::cancelled, {}); }
 
 void summarize_k(SheetSummary& summary, const FlatPattern& flat, const AllowanceRule& rule) {
   summary.k_factor.reset();

@@ -47,36 +47,29 @@ std::unique_ptr<Made> failed_as(const Request& request, const Error& error) {
   return std::make_unique<M>(failed_report<R>(request, error));
 }
 
-/// A `Work` on a JSON file, which is parsed again at each edit; nothing else is kept.
-template <typename File>
+/// A `Work` on a JSON file, which is parsed again at each edit; nothing else is kept. `parse` makes
+/// a `File` of a content and its name, `make_of` the result of a file, a request and its progress.
+template <typename File, auto parse, auto make_of>
 class SpecWork : public Work {
  public:
-  using Parse = Result<File> (*)(const InputFile& input);
-  using Make = Result<std::unique_ptr<Made>> (*)(const File& file, const Request& request,
-                                                 const Progress& progress);
-
-  static Result<std::unique_ptr<Work>> open(const InputFile& input, Parse parser, Make function) {
-    auto file = parser(input);
-    if (!file) return pass_on(file);
-    return std::make_unique<SpecWork>(std::move(*file), parser, function);
+  static Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
+    auto work = std::make_unique<SpecWork>();
+    if (auto read = work->edit(input); !read) return pass_on(read);
+    return work;
   }
-  SpecWork(File file, Parse parser, Make function)
-      : file_(std::move(file)), parse_(parser), make_(function) {}
 
   Result<void> edit(const InputFile& input) override {
-    auto file = parse_(input);
+    auto file = parse(input.content, input.name);
     if (!file) return pass_on(file);
     file_ = std::move(*file);
     return {};
   }
   Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
-    return make_(file_, request, progress);
+    return make_of(file_, request, progress);
   }
 
  private:
   File file_;
-  Parse parse_;
-  Make make_;
 };
 
 /// Points for the page, in mm.

@@ -21,7 +21,7 @@ namespace {
 using Done = Result<void>;
 
 const OptionFile& file_of(const OptionValue& value) { return std::get<OptionFile>(value); }
-const std::string& text_of(const OptionValue& value) { return std::get<std::string>(value); }
+const std::string& given_text(const OptionValue& value) { return std::get<std::string>(value); }
 double number_of(const OptionValue& value) { return std::get<double>(value); }
 bool yes(const OptionValue& value) { return std::get<bool>(value); }
 
@@ -48,7 +48,7 @@ Done set_material(Request& to, const OptionValue& value) {
 }
 
 Done set_process(Request& to, const OptionValue& value) {
-  to.rules = rules_for(text_of(value) == "punch" ? Process::punch : Process::laser);
+  to.rules = rules_for(given_text(value) == "punch" ? Process::punch : Process::laser);
   return {};
 }
 
@@ -60,7 +60,7 @@ Done set_rules(Request& to, const OptionValue& value) {
 }
 
 Done set_profile(Request& to, const OptionValue& value) {
-  const std::string& word = text_of(value);
+  const std::string& word = given_text(value);
   to.dxf.layers.reset();
   to.dxf.profile = word == "inventor"    ? LayerProfile::inventor
                    : word == "onshape"   ? LayerProfile::onshape
@@ -70,7 +70,7 @@ Done set_profile(Request& to, const OptionValue& value) {
 }
 
 Done set_extruded(Request& to, const OptionValue& value) {
-  const std::string& word = text_of(value);
+  const std::string& word = given_text(value);
   to.extruded = word == "through"   ? ExtrudedHoles::through
                 : word == "outline" ? ExtrudedHoles::outline
                                     : ExtrudedHoles::pilot;
@@ -78,7 +78,7 @@ Done set_extruded(Request& to, const OptionValue& value) {
 }
 
 Done set_relief(Request& to, const OptionValue& value) {
-  const std::string& word = text_of(value);
+  const std::string& word = given_text(value);
   to.relief.shape = word == "none"     ? Relief::none
                     : word == "square" ? Relief::square
                     : word == "round"  ? Relief::round
@@ -87,7 +87,7 @@ Done set_relief(Request& to, const OptionValue& value) {
 }
 
 Done set_bend_relief(Request& to, const OptionValue& value) {
-  const std::string& word = text_of(value);
+  const std::string& word = given_text(value);
   to.relief.beside_bends = word == "square"  ? Relief::square
                            : word == "round" ? Relief::round
                                              : Relief::none;
@@ -95,8 +95,8 @@ Done set_bend_relief(Request& to, const OptionValue& value) {
 }
 
 Done set_units(Request& to, const OptionValue& value) {
-  to.units = text_of(value) == "inch" ? LengthUnit::inch
-             : text_of(value) == "m"  ? LengthUnit::m
+  to.units = given_text(value) == "inch" ? LengthUnit::inch
+             : given_text(value) == "m"  ? LengthUnit::m
                                       : LengthUnit::mm;
   return {};
 }
@@ -117,7 +117,7 @@ const std::vector<Option>& shop_options() {
 }
 
 Done set_rip_edges(Request& to, const OptionValue& value) {
-  const std::string& text = text_of(value);
+  const std::string& text = given_text(value);
   to.rip_edges.clear();
   const char* at = text.data();
   for (const char* const end = at + text.size();; ++at) {
@@ -182,7 +182,7 @@ const std::vector<Option>& bend_options() {
        .otherwise = "largest",
        .words = {"largest"},
        .set = [](Request& to, const OptionValue& value) -> Done {
-         to.root = text_of(value);
+         to.root = given_text(value);
          return {};
        }},
       {.name = "rip_edges",
@@ -199,7 +199,7 @@ const std::vector<Option>& bend_options() {
        .otherwise = "auto",
        .words = {"auto", "reference", "other"},
        .set = [](Request& to, const OptionValue& value) -> Done {
-         to.up = text_of(value);
+         to.up = given_text(value);
          return {};
        }},
   };
@@ -207,7 +207,7 @@ const std::vector<Option>& bend_options() {
 }
 
 Done set_lateral(Request& to, const OptionValue& value) {
-  const std::string& word = text_of(value);
+  const std::string& word = given_text(value);
   to.join.lateral = word == "straight" ? LateralBoundary::straight
                     : word == "arc"    ? LateralBoundary::arc
                     : word == "corner" ? LateralBoundary::corner
@@ -326,7 +326,7 @@ const std::vector<Option>& dxf_options() {
        .otherwise = "arcs",
        .words = {"keep", "arcs"},
        .set = [](Request& to, const OptionValue& value) -> Done {
-         to.dxf.splines = text_of(value) == "keep" ? Splines::keep : Splines::arcs;
+         to.dxf.splines = given_text(value) == "keep" ? Splines::keep : Splines::arcs;
          return {};
        }},
       {.name = "arc_tolerance",
@@ -346,7 +346,7 @@ const std::vector<Option>& dxf_options() {
        .otherwise = "lines",
        .words = {"lines", "ticks"},
        .set = [](Request& to, const OptionValue& value) -> Done {
-         to.dxf.bend_marks = text_of(value) == "ticks" ? BendMarks::ticks : BendMarks::lines;
+         to.dxf.bend_marks = given_text(value) == "ticks" ? BendMarks::ticks : BendMarks::lines;
          return {};
        }},
       {.name = "tick_length",
@@ -442,7 +442,7 @@ const std::vector<Option>& general_options() {
        .group = "Input",
        .description = "which body of several: its number (see `planish info`) or name",
        .set = [](Request& to, const OptionValue& value) -> Done {
-         to.body = text_of(value);
+         to.body = given_text(value);
          return {};
        }},
       {.name = "units",

@@ -214,10 +214,9 @@ Schema plan_schema() {
 std::string plan_text(const Plan& plan, const Report& report) {
   const Units units(report.units);
   if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
-    return fmt::format(
-               "plan: {} ({} examined)\n",
-               plan.status == PlanStatus::infeasible ? "impossible" : "none found",
-               counted(static_cast<int>(plan.states), "stage")) +
+    return fmt::format("plan: {} ({} examined)\n",
+                       plan.status == PlanStatus::infeasible ? "impossible" : "none found",
+                       counted(static_cast<int>(plan.states), "stage")) +
            proposals_text(plan, report);
   return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
                      counted(static_cast<int>(plan.strokes.size()), "stroke"),

@@ -70,6 +70,10 @@ constexpr std::string_view
     run_through_each_other = "{@part} run through each other when folded, {depth:3} deep";
 constexpr std::string_view solid_through_itself =
     "the folded solid runs through itself, {depth:3} deep, between its faces {first} and {second}";
+constexpr std::string_view strips_meet = "{meet} when folded, {depth:3} deep or more";
+constexpr std::string_view strips_press =
+    "{pair} need the same space, {depth:3} deep or more: move their curves apart, or chamfer their "
+    "edges";
 constexpr std::string_view seam_edges =
     "the seam lies in a fold, where square edges meet inside first, {depth:3} deep: bevel them, or "
     "put the seam elsewhere";

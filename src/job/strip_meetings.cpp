@@ -1,5 +1,7 @@
 #include "strip_meetings.hpp"
 
+#include "sentences.hpp"
+
 #include <planish/collision/meeting_faces.hpp>
 
 #include <fmt/format.h>
@@ -49,7 +51,7 @@ std::string name_of(const SlitPart& part, const SlitPart& beside) {
   const std::string name = part.strip == SlitPart::kPanel ? "the panel"
                            : part.strip == SlitPart::kSecondPanel
                                ? "the second panel"
-                               : fmt::format("strip {}", part.strip);
+                               : text_of(place::strip(part.strip));
   return part.mirrored == beside.mirrored ? name : name + " of the other half";
 }
 
@@ -58,6 +60,16 @@ std::string names_of(const Pair& pair) {
   if (one == other) return name_of(one, one) + " runs through itself";
   if (one.strip == other.strip) return name_of(one, one) + " runs through its mirror image";
   return fmt::format("{} and {} run through each other", name_of(one, one), name_of(other, one));
+}
+
+/// The strips of a pair and how deep they meet.
+Facts facts_of(const Pair& pair, double depth) {
+  Facts facts{{"depth", depth, unit::mm}};
+  for (const SlitPart& part : {pair.first, pair.second})
+    if (part.strip != SlitPart::kPanel && part.strip != SlitPart::kSecondPanel)
+      facts.emplace_back("strip", place::strip(part.strip));
+  if (pair.first.strip == pair.second.strip && facts.size() > 2) facts.pop_back();
+  return facts;
 }
 
 Vec2 middle_of(const Box2& box) { return 0.5 * (box.lo + box.hi); }
@@ -81,22 +93,23 @@ std::vector<Finding> strip_meetings(const SlitReport& report, const Sheet& sheet
                            [](const auto& one) { return one.second.depth; });
   for (const auto& [pair, meeting] : deepest_first) {
     const double depth = meeting.depth * sheet.thickness;
-    if (meeting.depth == kDepths.back())
-      findings.push_back(
-          {"self_intersection", Severity::error,
-           fmt::format("{} when folded, {:.3g} mm deep or more", names_of(pair), depth),
-           places(meeting)});
-    else
-      pressed.push_back(
-          {Severity::info,
-           fmt::format("{} and {} need the same space, {:.3g} mm deep or more: move "
-                       "their curves apart, or chamfer their edges",
-                       name_of(pair.first, pair.first), name_of(pair.second, pair.first), depth),
-           places(meeting)});
+    Facts facts = facts_of(pair, depth);
+    if (meeting.depth == kDepths.back()) {
+      facts.emplace_back("meet", names_of(pair));
+      findings.push_back(finding_of("self_intersection", Severity::error, say::strips_meet, facts,
+                                    places(meeting)));
+      continue;
+    }
+    facts.emplace_back("pair", name_of(pair.first, pair.first));
+    facts.emplace_back("pair", name_of(pair.second, pair.first));
+    Finding one = finding_of("strips_press", Severity::info, say::strips_press, facts,
+                             places(meeting));
+    pressed.push_back({one.severity, one.message, one.at, one.about, one.numbers});
   }
   if (pressed.empty()) return findings;
-  findings.push_back(
-      {"strips_press", Severity::info, pressed.front().message, pressed.front().at, pressed});
+  const FindingPlace& worst = pressed.front();
+  findings.push_back({"strips_press", Severity::info, worst.message, worst.at, pressed,
+                      worst.places, worst.numbers});
   return findings;
 }
 

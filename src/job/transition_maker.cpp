@@ -50,21 +50,13 @@ class MadeTransition : public MadeReport<TransitionReport> {
   }
 };
 
-Result<TransitionFile> transition_in(const InputFile& input) {
-  return parse_transition(input.content, input.name);
-}
-
-Result<std::unique_ptr<Made>> make(const TransitionFile& file, const Request& request,
-                                   const Progress& progress) {
+Result<std::unique_ptr<Made>> transition_of(const TransitionFile& file, const Request& request,
+                                            const Progress& progress) {
   auto report = transition_between(file, request, progress);
   if (!report) return pass_on(report);
   // Nobody reads them during a drag, and they would be half of what is sent.
   if (request.effort == Effort::draft) report->transition.true_lengths.clear();
   return std::make_unique<MadeTransition>(std::move(*report));
-}
-
-Result<std::unique_ptr<Work>> open_transition(const InputFile& input, const Progress&) {
-  return SpecWork<TransitionFile>::open(input, transition_in, make);
 }
 
 }  // namespace
@@ -88,7 +80,7 @@ Maker transition_maker() {
                                        {"no_rules"}}),
       .schema = transition_schema,
       .report_details = transition_report_details,
-      .open = open_transition,
+      .open = SpecWork<TransitionFile, parse_transition, transition_of>::open,
       .failed = failed_as<MadeTransition, TransitionReport>,
   };
 }

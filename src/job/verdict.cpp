@@ -98,20 +98,18 @@ void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat) {
 
 void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
   std::vector<Vec2> pilots, uncut;
-  int count = 0;
+  std::size_t count = 0;
   for (const FlatFeature& feature : flat.features) {
     pilots.insert(pilots.end(), feature.pilots.begin(), feature.pilots.end());
     if (feature.uncut_openings == 0) continue;
-    count += feature.uncut_openings;
+    count += static_cast<unsigned>(feature.uncut_openings);
     if (feature.outlines.empty()) continue;
     const Box2 box = bounds(feature.outlines.front());
     uncut.push_back(0.5 * (box.lo + box.hi));
   }
   if (!pilots.empty())
     found.push_back(counting("pilot_hole", say::pilot_holes, pilots.size(), pilots));
-  if (count > 0)
-    found.push_back(
-        counting("uncut_opening", say::uncut_openings, static_cast<std::size_t>(count), uncut));
+  if (count > 0) found.push_back(counting("uncut_opening", say::uncut_openings, count, uncut));
 }
 
 }  // namespace

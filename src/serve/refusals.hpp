@@ -17,6 +17,11 @@ constexpr Refusal no_path{code::invalid_input, "{@field} must be the path of a f
 constexpr Refusal standard_input_taken{
     code::bad_option,
     "{@field} must be the path of a file or its content: standard input carries the requests."};
+constexpr Refusal too_long{code::invalid_input, "The message is longer than 256 MiB.",
+                           "Give the path of the file instead of its content."};
+constexpr Refusal no_length{code::invalid_input,
+                            "The headers have no Content-Length, so where the next message begins "
+                            "is unknown: this was the last."};
 constexpr Refusal no_such_schema{code::bad_option, "There is no schema {name}.",
                                  "Name one of these: {known}."};
 

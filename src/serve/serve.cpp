@@ -1,4 +1,5 @@
 #include "conversation.hpp"
+#include "refusals.hpp"
 
 #include <planish/process/worker.hpp>
 #include <planish/serve/serve.hpp>
@@ -36,12 +37,10 @@ void converse(MessageReader& reader, MessageWriter& writer, Conversation& conver
         conversation.take(incoming.text);
         break;
       case Incoming::Kind::too_long:
-        conversation.refuse("the message is longer than 256 MiB: give the path of the file");
+        conversation.refuse(error_of(refuse::too_long, {}));
         break;
       case Incoming::Kind::no_length:
-        conversation.refuse(
-            "the headers have no Content-Length: where the next message begins is "
-            "unknown, and so this was the last");
+        conversation.refuse(error_of(refuse::no_length, {}));
         [[fallthrough]];
       case Incoming::Kind::end_of_input:
         return wait_for(conversation, 0, stopped);

@@ -125,7 +125,6 @@ std::vector<Stretch> paths_of(const Contour& contour, const Cutout& cutout, cons
         paths.push_back({{}, place, 0.0});
         open = true;
       }
-      if (!outside) from = t;
       outside = !outside;
       from = t;
     }

@@ -85,7 +85,7 @@ std::vector<JointRank> ranks_for(Keep keep, const Sheet& sheet, const Topology& 
   const auto steps = steps_from(topology.node_of(layout.root), sheet, topology, ranks);
   for (int j = 0; j < std::ssize(ranks); ++j)
     if (ranks[j])
-      (*ranks[j])[1] = -std::max(steps[node(sheet.joints[j].a)], steps[node(sheet.joints[j].b)]);
+      (*ranks[j])[1] = -(steps[node(sheet.joints[j].a)] + steps[node(sheet.joints[j].b)]);
   return ranks;
 }
 

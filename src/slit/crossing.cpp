@@ -97,8 +97,7 @@ std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip
                                      StripEdge where_neighbour_is) {
   const std::size_t own = where_neighbour_is == StripEdge::left ? 0 : 1, theirs = 1 - own;
   const double sense = own == 0 ? 1.0 : -1.0;
-  const double width = std::abs(strip.ridges.front().flat[1].y() -
-                                strip.ridges.front().flat[0].y());
+  const double width = strip.ridges.front().flat[1].y() - strip.ridges.front().flat[0].y();
   std::vector<HalfSpace> planes;
   for (std::size_t ridge = 1; ridge < strip.ridges.size(); ++ridge) {
     const Vec3& p = strip.ridges[ridge].folded[own];

@@ -28,7 +28,6 @@ class ChordWalk {
   }
 
   const Vec2& at() const { return at_; }
-  double t() const { return t_; }
 
   /// The first point on the rest of the curve at this distance; empty if the curve ends before.
   std::optional<Vec2> step(double chord) {
@@ -41,17 +40,16 @@ class ChordWalk {
     return std::nullopt;
   }
 
-  /// Straight from the present point through the curve's end.
+  /// Straight from the present point through the curve's end, and on in its direction.
   Vec2 step_beyond(double chord) {
     const BezierPoint end = bezier_at(curve_, 1.0);
-    const Vec2 rest = end.point - at_;
-    const double missing = std::max(0.0, chord - rest.norm());
+    const Vec2 to_end = end.point - at_, beyond = (chord - rest()) * end.first.normalized();
     t_ = 1.0;
-    return advance(rest + missing * end.first.normalized(), chord);
+    return advance(to_end + beyond, chord);
   }
 
-  /// The rest of the curve, as a chord.
-  double rest() const { return distance(1.0); }
+  /// The rest of the curve, as a chord; negative beyond its end.
+  double rest() const { return t_ < 1.0 ? distance(1.0) : -distance(1.0); }
 
  private:
   double distance(double t) const { return (bezier_at(curve_, t).point - at_).norm(); }
@@ -158,8 +156,7 @@ Result<std::vector<PanelFacet>> stood_on(std::vector<PanelFacet> facets, const B
     to_come -= chord;
     facet.frame = upright(from, *to, facet.corners[0], along);
   }
-  if (const double rest = walk.t() < 1.0 ? walk.rest() : 0.0; rest > tolerance)
-    return too_long(curve, rest, width, where);
+  if (const double rest = walk.rest(); rest > tolerance) return too_long(curve, rest, width, where);
   return facets;
 }
 

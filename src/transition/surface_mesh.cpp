@@ -20,7 +20,7 @@ int facets_of(const RuledPatch& patch, double chord) {
 }
 
 /// Indices of both ends of a ruling in a mesh.
-using Ends = std::array<int, 2>;
+using Ends = Eigen::Vector2i;
 
 int add_point(Mesh& mesh, const Vec3& p) {
   mesh.points.push_back(p);
@@ -46,10 +46,10 @@ int last_moving(const Ring& ring, int side) {
 
 Mesh surface_mesh(const Ring& ring, double chord) {
   Mesh mesh;
-  Ends first{};
+  Ends first;
   for (int side = 0; side < 2; ++side)
     first[side] = add_point(mesh, ring.patch(0).ruling(0.0)[side]);
-  const Ends closing{last_moving(ring, 0), last_moving(ring, 1)};
+  const Ends closing(last_moving(ring, 0), last_moving(ring, 1));
   Ends last = first;
   for (int i = 0; i < ring.count(); ++i) {
     const RuledPatch& patch = ring.patch(i);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace planish::test {
@@ -68,6 +69,64 @@ TEST(Cutting, KeepsFlapsOnOneEdgeApart) {
   EXPECT_EQ(work->bodies.size(), 3u);
   for (const BrakeLine& line : work->lines)
     EXPECT_NEAR(line.length(), 40.0, 1e-9);
+}
+
+double area_of_piece(const Convex& piece) {
+  double twice = 0.0;
+  for (size_t i = 0; i < piece.size(); ++i) {
+    const Vec2 &a = piece[i], &b = piece[(i + 1) % piece.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * std::abs(twice);
+}
+
+/// One bend across a slot, drawn as two bends, one on each side of it.
+Sheet bend_drawn_as_two(double slot) {
+  Sheet sheet = slot_across_bend(slot);
+  Bend second = sheet.bends.front();
+  second.faces = {sheet.bends.front().faces.back()};
+  sheet.bends.front().faces.pop_back();
+  const auto id = static_cast<BendId>(sheet.bends.size());
+  sheet.faces[second.faces.front()].part_of = id;
+  sheet.bends.push_back(second);
+  return sheet;
+}
+
+TEST(Cutting, MakesOneLineOfBendsThatGoOn) {
+  const Opened part;
+  for (const double slot : {6.0, 20.0}) {
+    const Sheet sheet = bend_drawn_as_two(slot);
+    ASSERT_TRUE(check(sheet));
+    const auto work = cut(sheet);
+    ASSERT_TRUE(work) << work.error().message;
+    ASSERT_EQ(work->lines.size(), 1u);
+    EXPECT_EQ(work->bodies.size(), 2u);
+    const BrakeLine& line = work->lines.front();
+    EXPECT_EQ(line.bends, (std::vector<BendId>{BendId(0), BendId(1)}));
+    ASSERT_EQ(line.pieces.size(), 2u);
+    const double one = 0.5 * (part.width - slot);
+    for (const Interval& piece : line.pieces)
+      EXPECT_NEAR(piece.size(), one, 1e-6);
+    EXPECT_NEAR(line.pieces[1].lo - line.pieces[0].hi, slot, 1e-6);
+    EXPECT_NEAR(line.length(), 2 * one, 1e-6);
+    // Their zone is the material of both, the bodies the rest of the pattern.
+    double zone = 0.0;
+    for (const Convex& piece : work->zones.front().pieces)
+      zone += area_of_piece(piece);
+    EXPECT_NEAR(zone, 2 * one * line.bend.allowance, 1e-6);
+  }
+}
+
+/// Bends that do not go on in each other, but join the same flanges, are a loop that no stroke can
+/// press.
+TEST(Cutting, RefusesBendsOfALoopThatAreNotOneLine) {
+  Sheet sheet = bend_drawn_as_two(12);
+  sheet.bends.back().reference_inside = !sheet.bends.back().reference_inside;
+  const auto flat = flat_sheet(bend_drawn_as_two(12));
+  ASSERT_TRUE(flat);
+  const auto work = workpiece_of(sheet, flat->layout, {});
+  ASSERT_FALSE(work);
+  EXPECT_EQ(work.error().where, "B2");
 }
 
 /// Which side is up: the inside faces the viewer of the pattern or not, whichever way it is laid.

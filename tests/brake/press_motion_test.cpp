@@ -36,6 +36,58 @@ TEST(PressMotion, IsNotFasterThanItsBounds) {
   }
 }
 
+/// The bounds of docs/math.md#stroke-clearance as they stand there: a point d from the tangent
+/// point, a point of the bend's zone.
+TEST(PressMotion, BoundsSidesAndBendAsTheMathematicsDoes) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 20; ++i) {
+    const PressMotion motion = random_motion(random);
+    const auto& [t, allowance, neutral] = motion.bend();
+    for (const double turn : {0.2, 1.1, 2.3}) {
+      const double h = 0.5 * turn;
+      const Vec2 tangent(0.5 * allowance, 0.0);
+      const Convex points{tangent + Vec2(3, 4), tangent + Vec2(-60, 80), tangent};
+      EXPECT_NEAR(motion.side_speed(points, turn),
+                  100.0 / 2 + allowance * (h / 12 + 1.0 / 8) + neutral, 1e-9);
+      EXPECT_NEAR(motion.arc_speed(turn), allowance * (1.0 / 8 + turn / 24) + t, 1e-9);
+    }
+  }
+}
+
+/// Each term of the die's height and of the contact by itself: what the shoulder's place and the
+/// skins contribute is bounded by its own slope, which no bound may exceed without need.
+TEST(PressMotion, BoundsTheDieByTheSlopeOfEachTerm) {
+  const auto slope = [](const auto& f, double turn) {
+    constexpr double kNear = 1e-5;
+    return std::abs(f(turn + kNear) - f(turn - kNear)) / (2 * kNear);
+  };
+  for (const double turn : {0.3, 1.0, 2.0}) {
+    const auto only = [&](const PressedBend& bend, const Shoulder& shoulder) {
+      return PressMotion(bend, shoulder);
+    };
+    const double h = 0.5 * turn, c = std::cos(h), secant = std::tan(h) / (2 * c);
+    // A sharp fold of a sheet without thickness: the shoulder's place alone, then its radius, then
+    // the thickness.
+    for (const PressMotion& motion :
+         {only({0, 0, 0}, {12, 0, 0}), only({0, 0, 0}, {0, 0, 2}), only({3, 0, 0}, {0, 0, 0})})
+      EXPECT_NEAR(motion.die_speed(turn),
+                  slope([&](double at) { return motion.die_height(at); }, turn), 1e-6);
+    EXPECT_NEAR(only({0, 0, 0}, {12, 0, 0}).contact_speed(turn), 12 * secant, 1e-9);
+    // The neutral arc: BA (1 − cos h) / θ over cos h, with |((1 − cos h)/θ)′| ≤ 1/8 and at most
+    // h/4.
+    EXPECT_NEAR(only({0, 10, 0}, {0, 0, 0}).die_speed(turn), 10 * (0.125 / c + h / 4 * secant),
+                1e-9);
+    // The skin beside it: K T (1 − cos h) / cos h.
+    const auto skin = [](double at) { return (1 - std::cos(at / 2)) / std::cos(at / 2); };
+    EXPECT_NEAR(
+        only({0, 10, 1.5}, {0, 0, 0}).die_speed(turn) - only({0, 10, 0}, {0, 0, 0}).die_speed(turn),
+        1.5 * slope(skin, turn), 1e-6);
+    // Of the contact by the product rule: f / cos h with |f| and |f′| of each term.
+    const double rest = only({1, 10, 1.5}, {0, 0, 2}).contact_speed(turn);
+    EXPECT_NEAR(rest, secant * (5 + 1.5 + 3) + (10 * h / 12 + 0.5 * (1.5 + 3)) / c, 1e-9);
+  }
+}
+
 /// The sheet is not stretched: the bend's arc goes on in the side, and at the start both lie flat.
 TEST(PressMotion, KeepsTheSheetTogether) {
   std::mt19937 random(6);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace planish::test {
 namespace {
@@ -139,6 +141,61 @@ TEST(StagePose, BendsZonesToTheirRadii) {
     }
   }
   EXPECT_EQ(zones, 1);
+}
+
+/// The strips of the zone that is being pressed.
+std::vector<ArcStrip> strips_of(const Room& room, int line) {
+  const PartTree tree(room.work(), line);
+  for (int part = 0; part < std::ssize(tree.parts()); ++part)
+    if (tree.parts()[part].is_zone && tree.parts()[part].before < 0)
+      return tree.placed(part, nullptr, PartTree::State::flat).strips;
+  return {};
+}
+
+/// The zone that is pressed is strips from the bend line outwards, as wide as its material; those
+/// of both sides reach from the line to half of the allowance, and never beyond.
+TEST(StagePose, CutsThePressedZoneIntoStripsFromTheLineOutwards) {
+  for (const double angle : {30.0, 90.0, 135.0})
+    for (const double radius : {0.8, 2.0, 7.3}) {
+      const Room room(strip({Straight{60}, Turn{Angle::degrees(angle), radius, BendDirection::up},
+                             Straight{45}},
+                            80, 1.5),
+                      plain_tools());
+      const double half = 0.5 * room.work().lines[0].bend.allowance;
+      std::array<std::vector<Interval>, 2> across;
+      for (const ArcStrip& strip : strips_of(room, 0)) {
+        EXPECT_LT(strip.from, strip.to);
+        EXPECT_LE(strip.to, half);
+        EXPECT_NEAR(strip.along.size(), 80.0, 1e-9);
+        across[strip.left].push_back({strip.from, strip.to});
+      }
+      EXPECT_EQ(across[0].size(), across[1].size());
+      for (auto& side : across) {
+        std::ranges::sort(side, {}, &Interval::lo);
+        ASSERT_FALSE(side.empty());
+        EXPECT_NEAR(side.front().lo, 0.0, 1e-9);
+        EXPECT_NEAR(side.back().hi, half, 1e-9);
+        for (size_t k = 0; k + 1 < side.size(); ++k)
+          EXPECT_NEAR(side[k].hi, side[k + 1].lo, 1e-9);
+        // Chords of the outside stay near their arc: the sagitta of a step of the bend is small.
+        const double step = room.work().lines[0].angle.radians() /
+                            (2.0 * static_cast<double>(side.size()));
+        EXPECT_LT((radius + 1.5) * (1.0 - std::cos(step / 2)), 0.05);
+      }
+    }
+}
+
+/// A circle across the bend takes its material out of the strips: what they cover is what is left,
+/// but for the corners of their ends.
+TEST(StagePose, CutsStripsAtOpenings) {
+  const Room room(slot_across_bend(12.0), plain_tools());
+  const double half = 0.5 * room.work().lines[0].bend.allowance;
+  double covered = 0.0;
+  for (const ArcStrip& strip : strips_of(room, 0)) {
+    EXPECT_NEAR(strip.along.size(), 24.0, 1e-6);
+    covered += (strip.to - strip.from) * strip.along.size();
+  }
+  EXPECT_NEAR(covered, 2 * half * 48.0, 1e-6);
 }
 
 }  // namespace

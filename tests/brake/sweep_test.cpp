@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace planish::test {
 namespace {
@@ -87,6 +88,83 @@ TEST(Sweep, FindsWhereAlongTheLineAWallIsInTheWay) {
                         (b - kPenetration) * std::sqrt(2.0);
   EXPECT_NEAR(blocked.front().lo, height / 0.6, 0.02);
   EXPECT_NEAR(blocked.front().hi, 100.0, 0.02);
+}
+
+/// A wall that is in the way from x = 30 to 70 on, its sections there as high as 60.
+struct WallInTheWay {
+  PressMotion motion{{1.0, 1.5708 * 1.44, 0.44}, shoulder_of(die())};
+  Obstacle obstacle = obstacle_of(section_of(punch({})), kPenetration, 0.0);
+  double most = std::acos(0.0);
+  PlacedPart part;
+
+  explicit WallInTheWay(bool left) {
+    part.left = left;
+    Block3 wall;
+    wall.lower = {{30, 31, 0}, {70, 31, 0}, {70, 31, 60}, {30, 31, 60}};
+    wall.upper = {{30, 30, 0}, {70, 30, 0}, {70, 30, 60}, {30, 30, 60}};
+    part.blocks = {wall};
+    part.along = {30, 70};
+    part.sections = {section(wall, 30, 70)};
+    part.hull = part.sections.front();
+  }
+};
+
+/// Where it is looked for, a wall is in the way there and nowhere else; what is on the left meets
+/// the left obstacle.
+TEST(Sweep, LooksWhereItIsAsked) {
+  for (const bool left : {true, false}) {
+    const WallInTheWay wall(left);
+    const Obstacle far = moved(wall.obstacle, {500, 0});
+    const auto& [on_left, on_right] = left ? std::tie(wall.obstacle, far)
+                                           : std::tie(far, wall.obstacle);
+    const auto blocked = [&](const Interval& within) {
+      return blocked_along(wall.motion, wall.part, on_left, on_right, wall.most, within);
+    };
+    const auto everywhere = blocked(kEverywhere);
+    ASSERT_EQ(everywhere.size(), 1u);
+    EXPECT_NEAR(everywhere.front().lo, 30, 0.02);
+    EXPECT_NEAR(everywhere.front().hi, 70, 0.02);
+    EXPECT_TRUE(blocked({0, 29}).empty());
+    EXPECT_TRUE(blocked({71, 90}).empty());
+    EXPECT_FALSE(blocked({35, 40}).empty());
+    EXPECT_FALSE(blocked({0, 31}).empty());
+    const auto hits = [&](double lo, double hi) {
+      return hit_within(wall.motion, wall.part, on_left, on_right, {lo, hi}, wall.most).has_value();
+    };
+    EXPECT_TRUE(hits(0, 100));
+    EXPECT_TRUE(hits(40, 45));
+    EXPECT_TRUE(hits(0, 31));
+    EXPECT_TRUE(hits(69, 90));
+    EXPECT_FALSE(hits(0, 29));
+    EXPECT_FALSE(hits(71, 90));
+    EXPECT_TRUE(blocked_along(wall.motion, wall.part, far, far, wall.most).empty());
+  }
+}
+
+/// Strips of the zone that is pressed are in the way along their own range: those of the left in
+/// that of the left obstacle.
+TEST(Sweep, FindsStripsThatAreInTheWay) {
+  const WallInTheWay wall(true);
+  PlacedPart zone;
+  zone.strips = {{0.2, 1.0, true, {10, 20}}, {0.2, 1.0, false, {40, 50}}};
+  zone.along = {10, 50};
+  // A bar across the middle, at the height of the sheet.
+  const Obstacle bar = obstacle_of({{{-5, -0.5}, {5, -0.5}, {5, 0.5}, {-5, 0.5}}}, kPenetration,
+                                   0.0);
+  const Obstacle far = moved(bar, {500, 0});
+  auto blocked = blocked_along(wall.motion, zone, bar, far, wall.most);
+  ASSERT_EQ(blocked.size(), 1u);
+  EXPECT_NEAR(blocked[0].lo, 10, 1e-9);
+  EXPECT_NEAR(blocked[0].hi, 20, 1e-9);
+  blocked = blocked_along(wall.motion, zone, far, bar, wall.most);
+  ASSERT_EQ(blocked.size(), 1u);
+  EXPECT_NEAR(blocked[0].lo, 40, 1e-9);
+  EXPECT_EQ(blocked_along(wall.motion, zone, bar, bar, wall.most).size(), 2u);
+  EXPECT_EQ(blocked_along(wall.motion, zone, bar, bar, wall.most, {0, 30}).size(), 1u);
+  EXPECT_TRUE(hit_within(wall.motion, zone, bar, far, {15, 16}, wall.most));
+  EXPECT_FALSE(hit_within(wall.motion, zone, bar, far, {21, 39}, wall.most));
+  EXPECT_FALSE(hit_within(wall.motion, zone, bar, far, {41, 49}, wall.most));
+  EXPECT_TRUE(hit_within(wall.motion, zone, far, bar, {41, 49}, wall.most));
 }
 
 }  // namespace

@@ -88,6 +88,22 @@ TEST(MeasuredBend, OfAGeneralSurfaceFindsTurnAndRadius) {
   EXPECT_TRUE(inside.reference_inside);
 }
 
+/// A cone given by knots, its ruling v = 0 at the distance 30 from the apex.
+TEST(MeasuredBend, OfAGeneralSurfaceMeasuresAcrossItsRulings) {
+  const Cone cone{Frame{}, 0.5};
+  Ruled ruled;
+  for (int i = 0; i <= 512; ++i) {
+    const double u = 1.0 + 1.1 * i / 512, c = std::cos(u), s = std::sin(u);
+    const double sine = std::sin(0.5), cosine = std::cos(0.5);
+    const Vec3 g(sine * c, sine * s, cosine), g_prime(-sine * s, sine * c, 0);
+    ruled.knots.push_back({u, 30 * g, 30 * g_prime, g, g_prime});
+  }
+  const Bend bend = measured(ruled, 1, {1.0, 0}, {2.1, 20});
+  EXPECT_NEAR(bend.inside_radius, 40 * std::tan(0.5) - kThickness, 1e-3) << "40 from the apex";
+  const Bend plain = measured(cone, 1, {1.0, 30}, {2.1, 50});
+  EXPECT_NEAR(bend.angle.radians(), plain.angle.radians(), 1e-5);
+}
+
 TEST(MeasuredBend, OfAGeneralSurfacePastHalfATurnGoesTheLongWay) {
   EXPECT_NEAR(measured(rolled(12, 4.0), 1, {0, 0}, {4.0, 30}).angle.radians(), 4.0, 1e-6);
 }

@@ -76,6 +76,35 @@ TEST(ExactCurve, RecognisesAFullCircle) {
   EXPECT_DOUBLE_EQ(curve.t1 - curve.t0, 2 * pi);
 }
 
+TEST(ExactCurve, RecognisesThemOverAnyParameters) {
+  const auto about = [](double t) -> Vec3 { return {4 * std::cos(t), 4 * std::sin(t), 9}; };
+  const auto slope = [](double t) -> Vec3 { return {-4 * std::sin(t), 4 * std::cos(t), 0}; };
+  const SpaceCurve arc = exact_curve(other_curve(-2.0, 1.5, about, slope), 1e-7);
+  ASSERT_EQ(arc.kind, Kind::circle);
+  EXPECT_NEAR(arc.radius, 4, 1e-9);
+  EXPECT_NEAR(arc.t1 - arc.t0, 3.5, 1e-9);
+  for (const double share : {0.0, 0.4, 1.0})
+    EXPECT_NEAR((arc.point(arc.t0 + 3.5 * share) - about(-2.0 + 3.5 * share)).norm(), 0.0, 1e-9);
+  const auto along = [](double t) -> Vec3 { return {3 * t, 4 * t, 1}; };
+  const SpaceCurve line = exact_curve(other_curve(5, 9, along,
+                                                  [](double) -> Vec3 {
+                                                    return {3, 4, 0};
+                                                  }),
+                                      1e-7);
+  EXPECT_EQ(line.kind, Kind::line);
+  EXPECT_NEAR(line.length(), 20, 1e-9);
+}
+
+TEST(ExactCurve, LeavesAHelix) {
+  const auto helix = other_curve(
+      0, 3,
+      [](double t) -> Vec3 {
+        return {4 * std::cos(t), 4 * std::sin(t), 0.1 * t};
+      },
+      [](double) -> Vec3 { return Vec3::Zero(); });
+  EXPECT_EQ(exact_curve(helix, 1e-3).kind, Kind::other);
+}
+
 TEST(ExactCurve, LeavesWhatStraysFromTheCircle) {
   EXPECT_EQ(exact_curve(circular(2.0, 1e-5), 1e-7).kind, Kind::other);
   EXPECT_EQ(exact_curve(circular(2.0, 1e-5), 1e-3).kind, Kind::circle);

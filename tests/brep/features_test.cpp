@@ -132,6 +132,19 @@ TEST(AddFeatures, SayOnWhichSideTheyAre) {
     }
 }
 
+TEST(AddFeatures, DrawBossesOnBothSkinsApart) {
+  // One on the top, one on the bottom elsewhere: beside each other along x, along y, along both.
+  const std::vector<Vec2> above{{5, 2}, {5, 6}, {0, 6}}, below{{0, -4}, {5, -4}, {5, 0}};
+  for (const Vec2& at : {Vec2(70, 20), Vec2(20, 45), Vec2(70, 45)})
+    for (const int reference : {kTop, kBottom}) {
+      const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{20, 20}, above}, {at, below}}),
+                                   reference);
+      ASSERT_EQ(sheet.features.size(), 2u);
+      EXPECT_NE(side_name(sheet.features.front().side), side_name(sheet.features.back().side));
+      EXPECT_NEAR(sheet.forms_volume.value(), 2 * pi * 25 * 4, 1e-7);
+    }
+}
+
 TEST(AddFeatures, DrawTheSkinInsideAChamferedRim) {
   const auto outer = rectangle_at({0, 0}, {100, 60});
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});

@@ -54,6 +54,13 @@ TEST(Genus, OfABentStripIsThatOfTheStrip) {
   EXPECT_EQ(genus_of(prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40)), 0);
 }
 
+TEST(Genus, CountsNoFaceThatHasBecomePartOfAnother) {
+  // The top of a box, with a hole, as two faces on one plane.
+  SolidModel model = plate(2, {100, 60}, holes(1));
+  model.faces.emplace_back().surface = Frame{};
+  EXPECT_EQ(genus_of(model), 1);
+}
+
 TEST(Genus, IsNotDefinedForAnOpenBoundary) {
   SolidMaker maker;
   maker.plane(Vec3::UnitZ(), {polygon_path({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}})});

@@ -290,7 +290,7 @@ class Refusals(SlitTest):
         report = self.report(spec)
         found = [check for check in report["checks"] if check["code"] == "self_intersection"]
         self.assertEqual([check["severity"] for check in found], ["error"])
-        self.assertIn("strip 2 and strip 4 run through each other when folded, 9 mm deep", found[0]["message"])
+        self.assertIn("strip 3 and strip 5 run through each other when folded, 9 mm deep", found[0]["message"])
         # Their middle surfaces come nearer than any two sheets of 10 mm can.
         two, four = (list(self.middle_points(report["slit"]["strips"][i])) for i in (2, 4))
         self.assertLess(min(math.dist(p, q) for p in two for q in four), 9.0)

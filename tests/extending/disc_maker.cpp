@@ -60,8 +60,8 @@ const Schema& disc_schema() {
   return schema;
 }
 
-Result<DiscFile> parse(const InputFile& input) {
-  JsonReading reading(input.content, "disc file", input.name, disc_schema());
+Result<DiscFile> parse_disc(const std::string& content, const std::string& name) {
+  JsonReading reading(content, "disc file", name, disc_schema());
   const JsonPlace place(reading);
   DiscFile file{place["radius"].length(), place["thickness"].length(), reading.unit()};
   if (reading.error()) return tl::unexpected(*reading.error());
@@ -111,10 +111,6 @@ Result<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
   return std::make_unique<MadeReport<DiscReport>>(std::move(report));
 }
 
-Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
-  return SpecWork<DiscFile>::open(input, parse, make);
-}
-
 }  // namespace
 
 Maker disc_maker() {
@@ -130,7 +126,7 @@ Maker disc_maker() {
       .options = with_pattern_options({{"units", "that of the disc file"},
                                        {.name = least_radius().name, .own = &least_radius()}}),
       .schema = disc_schema,
-      .open = open,
+      .open = SpecWork<DiscFile, parse_disc, make>::open,
       .failed = failed_as<MadeReport<DiscReport>, DiscReport>,
   };
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -229,6 +230,151 @@ TEST(BendRelief, CanBeSwitchedOff) {
   Rules rules = strict_rules();
   rules.relief_width_t = 0.0;
   EXPECT_TRUE(findings_of(tab_without_relief(), rules).empty());
+}
+
+std::vector<Finding> relief_findings(const FlatPattern& pattern,
+                                     const Rules& rules = strict_rules()) {
+  return of_code(findings_of(pattern, rules), "bend_relief");
+}
+
+TEST(BendRelief, IsACutOutIfDeeperThanFiveTimesTheOutsideRadius) {
+  // R + T is 4: beyond 20 mm there is nothing to relieve.
+  for (const double width : {0.0, 1.0}) {
+    EXPECT_EQ(relief_findings(tab(15.0, width, 9.0)).size(), 2u) << width;
+    EXPECT_TRUE(relief_findings(tab(15.0, width, 25.0)).empty()) << width;
+  }
+}
+
+/// A tab of 20 whose relief on the right has these corners, from its far side back to the tab; that
+/// on the left is large.
+FlatPattern tab_beside(const std::vector<Vec2>& relief) {
+  const double w = test::zone_width();
+  std::vector<Vec2> corners{{-30, -40}, {30, -40}, {30, 15}};
+  corners.insert(corners.end(), relief.begin(), relief.end());
+  for (const Vec2& corner : {Vec2(10, w + 20), Vec2(-10, w + 20), Vec2(-10, -5), Vec2(-16, -5),
+                             Vec2(-16, 15), Vec2(-30, 15)})
+    corners.push_back(corner);
+  FlatPattern pattern = flat_plate(polygon(corners));
+  test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+  return pattern;
+}
+
+TEST(BendRelief, HasItsDepthInTheMiddleOfTheWidthThatItNeeds) {
+  Rules rules = strict_rules();
+  rules.relief_depth_t = 2.5;  // 7 mm from the outside: 3 mm beyond the tangent line
+  // 4 mm wide where 2 are needed, its bottom slanting: 1 mm from the bend it is 2 mm deep.
+  const auto slanting = relief_findings(tab_beside({{14, 15}, {14, -5}, {10, -1}}), rules);
+  ASSERT_EQ(slanting.size(), 1u) << text_of(slanting);
+  EXPECT_NEAR(number_of(slanting[0], "measured"), 4.0 + 2.0, 1e-6);
+  EXPECT_TRUE(
+      relief_findings(tab_beside({{14, 15}, {14, -4}, {10, -2.1}, {10, -2.9}}), rules).size() ==
+      1u);
+  EXPECT_TRUE(relief_findings(tab_beside({{14, 15}, {14, -3.1}, {10, -3.1}}), rules).empty());
+}
+
+TEST(BendRelief, IsMissedWhereTheSheetGoesOnBehindASlotAlongTheTangentLine) {
+  // A slot of half a millimetre beside the bend zone, closed on the flange's side and behind it.
+  const auto found = findings_of(tab_beside({{10, 15}, {10, 0.5}, {14, 0.5}, {14, 0}, {10, 0}}));
+  ASSERT_EQ(found.size(), 1u) << text_of(found);
+  EXPECT_EQ(found[0].code, "bend_relief");
+  EXPECT_THAT(found[0].message, HasSubstr("without relief"));
+}
+
+TEST(BendRelief, IsSeenBesideAnEdgeThatSlantsAway) {
+  // Sheet beside the tab falls off from the tangent line, by 10 and by 60 degrees: it goes on; at
+  // more than four to one it does not.
+  const double w = test::zone_width();
+  for (const auto& [drop, count] : {std::pair{0.02, 2u}, std::pair{5.0, 0u}}) {
+    FlatPattern pattern = flat_plate(polygon({{-30, -40},
+                                              {30, -40},
+                                              {30, -20 * drop},
+                                              {10, 0},
+                                              {10, w + 20},
+                                              {-10, w + 20},
+                                              {-10, 0},
+                                              {-30, -20 * drop}}));
+    if (drop > 1.0)
+      pattern = flat_plate(polygon({{-16, -40},
+                                    {16, -40},
+                                    {16, -30},
+                                    {10, 0},
+                                    {10, w + 20},
+                                    {-10, w + 20},
+                                    {-10, 0},
+                                    {-16, -30}}));
+    test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+    EXPECT_EQ(of_code(findings_of(pattern), "flush_bend").size(), count) << drop;
+    EXPECT_TRUE(relief_findings(pattern).empty()) << drop;
+  }
+}
+
+TEST(BendRelief, NamesTheSideOnWhichTheSheetGoesOnBeforeANarrowOne) {
+  // A bend that ends within a plate, at a slot 1 mm wide below; above, the sheet goes on.
+  const double w = test::zone_width();
+  for (const bool turned : {false, true}) {
+    FlatPattern pattern = flat_plate(shifted(rectangle(40, w + 80), Vec2(-10, -40)));
+    open(pattern, rectangular_opening({10.5, -0.5}, 1, 3));
+    test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+    Isometry2 motion = Isometry2::Identity();
+    if (turned) motion.rotate(3.14159265358979323846);
+    pattern = test::moved(pattern, motion);
+    const auto found = relief_findings(pattern);
+    ASSERT_EQ(found.size(), 1u) << text_of(found);
+    EXPECT_NEAR((found[0].at.at(0) - motion * Vec2(10, w)).norm(), 0.0, 1e-9) << found[0].message;
+  }
+}
+
+TEST(BendRelief, IsMissedTwiceWhereBendsEndFartherApartThanTheSheetIsThick) {
+  const double w = test::zone_width();
+  for (const auto& [apart, count] : {std::pair{1.5, 3u}, std::pair{2.5, 4u}}) {
+    // Two tabs of 20 on one edge with a gap between them.
+    FlatPattern pattern = flat_plate(polygon({{-50, -40},
+                                              {50, -40},
+                                              {50, 0},
+                                              {apart + 20, 0},
+                                              {apart + 20, w + 20},
+                                              {apart, w + 20},
+                                              {apart, 0},
+                                              {0, 0},
+                                              {0, w + 20},
+                                              {-20, w + 20},
+                                              {-20, 0},
+                                              {-50, 0}}));
+    test::add_bend(pattern, {Vec2(-20, 0.5 * w), Vec2(0, 0.5 * w)});
+    test::add_bend(pattern, {Vec2(apart, 0.5 * w), Vec2(apart + 20, 0.5 * w)});
+    EXPECT_EQ(of_code(findings_of(pattern), "flush_bend").size(), count) << apart;
+  }
+}
+
+TEST(BendRelief, ToBeCutOnBothSidesWhereABendEndsWithinAPlate) {
+  FlatPattern pattern = flat_plate(shifted(rectangle(80, 100), Vec2(-40, -50)));
+  test::add_bend(pattern, {Vec2(-10, 0), Vec2(12, 0)});
+  Rules rules = strict_rules();
+  rules.relief_depth_t = 1.5;
+  const auto missing = missing_reliefs({}, pattern, rules);
+  ASSERT_EQ(missing.size(), 2u);
+  for (const MissingRelief& place : missing) {
+    EXPECT_TRUE(place.on_both_sides);
+    EXPECT_NEAR(place.zone, test::zone_width(), 1e-9);
+    EXPECT_NEAR(std::abs(place.corner.y()), 0.5 * test::zone_width(), 1e-9);
+    EXPECT_NEAR(place.beyond.x(), place.corner.x() < 0.0 ? -1.0 : 1.0, 1e-12);
+    EXPECT_NEAR(place.into_flange.y(), place.corner.y() < 0.0 ? -1.0 : 1.0, 1e-12);
+    EXPECT_EQ(place.web, 0.0);
+  }
+  EXPECT_NEAR(missing[0].corner.x() + missing[1].corner.x(), 2.0, 1e-9) << "at both ends";
+}
+
+TEST(BendRelief, SeesASlitAsACut) {
+  // A bend within a plate between two slits drawn once: narrow reliefs, not missing ones.
+  FlatPattern pattern = flat_plate(shifted(rectangle(80, 100), Vec2(-40, -50)));
+  const double half = 0.5 * test::zone_width();
+  test::add_bend(pattern, {Vec2(-10, 0), Vec2(10, 0)});
+  for (const double x : {-10.0, 10.0})
+    pattern.slits.emplace_back(Segment{{x, -half - 6}, {x, half + 6}});
+  const auto found = relief_findings(pattern);
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  for (const Finding& one : found)
+    EXPECT_THAT(one.message, HasSubstr("is 0 mm wide"));
 }
 
 }  // namespace

@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <numbers>
 #include <random>
+#include <set>
 
 namespace planish::test {
 namespace {
@@ -202,6 +205,145 @@ TEST(OpeningToOpening, IsToldForEachNearestNeighbourOnce) {
   // 35–48 are each other's nearest, 20 is nearest to 35, 80 is alone.
   EXPECT_THAT(messages(findings_of(pattern)),
               ElementsAre(HasSubstr("is 5 mm"), HasSubstr("is 7 mm")));
+}
+
+/// Circles of 1 to 3 mm in a plate of 120 × 90, none nearer to another than 0.5.
+std::vector<std::pair<Vec2, double>> perforation(std::mt19937& random, int count) {
+  std::uniform_real_distribution<double> x(10, 110), y(10, 80), radius(1, 3);
+  std::vector<std::pair<Vec2, double>> circles;
+  while (std::ssize(circles) < count) {
+    const std::pair<Vec2, double> next{Vec2(x(random), y(random)), radius(random)};
+    const bool free = std::all_of(circles.begin(), circles.end(), [&](const auto& other) {
+      return (other.first - next.first).norm() > other.second + next.second + 0.5;
+    });
+    if (free) circles.push_back(next);
+  }
+  return circles;
+}
+
+TEST(OpeningToOpening, IsThatOfTheNearestOfAllOthersEachPairOnce) {
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 12; ++trial) {
+    const auto circles = perforation(random, 5 + 3 * trial);
+    FlatPattern pattern = flat_plate(rectangle(120, 90));
+    for (const auto& [center, radius] : circles)
+      open(pattern, circular_opening(center, radius));
+    Rules rules = strict_rules();
+    rules.opening_to_opening_t = 4.0;  // 8 mm
+    const auto gap = [&](std::size_t i, std::size_t k) {
+      return (circles[i].first - circles[k].first).norm() - circles[i].second - circles[k].second;
+    };
+    std::set<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      std::size_t nearest = i;
+      for (std::size_t k = 0; k < circles.size(); ++k)
+        if (k != i && (nearest == i || gap(i, k) < gap(i, nearest))) nearest = k;
+      if (gap(i, nearest) < 8.0 - 1e-3) pairs.insert(std::minmax(i, nearest));
+    }
+    std::vector<double> wanted, measured;
+    for (const auto& [i, k] : pairs)
+      wanted.push_back(gap(i, k));
+    for (const Finding& one : of_code(findings_of(pattern, rules), "opening_to_opening")) {
+      measured.push_back(number_of(one, "measured"));
+      ASSERT_EQ(one.at.size(), 2u);
+      EXPECT_NEAR((one.at[0] - one.at[1]).norm(), measured.back(), 1e-9);
+    }
+    std::sort(wanted.begin(), wanted.end());
+    ASSERT_EQ(measured.size(), wanted.size()) << trial;
+    EXPECT_TRUE(std::is_sorted(measured.begin(), measured.end())) << "the worst first";
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      EXPECT_NEAR(measured[i], wanted[i], 1e-9);
+  }
+}
+
+TEST(OpeningToOpening, HasItsPlacesOnTheOpeningsThatItNames) {
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  for (const double x : {20.0, 35.0, 48.0})
+    open(pattern, circular_opening({x, 30}, 4));
+  for (const Finding& one : findings_of(pattern)) {
+    ASSERT_EQ(one.about.size(), 2u);
+    for (const int i : {0, 1}) {
+      const Vec2 center(one.about[i].at.at(0), one.about[i].at.at(1));
+      EXPECT_NEAR((one.at[i] - center).norm(), 4.0, 1e-9);
+    }
+  }
+}
+
+TEST(OpeningToOpening, DoesNotCountAcrossAnotherOpening) {
+  // A slot between two holes: each is near to it, and not to the other.
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  open(pattern, circular_opening({46, 30}, 3));
+  open(pattern, circular_opening({54, 30}, 3));
+  EXPECT_NEAR(number_of(only(findings_of(pattern), "opening_to_opening"), "measured"), 2.0, 1e-9);
+  open(pattern, rectangular_opening({50, 30}, 0.2, 20));
+  const auto found = of_code(findings_of(pattern), "opening_to_opening");
+  ASSERT_EQ(found.size(), 2u);
+  for (const Finding& one : found)
+    EXPECT_NEAR(number_of(one, "measured"), 0.9, 1e-9);
+}
+
+TEST(OpeningToEdge, IsThatOfTheNearestOfAllEdges) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> x(4.5, 27.5), y(4.5, 19.5), radius(1, 4);
+  for (int i = 0; i < 60; ++i) {
+    const Vec2 center(x(random), y(random));
+    const double r = radius(random);
+    FlatPattern pattern = flat_plate(rectangle(32, 24));
+    open(pattern, circular_opening(center, r));
+    const double distance = std::min({center.x(), 32 - center.x(), center.y(), 24 - center.y()}) -
+                            r;
+    const auto found = of_code(findings_of(pattern), "opening_to_edge");
+    ASSERT_EQ(found.size(), distance < 4.0 - 1e-3 ? 1u : 0u) << center.transpose();
+    if (!found.empty()) {
+      EXPECT_NEAR(number_of(found[0], "measured"), distance, 1e-9);
+    }
+  }
+}
+
+TEST(OpeningToBend, IsThatOfTheNearestStretchOfEachBend) {
+  // Two bends 40 mm apart, their limits interrupted at different places.
+  const double half = 0.5 * test::zone_width();
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> x(half + 3.2, 40 - half - 3.2), y(6, 54);
+  for (int i = 0; i < 60; ++i) {
+    FlatPattern pattern = flat_plate(shifted(rectangle(140, 60), Vec2(-50, 0)));
+    for (const double at : {0.0, 40.0}) {
+      FlatBend& bend = test::add_bend(pattern, {Vec2(at, 0), Vec2(at, 60)});
+      bend.tangent_lines.clear();
+      for (const double side : {-half, half})
+        for (const auto& [from, to] : {std::pair{40.0, 60.0}, std::pair{0.0, 15.0 + 0.25 * at}})
+          bend.tangent_lines.push_back({Vec2(at + side, from), Vec2(at + side, to)});
+    }
+    const Vec2 center(x(random), y(random));
+    open(pattern, circular_opening(center, 3));
+    Rules rules = strict_rules();
+    rules.opening_to_bend_t = 7.5;  // 15 mm
+    std::map<std::string, double> wanted;
+    for (const FlatBend& bend : pattern.bends) {
+      double least = 15.0 - 1e-3;
+      for (const Segment& line : bend.tangent_lines)
+        least = std::min(least, nearest(line, center).distance - 3.0);
+      if (least < 15.0 - 1e-3) wanted[bend.id] = least;
+    }
+    std::map<std::string, double> measured;
+    for (const Finding& one : of_code(findings_of(pattern, rules), "opening_to_bend"))
+      measured[std::get<std::string>(one.about.at(0).id)] = number_of(one, "measured");
+    ASSERT_EQ(measured.size(), wanted.size()) << center.transpose();
+    for (const auto& [bend, distance] : wanted)
+      EXPECT_NEAR(measured[bend], distance, 1e-9) << bend;
+  }
+}
+
+TEST(OpeningToBend, NamesBendsInTheirOrder) {
+  const double half = 0.5 * test::zone_width();
+  FlatPattern pattern = flat_plate(shifted(rectangle(160, 60), Vec2(-50, 0)));
+  test::add_bend(pattern, {Vec2(14, 0), Vec2(14, 60)});
+  test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 60)});
+  open(pattern, circular_opening({7, 30}, 7 - half - 1));
+  const auto found = of_code(findings_of(pattern), "opening_to_bend");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].about.at(0).id, Place::Id("B1"));
+  EXPECT_EQ(found[1].about.at(0).id, Place::Id("B2"));
 }
 
 }  // namespace

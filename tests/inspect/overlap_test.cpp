@@ -1,6 +1,7 @@
 #include "flat_plates.hpp"
 #include "support/sheets.hpp"
 
+#include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <gmock/gmock.h>
@@ -296,6 +297,49 @@ TEST(FindOverlaps, LetsALanceTouchItself) {
                                               {0, 30}}));
     EXPECT_TRUE(found.empty()) << noise << "\n" << test::text_of(found);
   }
+}
+
+/// A slit of no width into a plate, straight and slanting, with the rounding of a real pattern.
+std::vector<Vec2> lanced_plate(double noise) {
+  return {{0, 0},      {60, 0},          {60, 30.0}, {40, 30}, {30 + noise, 12},
+          {22.3, 3.1}, {30 - noise, 12}, {40, 30},   {20, 30}, {20 - noise, 10},
+          {20, 5},     {20 + noise, 10}, {20, 30},   {0, 30}};
+}
+
+TEST(FindOverlaps, LetsASlitTouchItselfInAnOpeningToo) {
+  // Openings run clockwise: what they enclose once, they enclose the other way round.
+  for (const double noise : {0.0, 1e-12, -1e-12, 1e-9, -1e-9}) {
+    FlatPattern pattern = test::flat_plate(shifted(rectangle(100, 80), Vec2(-20, -20)));
+    test::open(pattern, reversed(polygon(lanced_plate(noise))));
+    const auto found = find_overlaps({}, {}, pattern);
+    EXPECT_TRUE(found.empty()) << noise << "\n" << test::text_of(found);
+  }
+}
+
+TEST(FindOverlaps, SeesAnOpeningThatCoversItselfWhicheverWayItRuns) {
+  // A strip that turns round and runs over its own beginning, cut out of a plate.
+  const std::vector<Vec2> over{{0, 0},    {50, 0},  {50, 30}, {20, 30}, {20, -20},
+                               {24, -20}, {24, 26}, {46, 26}, {46, 4},  {0, 4}};
+  for (const bool back : {false, true}) {
+    FlatPattern pattern = test::flat_plate(shifted(rectangle(200, 200), Vec2(-100, -100)));
+    const Loop loop = polygon(over);
+    test::open(pattern, back ? reversed(loop) : loop);
+    const auto found = find_overlaps({}, {}, pattern);
+    ASSERT_EQ(found.size(), 1u) << back;
+    EXPECT_EQ(found[0].at.size(), 4u) << "the corners of what is covered twice";
+    EXPECT_EQ(contour_crossings(pattern).size(), 1u);
+  }
+}
+
+TEST(FindOverlaps, TellsACrossingBesideAnOverlapThatLiesElsewhere) {
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(5, 5, 10), FlangeId{1});
+  regions.pattern.outer = test::contour(
+      polygon({{40, 0}, {50, 10}, {50, 0}, {40, 10}}));  // crosses itself at (45, 5)
+  const auto found = regions.overlaps();
+  ASSERT_EQ(found.size(), 2u) << test::text_of(found);
+  EXPECT_THAT(found[1].message, HasSubstr("crosses itself at (45, 5)"));
 }
 
 TEST(FindOverlaps, LetsAWindowTouchItsOwnTab) {

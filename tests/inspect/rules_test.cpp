@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -161,6 +162,168 @@ TEST(CheckRules, StopsAtThresholdsThatAreNotNumbers) {
   EXPECT_DEATH((void)check_rules(u_channel(), pattern, rules), "isfinite");
   rules.flange_height_t = -1.0;
   EXPECT_DEATH((void)check_rules(u_channel(), pattern, rules), "isfinite");
+}
+
+// ---- every limit
+
+/// A pattern of 2 mm sheet with two places of a rule, one short of the limit by `first`, the other
+/// by `second` (mm; negative: more than enough).
+struct LimitCase {
+  const char* code;
+  std::function<FlatPattern(double first, double second)> pattern;
+  double wanted;
+  /// Below this share of what is wanted a place is a warning; none: it is the same everywhere.
+  std::optional<double> warning_below = std::nullopt;
+};
+
+FlatPattern two_bends(const BendShape& first, const BendShape& second) {
+  FlatPattern pattern = flat_plate(shifted(rectangle(400, 40), Vec2(-200, 0)));
+  test::add_bend(pattern, {Vec2(-80, 0), Vec2(-80, 40)}, first);
+  test::add_bend(pattern, {Vec2(80, 0), Vec2(80, 40)}, second);
+  return pattern;
+}
+
+FlatPattern with_circles(const std::vector<std::pair<Vec2, double>>& circles) {
+  FlatPattern pattern = flat_plate(rectangle(400, 100));
+  for (const auto& [center, radius] : circles)
+    open(pattern, circular_opening(center, radius));
+  return pattern;
+}
+
+/// Hems of R 1 with returns of this flat length at both ends of a plate.
+FlatPattern two_hems(double first, double second) {
+  const double w = test::zone_width({180, 1.0});
+  FlatPattern pattern = flat_plate(
+      shifted(rectangle(first + second + 2 * w + 100, 40), Vec2(-first - w, 0)));
+  test::add_bend(pattern, {Vec2(-0.5 * w, 0), Vec2(-0.5 * w, 40)}, {180, 1.0});
+  test::add_bend(pattern, {Vec2(100 + 0.5 * w, 0), Vec2(100 + 0.5 * w, 40)}, {180, 1.0});
+  return pattern;
+}
+
+/// A tab like that of `tab`, its reliefs of different width and depth.
+FlatPattern uneven_tab(const Vec2& left, const Vec2& right) {
+  const double w = test::zone_width();
+  FlatPattern pattern = flat_plate(polygon({{-30, -40},
+                                            {30, -40},
+                                            {30, 15},
+                                            {10 + right.x(), 15},
+                                            {10 + right.x(), -right.y()},
+                                            {10, -right.y()},
+                                            {10, w + 20},
+                                            {-10, w + 20},
+                                            {-10, -left.y()},
+                                            {-10 - left.x(), -left.y()},
+                                            {-10 - left.x(), 15},
+                                            {-30, 15}}));
+  test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+  return pattern;
+}
+
+Rules all_limits() {
+  Rules rules = strict_rules();
+  rules.relief_depth_t = 1.5;  // 5 mm from the outside of the bend: 1 mm beyond the tangent line
+  rules.strict = false;
+  return rules;
+}
+
+std::vector<LimitCase> limit_cases() {
+  const double tangent = 0.5 * test::zone_width();
+  return {
+      {"flange_height", [](double a, double b) { return flat_l(1 - a, 1 - b); }, 5.0},
+      {"bend_relief",
+       [](double a, double b) {
+         return uneven_tab({2 - a, 5}, {2 - b, 5});
+       },
+       2.0},
+      {"bend_relief",
+       [](double a, double b) {
+         return uneven_tab({5, 1 - a}, {5, 1 - b});
+       },
+       5.0, 0.5},
+      {"inside_radius",
+       [](double a, double b) {
+         return two_bends({90, 2 - a}, {90, 2 - b});
+       },
+       2.0},
+      {"hem",
+       [](double a, double b) {
+         return two_bends({180, 1 - a / 2}, {180, 1 - b / 2});
+       },
+       2.0, 0.5},
+      {"hem", [](double a, double b) { return two_hems(9 - a, 9 - b); }, 12.0, 0.5},
+      {"opening_to_bend",
+       [=](double a, double b) {
+         FlatPattern pattern = flat_l(60, 60);
+         open(pattern, circular_opening({-(tangent + 7 - a), 20}, 3));
+         open(pattern, circular_opening({tangent + 7 - b, 20}, 3));
+         return pattern;
+       },
+       4.0, 0.25},
+      {"opening_to_edge",
+       [](double a, double b) {
+         return with_circles({{{7 - a, 50}, 3}, {{200, 93 + b}, 3}});
+       },
+       4.0, 0.5},
+      {"opening_to_opening",
+       [](double a, double b) {
+         return with_circles(
+             {{{50, 50}, 4}, {{68 - a, 50}, 4}, {{250, 40}, 4}, {{250, 58 - b}, 4}});
+       },
+       10.0, 0.5},
+      {"smallest_opening",
+       [](double a, double b) {
+         return with_circles({{{50, 50}, 1 - a / 2}, {{90, 50}, 1 - b / 2}});
+       },
+       2.0},
+  };
+}
+
+TEST(EveryLimit, IsKeptWithinAThousandthOfAMillimetreAndNoMore) {
+  for (const LimitCase& one : limit_cases()) {
+    const auto found = [&](double first, double second) {
+      return of_code(check_rules({}, one.pattern(first, second), all_limits()), one.code);
+    };
+    EXPECT_TRUE(found(-0.5, -0.5).empty()) << one.code;
+    EXPECT_TRUE(found(0.0009, 0.0009).empty()) << one.code << text_of(found(0.0009, 0.0009));
+    for (const auto& short_ones : {std::pair{0.0012, -0.5}, std::pair{-0.5, 0.0012}}) {
+      const auto finding = found(short_ones.first, short_ones.second);
+      ASSERT_EQ(finding.size(), 1u) << one.code;
+      EXPECT_EQ(finding[0].places.size(), 1u) << one.code;
+      EXPECT_NEAR(number_of(finding[0], "measured"), one.wanted - 0.0012, 1e-6) << one.code;
+      EXPECT_NEAR(number_of(finding[0], "wanted"), one.wanted, 1e-9) << one.code;
+    }
+  }
+}
+
+TEST(EveryLimit, IsToldByTheWorstOfItsPlaces) {
+  for (const LimitCase& one : limit_cases())
+    for (const auto& [first, second] : {std::pair{0.05, 0.2}, std::pair{0.2, 0.05}}) {
+      const auto found = of_code(check_rules({}, one.pattern(first, second), all_limits()),
+                                 one.code);
+      ASSERT_EQ(found.size(), 1u) << one.code;
+      ASSERT_EQ(found[0].places.size(), 2u) << one.code;
+      EXPECT_NEAR(number_of(found[0], "measured"), one.wanted - 0.2, 1e-6) << one.code;
+      EXPECT_NEAR(number_of(places_of(found).at(1), "measured"), one.wanted - 0.05, 1e-6)
+          << one.code;
+    }
+}
+
+TEST(EveryLimit, IsAWarningWhereAShopWouldCall) {
+  for (const LimitCase& one : limit_cases()) {
+    if (!one.warning_below) continue;
+    const double few = (1.0 - *one.warning_below) * one.wanted;
+    const auto severity = [&](double short_by) {
+      return of_code(check_rules({}, one.pattern(short_by, -0.5), all_limits()), one.code)
+          .at(0)
+          .severity;
+    };
+    // Depth and return are limited by what is flat: less than that cannot be drawn.
+    const double most = std::string_view(one.code) == "bend_relief" ? 0.9 : few + 0.02;
+    EXPECT_EQ(severity(std::min(few, most) - 0.02), Severity::info) << one.code;
+    if (most > few) {
+      EXPECT_EQ(severity(most), Severity::warning) << one.code;
+    }
+  }
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "support/sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,7 +105,7 @@ TEST(BendDevelopment, RefusesANeutralSurfaceWithoutARadius) {
   const Sheet sheet = bent(90, 0.0, BendDirection::down);
   const auto none = developments_of(sheet, *allowances_of(sheet, with_k(0.0)));
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(none.error().code, code::bad_option);
   EXPECT_TRUE(developments_of(sheet, *allowances_of(sheet, with_k(0.01))));
   EXPECT_FALSE(allowances_of(sheet, with_k(1.5))) << "no such K";
 }

@@ -2,6 +2,7 @@
 
 #include <planish/sheet/certificate.hpp>
 #include <planish/sheet/codes.hpp>
+#include <planish/sheet/topology.hpp>
 
 #include <gtest/gtest.h>
 
@@ -181,6 +182,19 @@ TEST(Certificate, KnowsWhatItCouldNotMeasure) {
   EXPECT_FALSE(certificate->volume_ratio);
   EXPECT_FALSE(certificate->explained_ratio);
   EXPECT_FALSE(certificate->refold_deviation);
+}
+
+TEST(Certificate, AsksForTheDistanceOfEachFreeBordersEdgeAndOfNoOther) {
+  const Sheet sheet = l_bracket();
+  const FlatPattern pattern = flatten(sheet).value();
+  const Topology topology(sheet);
+  for (const BorderId id : topology.borders()) {
+    const int edge = *sheet[topology[id]].edge;
+    const EdgeDistance off = [&](int asked, const Vec3&) { return asked == edge ? 0.37 : 0.0; };
+    const auto certificate = certify(sheet, pattern, off);
+    ASSERT_TRUE(certificate) << certificate.error().message;
+    EXPECT_NEAR(*certificate->refold_deviation, topology.is_free(id) ? 0.37 : 0.0, 1e-6) << edge;
+  }
 }
 
 }  // namespace

@@ -100,5 +100,49 @@ TEST(LayOut, RefusesAKThatLeavesASharpInsideNoNeutralSurface) {
   EXPECT_TRUE(flatten(sheet, {.allowance = ConstantK{0.01, "test"}}));
 }
 
+TEST(CheckSheet, NamesTheFeatureWhoseCutsOrCountsAreNone) {
+  const BorderLoop line{Border{Segment{{0, 0}, {1, 0}}}}, none{Border{CubicSpline{}}};
+  const auto refused = [&](auto&& change) {
+    Sheet sheet = u_channel();
+    FormedFeature feature;
+    feature.kind = "pocket";
+    feature.face = FaceId{0};
+    feature.outlines = {line, line};
+    feature.openings.resize(2);
+    for (FormedOpening& opening : feature.openings)
+      opening.pilot = opening.through = line;
+    feature.slits = {line, line};
+    change(feature);
+    sheet.features.push_back(feature);
+    const auto sound = check(sheet);
+    if (!sound) {
+      EXPECT_EQ(sound.error().where, "feature 0");
+    }
+    return !sound;
+  };
+  EXPECT_FALSE(refused([](FormedFeature&) {}));
+  for (const std::size_t i : {0u, 1u}) {
+    EXPECT_TRUE(refused([&](FormedFeature& f) { f.openings[i].pilot = none; })) << i;
+    EXPECT_TRUE(refused([&](FormedFeature& f) { f.openings[i].through = {}; })) << i;
+    EXPECT_TRUE(refused([&](FormedFeature& f) { f.slits[i] = none; })) << i;
+    EXPECT_TRUE(refused([&](FormedFeature& f) { f.outlines[i] = none; })) << i;
+  }
+  EXPECT_TRUE(refused([](FormedFeature& f) { f.own_openings = -1; }));
+  EXPECT_TRUE(refused([](FormedFeature& f) { f.lost_openings = -1; }));
+}
+
+TEST(CheckSheet, LooksAtEveryLabel) {
+  Sheet sheet = u_channel();
+  for (const char* text : {"A", "B", "C"})
+    sheet.labels.push_back({FaceId{0}, {1, 2}, text});
+  EXPECT_TRUE(check(sheet));
+  for (const std::size_t i : {0u, 2u}) {
+    Sheet broken = sheet;
+    broken.labels[i].at.x() = std::nan("");
+    ASSERT_FALSE(check(broken)) << i;
+    EXPECT_EQ(check(broken).error().where, "label " + std::to_string(i));
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

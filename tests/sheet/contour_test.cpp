@@ -2,6 +2,8 @@
 
 #include "support/sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -65,7 +67,7 @@ TEST(Contour, OfAFormIsDrawnAndNotCutUnlessItIsTheOuterOne) {
   Sheet sheet = plate_with_holes();
   FormedFeature form;
   form.kind = "formed";
-  form.at_rim = {ErrorCode::overlap, "The form says so.", ""};
+  form.at_rim = {code::overlap, "The form says so.", ""};
   sheet.features.push_back(form);
   sheet[BorderRef{FaceId{0}, 1, 0}].feature = FeatureId{0};
   const auto contours = chained(sheet);
@@ -76,9 +78,9 @@ TEST(Contour, OfAFormIsDrawnAndNotCutUnlessItIsTheOuterOne) {
   EXPECT_NEAR(signed_area(contours->formed[0].second), -25 * std::numbers::pi, 1e-9);
   Sheet at_rim = sheet;
   at_rim[BorderRef{FaceId{0}, 0, 2}].feature = FeatureId{0};
-  EXPECT_EQ(chained(at_rim).error().code, ErrorCode::overlap) << "what the form's maker says";
+  EXPECT_EQ(chained(at_rim).error().code, code::overlap) << "what the form's maker says";
   at_rim.features[FeatureId{0}].at_rim = {};
-  EXPECT_EQ(chained(at_rim).error().code, ErrorCode::unsupported_shape);
+  EXPECT_EQ(chained(at_rim).error().code, code::unsupported_shape);
 }
 
 TEST(JoinedContour, HasTheOriginsOfAllItsPieces) {

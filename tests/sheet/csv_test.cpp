@@ -1,3 +1,4 @@
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <gmock/gmock.h>
@@ -31,7 +32,10 @@ TEST(Csv, SplitsAtTheFirstRecordsSeparator) {
   expect_records("a,b\t\n1,2", {{1, {"a", "b"}}, {2, {"1", "2"}}});
   expect_records("sep=;\na,1;b", {{2, {"a,1", "b"}}});
   expect_records("SEP=|\na,1|b", {{2, {"a,1", "b"}}});
-  expect_records("\xEF\xBB\xBF" "a,b", {{1, {"a", "b"}}});
+  expect_records(
+      "\xEF\xBB\xBF"
+      "a,b",
+      {{1, {"a", "b"}}});
 }
 
 TEST(Csv, CountsLinesWhateverTheyEndWith) {
@@ -53,7 +57,7 @@ TEST(Csv, KeepsWhatIsQuoted) {
 TEST(Csv, NamesTheLineOfAQuoteThatIsNotClosed) {
   const auto split = split_csv("a\n\n\"b\nc", "table.csv");
   ASSERT_FALSE(split);
-  EXPECT_EQ(split.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(split.error().code, code::invalid_input);
   EXPECT_EQ(split.error().where, "table.csv:3");
 }
 

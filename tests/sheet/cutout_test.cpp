@@ -1,3 +1,4 @@
+#include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
 #include <planish/sheet/one_piece.hpp>
 
@@ -5,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace planish::test {
 namespace {
@@ -138,6 +140,144 @@ TEST(Cutout, KeepsTheSlitsThatLeadToIt) {
   for (const Curve2& slit : left.slits)
     EXPECT_NEAR(length(slit), 6.9, 1e-9);
   EXPECT_NEAR(left.perimeter, 320 + 2 * (3.2 + 10.2) + 2 * 6.9, 1e-9);
+}
+
+// ---- against another program
+
+/// The shared area of two loops, by GEOS.
+double shared_area(const Loop& a, const Loop& b) {
+  constexpr double kFine = 2e-4;  // mm
+  double sum = 0.0;
+  for (const Overlap& overlap :
+       overlaps({polygon_of({a, {}}, kFine), polygon_of({b, {}}, kFine)}, 0.0, 0.0))
+    sum += overlap.area;
+  return sum;
+}
+
+Cutout random_cutout(std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0.0, 1.0), x(-5, 65), y(-5, 45), half(0.4, 9.0);
+  const double angle = 2 * kPi * share(random);
+  Cutout cutout{
+      {x(random), y(random)}, Vec2(std::cos(angle), std::sin(angle)), {half(random), half(random)}};
+  if (share(random) < 0.6) cutout.corner_radius = share(random) * cutout.half.minCoeff();
+  if (share(random) < 0.3) cutout.sharp_corner = static_cast<int>(4 * share(random));
+  return cutout;
+}
+
+TEST(Cutout, TakesFromAConvexPlateAndFromItsHoleWhatItSharesWithThem) {
+  // Half of a disc on a rectangle, with a round hole.
+  const Loop outer{Segment{{0, 0}, {60, 0}}, Segment{{60, 0}, {60, 20}}, Arc{{30, 20}, 30, 0, kPi},
+                   Segment{{0, 20}, {0, 0}}};
+  const Loop hole{Arc{{30, 20}, 8, 0.4, -2 * kPi}};
+  std::mt19937 random(4);
+  int bitten = 0, opened = 0;
+  for (int i = 0; i < 250; ++i) {
+    const Cutout cutout = random_cutout(random);
+    FlatPattern pattern;
+    pattern.thickness = 1.0;
+    pattern.outer = {outer, std::vector<std::vector<Origin>>(outer.size())};
+    pattern.openings = {{hole, {{}}}};
+    const auto left = without_cutout(pattern, cutout);
+    if (!left) continue;  // it falls into pieces
+    const double in_hole = shared_area(hole, cutout.outline());
+    const double taken = shared_area(outer, cutout.outline()) - in_hole;
+    const double whole = 1200 + 450 * kPi - 64 * kPi;
+    EXPECT_NEAR(left->area, whole - taken, 0.05) << i << ", " << cutout.middle.transpose();
+    bitten += taken > 1e-6 && left->openings.size() == 1;
+    opened += left->openings.empty();
+  }
+  EXPECT_GT(bitten, 50);
+  EXPECT_GE(opened, 3);
+}
+
+TEST(Cutout, OfManySizesTakesTheSameFromAnEdgeWhereverItsCornerIsBetweenSamples) {
+  // A square on its tip that reaches `deep` over the edge takes a triangle of deep².
+  const double diagonal = std::sqrt(0.5);
+  for (const double deep : {0.2, 0.01, 0.001})
+    for (int i = 0; i < 40; ++i) {
+      const double x = 20 + 0.731 * i, half = 2.0;
+      const Cutout cutout{{x, 60 + half / diagonal - deep}, {diagonal, diagonal}, {half, half}};
+      const FlatPattern left = cut_out(plain(), cutout);
+      EXPECT_NEAR(left.area, 6000 - deep * deep, 1e-8) << deep << ' ' << x;
+      EXPECT_NEAR(left.perimeter, 320 + 2 * deep * (std::numbers::sqrt2 - 1), 1e-6);
+    }
+}
+
+TEST(Cutout, LeavesOfLinesWhatLiesOutsideAsClippingByItsFourSides) {
+  // Bend lines and slits in an unbounded plate: the distance along a line to each of the four
+  // sides.
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> any(-20.0, 20.0), share(0.0, 1.0);
+  const FlatPattern plate = pattern_of({{-500, -500}, {500, -500}, {500, 500}, {-500, 500}});
+  for (int i = 0; i < 400; ++i) {
+    Cutout cutout = random_cutout(random);
+    cutout.middle = Vec2(any(random), any(random)) / 4;
+    cutout.corner_radius = 0.0;
+    FlatPattern pattern = plate;
+    FlatBend bend;
+    bend.id = "B1";
+    const Segment line{{any(random), any(random)}, {any(random), any(random)}};
+    bend.lines = {line};
+    bend.line_angles = {Angle::degrees(90)};
+    bend.tangent_lines = {line};
+    bend.length = (line.b - line.a).norm();
+    pattern.bends = {bend};
+    pattern.slits = {line, Arc{{300, 300}, 5, 0, 1}};
+    const FlatPattern left = cut_out(pattern, cutout);
+
+    double enter = 0.0, leave = 1.0;
+    for (const auto& [axis, half] :
+         {std::pair{cutout.along, cutout.half.x()},
+          std::pair{Vec2(-cutout.along.y(), cutout.along.x()), cutout.half.y()}}) {
+      const double at = axis.dot(line.a - cutout.middle), speed = axis.dot(line.b - line.a);
+      enter = std::max(enter, std::min((-half - at) / speed, (half - at) / speed));
+      leave = std::min(leave, std::max((-half - at) / speed, (half - at) / speed));
+    }
+    const double whole = (line.b - line.a).norm();
+    std::vector<double> wanted;  // where parts begin and end, along the line
+    if (enter >= leave) wanted = {0.0, whole};
+    if (enter < leave && enter > 0.0) wanted = {0.0, enter * whole};
+    if (enter < leave && leave < 1.0) wanted.insert(wanted.end(), {leave * whole, whole});
+    double rest = 0.0;
+    std::vector<double> found;
+    for (const Segment& part : left.bends[0].lines) {
+      found.insert(found.end(), {(part.a - line.a).norm(), (part.b - line.a).norm()});
+      rest += (part.b - part.a).norm();
+    }
+    ASSERT_EQ(found.size(), wanted.size()) << i;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      EXPECT_NEAR(found[k], wanted[k], 1e-9) << i;
+    EXPECT_NEAR(left.bends[0].length, rest, 1e-9);
+    EXPECT_EQ(left.bends[0].line_angles.size(), left.bends[0].lines.size());
+    EXPECT_EQ(left.bends[0].tangent_lines.size(), left.bends[0].lines.size());
+    EXPECT_EQ(left.slits.size(), left.bends[0].lines.size() + 1) << "curved slits stay";
+  }
+}
+
+TEST(Cutout, KeepsOfEachCurveWhereItCameFrom) {
+  FlatPattern pattern = plain();
+  for (int i = 0; i < 4; ++i)
+    pattern.outer.origins[i] = {Origin{{FaceId{0}, 0, i}, false, pattern.outer.loop[i]}};
+  // At the corner where the contour starts, and in the middle of a side.
+  for (const Vec2& middle : {Vec2(0, 0), Vec2(40, 60)}) {
+    const FlatPattern left = cut_out(pattern, rectangle_at(middle, {3, 5}));
+    for (std::size_t i = 0; i < left.outer.loop.size(); ++i) {
+      const Vec2 at = point_at(left.outer.loop[i], 0.5);
+      const bool on_outline = rectangle_at(middle, {3, 5}).distance(at) < 1e-9;
+      if (on_outline) {
+        EXPECT_TRUE(left.outer.origins[i].empty());
+        continue;
+      }
+      ASSERT_EQ(left.outer.origins[i].size(), 1u) << at.transpose();
+      EXPECT_LT(nearest(left.outer.origins[i][0].image, at).distance, 1e-9);
+    }
+  }
+}
+
+TEST(Cutout, LeavesAPatternWithoutOriginsWithout) {
+  FlatPattern pattern = plain();
+  pattern.outer.origins.clear();
+  EXPECT_NEAR(cut_out(pattern, rectangle_at({40, 60}, {3, 5})).area, 6000 - 30, 1e-9);
 }
 
 /// A slit of no width, 40 long, that comes in from the upper edge at `x`.

@@ -361,5 +361,25 @@ TEST(CertificateOfAStrip, NoticesAWrongThicknessByTheVolume) {
   EXPECT_NEAR(*certificate->volume_ratio, 1 / 1.01, 1e-6);
 }
 
+TEST(FlattenAlign, LaysTheLongestBendLineAlongXWhicheverComesFirst) {
+  // A triangle with low flanges on two sides of 60 and 70, at 50° to each other.
+  for (const double first : {60.0, 70.0}) {
+    const Vec2 tip = (130.0 - first) * Vec2(std::cos(50 * pi / 180), std::sin(50 * pi / 180));
+    SheetBuilder builder(1.0);
+    const FaceId base = builder.flange(Frame{}, {polygon({{0, 0}, {first, 0}, tip})});
+    for (const int side : {0, 2}) {
+      const Rim far = builder.bend(builder.rim(base, side), Turn{Angle::degrees(90), 1.0});
+      builder.flange_behind(far, {rectangle(far.length, 5)});
+    }
+    const FlatPattern pattern = flat(builder.finish());
+    ASSERT_EQ(pattern.bends.size(), 2u);
+    for (const FlatBend& bend : pattern.bends) {
+      const Vec2 along = bend.lines.at(0).b - bend.lines.at(0).a;
+      EXPECT_EQ(std::abs(along.y()) < 1e-9, along.norm() > 65.0) << first;
+    }
+    EXPECT_LT(bounds(pattern.outer.loop).lo.norm(), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -13,7 +13,7 @@ TEST(PartName, CountsFlangesFromOneAndCallsBendsAsThePatternDoes) {
   pattern.bends = {bend};
   EXPECT_EQ(part_name(pattern, FlangeId{2}), "flange 3");
   EXPECT_EQ(part_name(pattern, BendId{2}), "bend B7");
-  EXPECT_EQ(part_name(pattern, BendId{0}), "bend 1") << "one that the pattern does not have";
+  EXPECT_EQ(part_name(pattern, BendId{0}), "bend B1") << "one that the pattern does not have";
 }
 
 TEST(PartName, AnOrderIsKnownOnceOneBendHasItsStroke) {

@@ -2,6 +2,8 @@
 
 #include "support/sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -126,7 +128,7 @@ TEST(Placement, GrowsOverTheHighestRanksAndNotOverJointsWithoutOne) {
   EXPECT_EQ(tree({{1.0, 0.0, 0.0}}, {}), std::vector<int>{0});
   const auto none = sheet_detail::placed_over({{}, {}}, sheet, topology, layout);
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(none.error().code, code::not_a_sheet);
 }
 
 }  // namespace

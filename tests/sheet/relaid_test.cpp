@@ -2,6 +2,7 @@
 
 #include "support/sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
@@ -117,14 +118,14 @@ TEST(Relaid, RefusesAPatternThatLeavesOutABendAndASheetInTwoParts) {
   pattern.bends.pop_back();
   const auto missing = sheet_detail::stated_allowances(sheet, pattern);
   ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().code, ErrorCode::pattern_wrong);
+  EXPECT_EQ(missing.error().code, code::pattern_wrong);
   Sheet parted = sheet;
   parted.joints.pop_back();
   const Stated whole = stated(sheet);
   const auto laid = sheet_detail::relaid(parted, whole.pattern,
                                          *sheet_detail::stated_allowances(sheet, whole.pattern));
   ASSERT_FALSE(laid);
-  EXPECT_EQ(laid.error().code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(laid.error().code, code::not_a_sheet);
 }
 
 TEST(HingeBand, LiesBetweenTheBordersItJoins) {

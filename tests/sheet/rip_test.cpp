@@ -1,6 +1,7 @@
 #include "rip_joint.hpp"
 #include "support/folded_box.hpp"
 
+#include <planish/sheet/codes.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/sheet/rip.hpp>
 
@@ -54,13 +55,13 @@ TEST(Ripped, RefusesEdgesThatNoWallsShare) {
   const Sheet tube = folded_tube(40, 30, 100, 2);
   const auto refusal = [&](const Sheet& sheet, int edge) {
     const auto open = ripped(sheet, std::array{edge});
-    return open ? ErrorCode::internal : open.error().code;
+    return open ? code::internal : open.error().code;
   };
-  EXPECT_EQ(refusal(tube, 999), ErrorCode::bad_option);
+  EXPECT_EQ(refusal(tube, 999), code::bad_option);
   // Walls that meet by their outside.
   Sheet outside = tube;
   outside.bends[*tube.joints[1].sharp].reference_inside = false;
-  EXPECT_EQ(refusal(outside, *tube[tube.joints[1].a].edge), ErrorCode::bad_option);
+  EXPECT_EQ(refusal(outside, *tube[tube.joints[1].a].edge), code::bad_option);
   EXPECT_TRUE(sheet_detail::can_be_ripped(tube, tube.joints[1]));
   EXPECT_FALSE(sheet_detail::can_be_ripped(outside, tube.joints[1]));
   Sheet made = tube;
@@ -68,7 +69,7 @@ TEST(Ripped, RefusesEdgesThatNoWallsShare) {
   EXPECT_FALSE(sheet_detail::can_be_ripped(made, made.joints[1])) << "no edge";
   // Of an L there are two parts.
   const Sheet bracket = l_bracket();
-  EXPECT_EQ(refusal(bracket, *bracket[bracket.joints[0].a].edge), ErrorCode::bad_option);
+  EXPECT_EQ(refusal(bracket, *bracket[bracket.joints[0].a].edge), code::bad_option);
   EXPECT_TRUE(sheet_detail::can_be_ripped(bracket, bracket.joints[0])) << "smooth";
 }
 

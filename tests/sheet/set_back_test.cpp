@@ -2,6 +2,8 @@
 
 #include "support/sheets.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -112,7 +114,7 @@ TEST(SetBack, NeedsRoom) {
     const auto moved = with_setback(folded_at(rectangle(width, 40), 1, 90));
     EXPECT_EQ(moved.has_value(), width > kSetBackT) << width;
     if (!moved) {
-      EXPECT_EQ(moved.error().code, ErrorCode::unsupported_shape);
+      EXPECT_EQ(moved.error().code, code::unsupported_shape);
       EXPECT_NE(moved.error().message.find("2 mm"), std::string::npos) << moved.error().message;
     }
   }

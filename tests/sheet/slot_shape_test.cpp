@@ -2,6 +2,8 @@
 
 #include "support/sheet_builder.hpp"
 
+#include <planish/sheet/codes.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,29 +14,6 @@ namespace {
 
 using sheet_detail::Slot;
 using std::numbers::pi;
-
-TEST(SlotDistance, OfAPointToASegment) {
-  const Segment s{{0, 0}, {10, 0}};
-  EXPECT_NEAR(sheet_detail::distance(Vec2(4, 3), s), 3, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(Vec2(-3, 4), s), 5, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(Vec2(13, -4), s), 5, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(Vec2(0.1, 3), Segment{{0, 0}, {0.2, 0}}), 3, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(Vec2(3, 4), Segment{{0, 0}, {0, 0}}), 5, 1e-12);
-}
-
-TEST(SlotDistance, OfTwoSegments) {
-  const Segment s{{0, 0}, {10, 0}};
-  EXPECT_EQ(sheet_detail::distance(s, Segment{{5, -1}, {5, 1}}), 0.0);
-  EXPECT_NEAR(sheet_detail::distance(s, Segment{{5, 1}, {5, 3}}), 1.0, 1e-12)
-      << "an end of the other";
-  EXPECT_NEAR(sheet_detail::distance(s, Segment{{5, 3}, {5, 1}}), 1.0, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(Segment{{5, 1}, {5, 3}}, s), 1.0, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(Segment{{5, 3}, {5, 1}}, s), 1.0, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(s, Segment{{13, 4}, {13, 9}}), 5.0, 1e-12);
-  EXPECT_NEAR(sheet_detail::distance(s, Segment{{12, -1}, {12, 1}}), 2.0, 1e-12)
-      << "crosses only its line";
-  EXPECT_NEAR(sheet_detail::distance(Segment{{12, -1}, {12, 1}}, s), 2.0, 1e-12);
-}
 
 TEST(SlotChain, KeepsTheEndsAndAThousandthOfTheLength) {
   EXPECT_EQ(sheet_detail::chain_of(Segment{{1, 2}, {3, 4}}).size(), 2u);
@@ -125,7 +104,7 @@ TEST(OpenSlot, NeedsRoomAtItsMouth) {
                                         opening({{50, 0}, {50, deep}}, half_width), 1e-6);
   };
   EXPECT_TRUE(wide(2, 2.1));
-  EXPECT_EQ(wide(2, 1.9).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(wide(2, 1.9).error().code, code::bad_option);
   const auto right = [](double beside) {
     return sheet_detail::with_open_slot(mouthed({50, 0}, {0, 0}, {50 + beside, 0}),
                                         opening({{50, 0}, {50, 30}}, 2.0), 1e-6);
@@ -146,7 +125,7 @@ TEST(OpenSlot, MeetsLinesOnly) {
   curved.loop[1] = Arc{{75, 0}, 25, pi, pi};
   const auto cut = sheet_detail::with_open_slot(curved, opening({{50, 0}, {50, 30}}, 2), 1e-6);
   ASSERT_FALSE(cut);
-  EXPECT_EQ(cut.error().code, ErrorCode::unsupported_shape);
+  EXPECT_EQ(cut.error().code, code::unsupported_shape);
 }
 
 void expect_pieces(const std::vector<Segment>& pieces, const std::vector<double>& x) {

@@ -79,6 +79,18 @@ TEST(CheckClear, NamesAStripWhoseRibOverlapsThatOfItsMirrorImage) {
   EXPECT_EQ(clear.error().where, "strip 2");
 }
 
+TEST(CheckClear, SeesASmallOverlapOfALargeRibWithASmallOne) {
+  // A hundredth of a square millimetre of a rib of a square metre.
+  for (const bool large_first : {true, false}) {
+    Mould mould;
+    mould.ribs = {block(0, {0, 0}, {1000, 1000}, 30), block(1, {999.99, 0}, {1010, 1}, 30)};
+    if (!large_first) std::swap(mould.ribs[0], mould.ribs[1]);
+    EXPECT_EQ(code_of(mould, {}), code::unsupported_shape);
+    mould.ribs = {block(0, {0, 0}, {1000, 1000}, 30), block(1, {1000, 0}, {1010, 1}, 30)};
+    EXPECT_TRUE(check_clear(mould, {}, 1.0));
+  }
+}
+
 TEST(CheckClear, RefusesAFootprintThatCrossesItself) {
   Mould mould;
   mould.ribs = {block(3, {0, 0}, {100, 20}, 30)};

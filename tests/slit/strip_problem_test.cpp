@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -76,6 +77,236 @@ TEST(StripObjective, TakesTheBarrierOfSpacingsUpToAConstant) {
   };
   EXPECT_NEAR(difference(1), difference(2), 1e-12);
   EXPECT_NEAR(difference(1), -2.0, 1e-12);
+}
+
+// ---- the sum itself, as math.md#strip-conditions has it
+
+double objective_of(const StripProblem& problem, const StripParameters& p) {
+  Eigen::VectorXd residuals(problem.residuals());
+  EXPECT_TRUE(evaluate(problem, p, residuals, nullptr));
+  return residuals.squaredNorm();
+}
+
+/// A problem of nothing, to which a test adds what it measures.
+StripProblem bare_problem(int quads) {
+  StripProblem problem;
+  problem.base = some_base(quads);
+  problem.weights = {.smooth = 0, .spacing = 0, .anchors = 0, .seat = 0, .spread = 0, .scan = 0};
+  return problem;
+}
+
+/// Lengths count in thirtieths of the strip's length.
+double squared_length(const StripProblem& problem, const Vec3& v) {
+  return 900.0 * v.squaredNorm() / (problem.base.unit() * problem.base.unit());
+}
+
+TEST(StripObjective, IsSmoothByTheSecondDifferencesOfItsFolds) {
+  for (const int quads : {4, 10, 15}) {
+    StripProblem problem = bare_problem(quads);
+    problem.weights.smooth = 0.3;
+    const StripParameters p = random_parameters(problem.base, 3, 0.4);
+    double sum = 0.0;
+    for (int i = 1; i + 1 < quads; ++i)
+      sum += std::pow(p[i - 1] - 2 * p[i] + p[i + 1], 2);
+    const double weight = 0.3 * std::pow(quads / 10.0, 5);
+    EXPECT_NEAR(objective_of(problem, p), weight * sum, 1e-12 * weight);
+    problem.mirrored = true;
+    const double mirrored = std::pow(p[quads - 1] - p[quads - 2], 2);
+    EXPECT_NEAR(objective_of(problem, p), weight * (sum + mirrored), 1e-12 * weight);
+    problem.mirrored = false;
+    // The fold into a panel beyond it: the last quad, turned about its last ridge.
+    const double beyond = 0.37;
+    const Frame last = folded(problem.base, p).quad(quads - 1);
+    Frame facet = last;
+    const Eigen::AngleAxisd turn(beyond, last.y);
+    facet.x = turn * last.x;
+    facet.z = turn * last.z;
+    problem.far_facet = facet;
+    const double into = fold_into(last, facet).radians();
+    EXPECT_NEAR(std::abs(into), beyond, 1e-12);
+    EXPECT_NEAR(objective_of(problem, p),
+                weight * (sum + std::pow(p[quads - 2] - 2 * p[quads - 1] + into, 2)),
+                1e-12 * weight);
+  }
+}
+
+TEST(StripObjective, HasDerivativesOfTheFoldIntoAPanelThatAreDifferences) {
+  StripProblem problem = bare_problem(6);
+  problem.weights.smooth = 1.0;
+  problem.far_facet = frame_from_axes({0, 0, 0}, Vec3(0.2, 0.9, -0.3).normalized(), {1, 0.4, 2});
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const StripParameters p = random_parameters(problem.base, seed, 0.5);
+    Eigen::VectorXd residuals(problem.residuals());
+    RowMatrix full(problem.residuals(), problem.parameters());
+    Eigen::Ref<RowMatrix> jacobian(full);
+    ASSERT_TRUE(evaluate(problem, p, residuals, &jacobian));
+    const auto expected = differences(
+        [&](const StripParameters& x) {
+          Eigen::VectorXd r(problem.residuals());
+          EXPECT_TRUE(evaluate(problem, x, r, nullptr));
+          return r;
+        },
+        p);
+    EXPECT_LE((full - expected).cwiseAbs().maxCoeff(), 1e-6) << seed;
+  }
+}
+
+TEST(StripObjective, CountsDistancesInThirtiethsOfTheStripsLength) {
+  StripProblem problem = bare_problem(7);
+  const StripParameters p = random_parameters(problem.base, 6, 0.6);
+  const StripFold fold = folded(problem.base, p);
+  problem.weights.anchors = 0.5;
+  problem.anchors = {{3, 1, {10, 20, 30}}, {7, 0, {-40, 10, 0}}};
+  const double anchored = 0.5 * (squared_length(problem, fold.end(1, 3) - Vec3(10, 20, 30)) +
+                                 squared_length(problem, fold.end(0, 7) - Vec3(-40, 10, 0)));
+  EXPECT_NEAR(objective_of(problem, p), anchored, 1e-9 * anchored);
+
+  problem = bare_problem(7);
+  problem.weights.scan = 0.5;
+  problem.scan = std::make_shared<const ScannedSurface>(std::vector<Vec3>{Vec3(50, 60, 70)});
+  double scanned = 0.0;
+  for (int ridge = 1; ridge <= 7; ++ridge)
+    for (int side = 0; side < 2; ++side)
+      scanned += squared_length(problem, fold.end(side, ridge) - Vec3(50, 60, 70));
+  scanned *= 0.5 * 10 / 7;  // of ten quads, so that subdivision keeps it
+  EXPECT_NEAR(objective_of(problem, p), scanned, 1e-9 * scanned);
+
+  problem = bare_problem(7);
+  problem.weights.seat = 0.5;
+  problem.weights.spread = 0.2;
+  // Straight, so that the foot is known.
+  problem.seat = std::make_shared<const BezierSearch>(BezierCurve{{{-5000, 40}, {5000, 40}}});
+  problem.seat_places = {Vec2(1, 2), Vec2(30, -4)};
+  double seated = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vec3 end = fold.end(static_cast<int>(side), 7);
+    const Vec2 apart = end.tail<2>() - problem.seat_places[side];
+    seated += 0.5 * squared_length(problem, Vec3(0, 0, end.z() - 40)) +
+              0.2 * squared_length(problem, Vec3(0, apart.x(), apart.y()));
+  }
+  EXPECT_NEAR(objective_of(problem, p), seated, 1e-9 * seated);
+}
+
+TEST(StripObjective, PaysForInequalitiesThatAreBroken) {
+  StripProblem problem = bare_problem(5);
+  problem.min_radius = 150.0;
+  problem.penalty = 4.0;
+  const StripParameters p = random_parameters(problem.base, 2, 0.5);
+  const StripFold fold = folded(problem.base, p);
+  const Vec3 normal(0.6, 0, 0.8);
+  const double at = normal.dot(fold.end(1, 2));
+  for (const double beyond : {-30.0, 30.0})
+    for (const double multiplier : {0.0, 0.9}) {
+      problem.inequalities = {{HalfSpace{2, 1, normal, at + beyond}, multiplier}};
+      const double value = beyond / problem.base.unit();
+      EXPECT_NEAR(inequality_values(problem, p)[0], value, 1e-12);
+      EXPECT_NEAR(objective_of(problem, p),
+                  4.0 * std::pow(std::max(0.0, value + multiplier / 4.0), 2), 1e-12);
+    }
+  for (const RadiusLimit& limit : {RadiusLimit{2, 0, 1}, RadiusLimit{2, 1, 2}}) {
+    problem.inequalities = {{limit, 0.7}};
+    const double skew = abscissa(problem.base, p, 2, 1) - abscissa(problem.base, p, 2, 0);
+    const double needed = 2 * 150.0 * std::tan(0.5 * std::abs(p[2])) *
+                          std::hypot(skew, problem.base.width()) / problem.base.width();
+    const double spacing = abscissa(problem.base, p, limit.quad + 1, limit.side) -
+                           abscissa(problem.base, p, limit.quad, limit.side);
+    const double value = (needed - spacing) / (problem.base.unit() / 5);
+    EXPECT_NEAR(inequality_values(problem, p)[0], value, 1e-12);
+    EXPECT_NEAR(objective_of(problem, p), 4.0 * std::pow(std::max(0.0, value + 0.7 / 4.0), 2),
+                1e-12);
+  }
+}
+
+TEST(StripEnds, MissTheirConditionsByWhatTheyAreOff) {
+  StripProblem problem = bare_problem(5);
+  const StripFold fold = folded(problem.base, random_parameters(problem.base, 2, 0.5));
+  const double unit = problem.base.unit();
+  using Of = EndCondition::Of;
+  const Vec3 middle = 0.5 * (fold.end(0, 5) + fold.end(1, 5));
+  problem.ends = {{Of::left_end, Vec3::UnitY(), fold.end(0, 5).y() - 3.0},
+                  {Of::right_end, Vec3::UnitX(), fold.end(1, 5).x() + 5.0},
+                  {Of::along, Vec3::UnitX(), fold.quad(4).x.x() - 0.1},
+                  {Of::across, Vec3::UnitY(), fold.quad(4).y.y() + 0.2},
+                  {Of::normal, Vec3::UnitZ(), fold.quad(4).z.z()}};
+  const Eigen::VectorXd missed = end_violation(problem, fold);
+  const double expected[] = {3.0 / unit, -5.0 / unit, 0.1, -0.2, 0.0};
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NEAR(missed[i], expected[i], 1e-12) << i;
+  EXPECT_NEAR(end_gap(problem, fold), 5.0, 1e-9) << "directions are no distance";
+  problem.ends = {{Of::middle, Vec3::UnitX(), middle.x() - 3.0},
+                  {Of::middle, Vec3::UnitY(), middle.y() + 4.0},
+                  {Of::middle, Vec3::UnitZ(), middle.z() + 12.0}};
+  EXPECT_NEAR(end_gap(problem, fold), 13.0, 1e-9);
+  problem.ends.push_back({Of::left_end, Vec3::UnitY(), fold.end(0, 5).y() - 14.0});
+  EXPECT_NEAR(end_gap(problem, fold), 14.0, 1e-9);
+}
+
+TEST(StripRadii, AreThoseOfArcsThatUseHalfOfAQuad) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const StripBase base = some_base(6);
+    const StripParameters p = random_parameters(base, seed, 0.5);
+    double least = 1e300;
+    int where = -1;
+    std::vector<std::array<int, 3>> near;
+    for (int ridge = 0; ridge < 6; ++ridge)
+      for (int side = 0; side < 2; ++side)
+        for (int quad = ridge - 1; quad <= ridge; ++quad) {
+          if (quad < 0) continue;
+          const double skew = abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0);
+          const double spacing = abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side);
+          const double radius = 0.5 * spacing * base.width() / std::hypot(skew, base.width()) /
+                                std::tan(0.5 * std::abs(p[ridge]));
+          if (radius < least) least = radius, where = ridge;
+          if (radius < 2.0 * 100.0) near.push_back({ridge, side, quad});
+        }
+    EXPECT_NEAR(tightest_fold(base, p).radius, least, 1e-9 * least) << seed;
+    EXPECT_EQ(tightest_fold(base, p).ridge, where) << seed;
+    std::vector<std::array<int, 3>> found;
+    for (const RadiusLimit& limit : radius_limits(base, p, 100.0))
+      found.push_back({limit.ridge, limit.side, limit.quad});
+    EXPECT_EQ(found, near) << seed;
+  }
+  const StripBase base = some_base(6);
+  EXPECT_TRUE(std::isinf(tightest_fold(base, flat_parameters(base)).radius));
+}
+
+TEST(StripRadii, CountTheFoldIntoAPanelAtItsEnd) {
+  StripProblem problem = bare_problem(6);
+  const StripParameters p = random_parameters(problem.base, 4, 0.5);
+  EXPECT_TRUE(std::isinf(far_fold(problem, p).radius)) << "no panel";
+  const Frame last = folded(problem.base, p).quad(5);
+  Frame facet = last;
+  problem.far_facet = facet;
+  EXPECT_TRUE(far_fold(problem, p).radius > 1e9) << "no fold";
+  facet.x = Eigen::AngleAxisd(0.4, last.y) * last.x;
+  facet.z = Eigen::AngleAxisd(0.4, last.y) * last.z;
+  problem.far_facet = facet;
+  const double rest = problem.base.end -
+                      std::max(abscissa(problem.base, p, 5, 0), abscissa(problem.base, p, 5, 1));
+  EXPECT_NEAR(far_fold(problem, p).radius, 0.5 * rest / std::tan(0.2), 1e-9);
+  EXPECT_EQ(far_fold(problem, p).ridge, 6);
+}
+
+TEST(StripShape, HasItsRidgesInOrderAndNoFoldOfHalfATurn) {
+  const StripBase base = some_base(4);
+  const StripParameters flat = flat_parameters(base);
+  EXPECT_TRUE(is_shape(base, flat));
+  for (const double fold : {3.2, -3.2}) {
+    StripParameters p = flat;
+    p[3] = fold;
+    EXPECT_FALSE(is_shape(base, p));
+    p[3] = 0.98 * fold;
+    EXPECT_TRUE(is_shape(base, p));
+  }
+  for (int side = 0; side < 2; ++side)
+    for (const double by : {-0.3, 0.3}) {
+      StripParameters p = flat;
+      p[abscissa_index(4, 2, side)] += by;
+      EXPECT_FALSE(is_shape(base, p)) << "beyond its neighbour";
+      p = flat;
+      p[abscissa_index(4, 2, side)] += 0.5 * by;
+      EXPECT_TRUE(is_shape(base, p));
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::test {
@@ -95,6 +96,82 @@ TEST(PatchPart, OfAConeLosesItsApex) {
       for (const double t : {0.0, 0.5, 1.0})
         EXPECT_GT((in_space(part.face, border.curve, t) - p).norm(), 4.0 - 1e-8);
   }
+}
+
+/// Length of a border in space, by chords.
+double length_in_space(const Face& face, const Curve2& curve) {
+  constexpr int kChords = 2000;
+  double sum = 0.0;
+  for (int i = 0; i < kChords; ++i)
+    sum += (in_space(face, curve, (i + 1.0) / kChords) - in_space(face, curve, i / double(kChords)))
+               .norm();
+  return sum;
+}
+
+/// The four cones of a rectangle and a circle above one of its corners: one is a right cone.
+Ring cornered() {
+  return ring_between(PolygonProfile{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}},
+                      EllipseProfile{30, 30}, {0, 0, 80});
+}
+
+TEST(PatchPart, KnowsTheLengthsOfItsBordersAlsoWithoutItsTips) {
+  int right = 0;
+  for (const Ring& ring :
+       {frustum(), square_to_circle(), cornered(), pyramid(), antiprism(),
+        ring_between(EllipseProfile{30, 20}, rectangle(200, 60), {25, 10, 80}),
+        ring_between(EllipseProfile{50, 30}, EllipseProfile{20, 40}, {10, 5, 80})})
+    for (const RuledPatch& patch : ring.patches) {
+      right += patch.bend_kind() == BendKind::cone && !patch.plane();
+      // Curved patches lose what is at their apex, planes at each corner.
+      RuledPatch::Tips tips;
+      for (const std::size_t side : {0u, 1u})
+        if (patch.plane() || patch.stands(static_cast<int>(side)))
+          tips.at_from[side] = tips.at_to[side] = 3.0;
+      for (const auto& [from, to] : {std::pair{0.0, 1.0}, std::pair{0.2, 0.7}})
+        for (const RuledPatch::Tips& cut : {RuledPatch::Tips{}, tips}) {
+          const RuledPatch::Part part = patch.part(from, to, cut);
+          for (const Border& border : part.face.loops[0]) {
+            // The arc that is left about an apex stands for a point, which has no length.
+            if (*border.edge_length == 0.0) continue;
+            EXPECT_NEAR(*border.edge_length / length_in_space(part.face, border.curve), 1.0, 1e-5);
+          }
+        }
+    }
+  EXPECT_EQ(right, 2) << "the frustum, and the cone above a corner";
+}
+
+TEST(PatchPart, OfARightConeLosesItsApex) {
+  const Ring ring = cornered();
+  const auto cone = std::find_if(ring.patches.begin(), ring.patches.end(),
+                                 [](const RuledPatch& patch) {
+                                   return !patch.plane() && patch.bend_kind() == BendKind::cone;
+                                 });
+  ASSERT_NE(cone, ring.patches.end());
+  const double slant = std::hypot(80, 30);
+  const RuledPatch::Part part = cone->part(0.25, 1.0, {.at_from = {4.0, 0.0}, .at_to = {4.0, 0.0}});
+  const auto& loop = part.face.loops[0];
+  for (const int ruling : part.ruling_borders)
+    EXPECT_NEAR(*loop[ruling].edge_length, slant - 4.0, 1e-9);
+  EXPECT_NEAR(part.u(0.25), part.u0, 1e-12);
+  EXPECT_NEAR(part.u(1.0), part.u1, 1e-12);
+  EXPECT_NEAR(std::abs(part.u1 - part.u0), 0.75 * 0.5 * kPi, 1e-12);
+  for (const Border& border : loop)
+    for (const double t : {0.0, 0.5, 1.0})
+      EXPECT_GT(in_space(part.face, border.curve, t).norm(), 4.0 - 1e-8);
+}
+
+TEST(PatchPart, OfAPlaneLosesNoMoreThanFortyHundredthsOfAnEdge) {
+  // Tips of 60 on edges of 100 and 60: room is only needed beside folds.
+  const RuledPatch patch = pyramid().patch(0);
+  const RuledPatch::Tips tips{.at_from = {60.0, 0.0}, .at_to = {60.0, 0.0}};
+  const RuledPatch::Part part = patch.part(0.0, 1.0, tips);
+  const auto [p0, q0] = patch.ruling(0.0);
+  bool found = false;
+  for (const Border& border : part.face.loops[0])
+    found |= std::abs(*border.edge_length - 0.2 * 100) < 1e-9;
+  EXPECT_TRUE(found) << "20 are left of 100";
+  EXPECT_NEAR(*part.face.loops[0][part.ruling_borders[0]].edge_length, (q0 - p0).norm() - 60.0,
+              1e-9);
 }
 
 }  // namespace

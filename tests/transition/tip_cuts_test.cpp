@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::test {
@@ -72,6 +73,32 @@ TEST(TipCuts, RefuseASheetOfWhichTheyLeaveNothing) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, code::radius_too_small);
   EXPECT_EQ(refused.error().where, "/thickness");
+}
+
+TEST(TipCuts, LeaveTheInsideOfAPanelWideEnoughBetweenTwoFolds) {
+  // Each fold moves the inside of the panel away by inside · tan(fold / 2); between the two at
+  // least the arcs of a tenth of the thickness that both turn must be left.
+  const double t = 2.0, inside = 0.5 * t, radius = 0.1 * t;
+  const Ring ring = antiprism();
+  const TipCuts tips = cuts(ring, t);
+  for (int i = 1; i + 1 < ring.count(); ++i) {
+    const RuledPatch& patch = ring.patch(i);
+    const std::size_t side = patch.stands(0) ? 0 : 1;
+    const Vec3 corner = patch.ruling(0.0)[side];
+    const Vec3 one = (patch.ruling(0.0)[1 - side] - corner).normalized(),
+               other = (patch.ruling(1.0)[1 - side] - corner).normalized();
+    const auto fold_to = [&](int neighbour) {
+      return std::acos(patch.normal(0.5).dot(ring.patch(neighbour).normal(0.5)));
+    };
+    const double before = fold_to(i - 1), after = fold_to(i + 1);
+    const double cut = tips.of(patch, 0.0, 1.0).at_from[side];
+    // In the panel, from where each side is cut, square to it.
+    const Vec3 normal = one.cross(other).normalized();
+    const Vec3 from = cut * one + inside * std::tan(before / 2) * normal.cross(one),
+               to = cut * other - inside * std::tan(after / 2) * normal.cross(other);
+    const double width = (to - from).dot((other - one).normalized());
+    EXPECT_GE(width, 0.5 * radius * (before + after) - 1e-9) << i;
+  }
 }
 
 }  // namespace

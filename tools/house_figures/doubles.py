@@ -1,7 +1,8 @@
 """Places that share six lines or more: the same lines, or lines of the same shape with other names, strings and numbers.
 
 Comments, blank lines, includes, imports and lines of mere punctuation do not count, and white space is folded. Rows of a
-table are alike by intent, so what has the same shape counts only in two files, and only if its lines differ and say enough."""
+table are alike by intent, so what has the same shape counts only in two files, and only if its lines differ and say enough;
+and tables of sentences not at all."""
 
 import collections
 import dataclasses
@@ -12,6 +13,7 @@ LINES = 6
 MOST_PLACES = 8  # a shape in more places is the language's or the layout's
 DIFFERENT_SHAPES = 5
 WORDS = 20  # of six lines
+SENTENCES = ("refusals.hpp", "sentences.hpp")
 
 PASSED_OVER = re.compile(r"^(?:#\s*(?:include|pragma)\b.*|import\b.*|from\s.*\bimport\b.*|export \{.*|using\b.*|(?:inline )?namespace\b.*"
                          r"|[\W_]*|\} from .*)$")
@@ -60,7 +62,7 @@ def doubles(codes):
     shapes = {path: [(number, shape(line)) for number, line in own] for path, own in lines.items()}
     alike = pairs(shapes, says_enough)
     known = [(one.first, one.second) for one in equal]
-    alike = [one for one in alike if one.first[0] != one.second[0]]
+    alike = [one for one in alike if one.first[0] != one.second[0] and not one.first[0].endswith(SENTENCES)]
     return equal, [one for one in alike if not any(overlap(one.first, a) and overlap(one.second, b) or
                                                    overlap(one.first, b) and overlap(one.second, a) for a, b in known)]
 

@@ -130,10 +130,7 @@ export async function drop({ page }) {
     await page.click('[data-testid=theme]');
   }
   // What the sentence offers is there: the files are written all the same, until it is taken back.
-  assert.match(
-    await page.textContent('[data-testid=message]'),
-    /Set “write overlapping” to write the pattern anyway/,
-  );
+  assert.match(await page.textContent('[data-testid=message]'), /Set “write overlapping” to write the pattern anyway/);
   await page.click('[data-testid=remedy-write_overlapping-true]');
   await rested(page);
   assert.deepEqual(await state(page, '[s.problem, s.shape.report.status]'), [null, 'warning']);
