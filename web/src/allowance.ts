@@ -1,4 +1,4 @@
-import type { Shop, ShopMaterial, ShopMaterialGauge as Gauge } from './generated/shop.ts';
+import type { Shop, ShopMaterial, ShopMaterialGauge as Gauge } from '../generated/shop.ts';
 import type { Options } from './types.ts';
 
 export type { Gauge, Shop, ShopMaterial };

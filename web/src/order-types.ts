@@ -1,6 +1,6 @@
 // What `plan` takes and answers (docs/studio-api.md#plan).
 
-import type { ReportPlan, ReportPlanBlocked, ReportPlanStroke } from './generated/report.ts';
+import type { ReportPlan, ReportPlanBlocked, ReportPlanStroke } from '../generated/report.ts';
 import type { LengthUnit, SentOptions, Vec2 } from './types.ts';
 
 /** Options of the press brake. */

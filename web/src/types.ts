@@ -1,6 +1,6 @@
 // The types of docs/studio-api.md. What a schema describes (reports, requests, files) is generated from it.
 
-import type { Info, InfoBody } from './generated/info.ts';
+import type { Info, InfoBody } from '../generated/info.ts';
 import type {
   Report,
   ReportCheck,
@@ -12,8 +12,8 @@ import type {
   ReportReason,
   ReportReasonPlace,
   ReportReasonRemedy,
-} from './generated/report.ts';
-import type { RequestOptions } from './generated/request.ts';
+} from '../generated/report.ts';
+import type { RequestOptions } from '../generated/request.ts';
 import type { BrakeOptions, OrderedStroke } from './order-types.ts';
 
 export * from './order-types.ts';
@@ -153,7 +153,7 @@ export interface ShapeHeader {
   report: Report;
   arrays: Record<string, ArrayPlace>;
   parts: Part[];
-  root: number[];
+  root: number[] | null; // without facets
   handles?: Handles;
   pierces?: number | null;
   seconds?: number;

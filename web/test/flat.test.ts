@@ -64,6 +64,14 @@ test('marks of findings that would cover each other step aside, never that of th
   );
 });
 
+test('a finding whose place could not be measured has no mark', () => {
+  const nowhere: Finding = { ...finding(), at: [[null, 3]] };
+  assert.deepEqual(
+    findingMarks([nowhere, finding([1, 2])], (p) => p, null).map((m) => [m.finding, m.at]),
+    [[1, [1, 2]]],
+  );
+});
+
 test('a rule has one mark, at its worst place, until it is chosen: then one at each place', () => {
   const places = Array.from(
       { length: 300 },

@@ -1,9 +1,9 @@
-// Writes src/generated/NAME.ts for each ../docs/schema/NAME.json: a type for every object of the schema, named by
+// Writes generated/NAME.ts for each ../docs/schema/NAME.json: a type for every object of the schema, named by
 // where it is found ("bends" of "flat" of a report: ReportFlatBend). Objects of a file that are the same have one name.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 
 const schemas = new URL('../../docs/schema/', import.meta.url),
-  out = new URL('../src/generated/', import.meta.url);
+  out = new URL('../generated/', import.meta.url);
 const plain = { string: 'string', integer: 'number', number: 'number', boolean: 'boolean', null: 'null' };
 const longestTuple = 4;
 

@@ -6,8 +6,8 @@ import type {
   SlitsMould,
   SlitsSheetStrip,
   SlitsWeights,
-} from '../generated/slits.ts';
-import type { ReportSlitStrip } from '../generated/report.ts';
+} from '../../generated/slits.ts';
+import type { ReportSlitStrip } from '../../generated/report.ts';
 
 export type {
   Slits as SlitSpec,

@@ -11,9 +11,10 @@ export const stripsOf = ({ strips, strip_width }: Sheet): StripSpec[] =>
   typeof strips === 'number' ? Array.from({ length: strips }, () => ({ width: strip_width ?? 0 })) : strips;
 
 const widthOf = (sheet: Sheet) => stripsOf(sheet).reduce((sum, s) => sum + s.width + (s.gap ?? 0), sheet.margin ?? 0);
+export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
+
 /** The sheet with strips that have their own widths. */
 const withStrips = ({ strip_width: _one, ...sheet }: Sheet, strips: StripSpec[]): Sheet => ({ ...sheet, strips });
-export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
 
 /** Another sheet. Leg curves grow and shrink with the sheet's width. */
 function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {

@@ -5,7 +5,7 @@ import type {
   TransitionFromProfile,
   TransitionPressLines,
   TransitionSeam,
-} from '../generated/transition.ts';
+} from '../../generated/transition.ts';
 
 export type {
   Transition as TransitionSpec,

@@ -1,8 +1,9 @@
 import { html, nothing } from 'lit-html';
-import type { Example, MakerRow } from '../types.ts';
+import type { Example } from '../types.ts';
 import type { Recent } from '../recents.ts';
 import type { Ui } from '../ui.ts';
 import { drawing } from './bodies.ts';
+import { inputsText } from './inputs-text.ts';
 import { kinds } from './kinds.ts';
 import { chooseFile } from './top-bar.ts';
 
@@ -53,16 +54,6 @@ export function startScreen(ui: Ui) {
       : nothing}
   </div>`;
 }
-
-/** "A STEP part to unfold, or a plates or transition file (JSON)." */
-function inputsText(makers: MakerRow[]): string {
-  const read = makers.filter((m) => !m.editable).map((m) => `a ${m.input} part to ${m.name}`),
-    edited = makers.filter((m) => m.editable).map((m) => m.input),
-    all = [...read, ...(edited.length ? [`a ${either(edited)} file (JSON)`] : [])].join(', or ');
-  return all ? `${all[0]!.toUpperCase()}${all.slice(1)}.` : '\u00a0'; // the server says what there is
-}
-
-const either = (words: string[]) => [words.slice(0, -1).join(', '), ...words.slice(-1)].filter(Boolean).join(' or ');
 
 const fileOf = ({ file, spec }: { file: string; spec: object }) =>
   new File([JSON.stringify(spec)], file, { type: 'application/json' });
