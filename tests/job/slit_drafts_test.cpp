@@ -42,7 +42,7 @@ TEST(SlitDrafts, MoveScansAsTheyDidFirst) {
   const auto folded = straight.now().folded();
   for (int s = 0; s < 2; ++s) {
     SlitScan scan{s, {}};
-    for (const SlitRidge& ridge : folded.strips[static_cast<std::size_t>(s)].ridges)
+    for (const SlitRidge& ridge : (s == 0 ? folded.strips.front() : folded.strips.back()).ridges)
       for (const Vec3& p : ridge.folded)
         scan.points.push_back(p + Vec3(3, 0, 0));
     scanned.design.scans.push_back(scan);
