@@ -88,7 +88,7 @@ endforeach()
 if(TARGET planish_studio_program)
   set(desktop "${PROJECT_SOURCE_DIR}/packaging/desktop")
   install(TARGETS planish_studio_program COMPONENT planish)
-  set(written_desktop "${PROJECT_BINARY_DIR}/written/desktop")
+  set(written_desktop "${PROJECT_BINARY_DIR}/desktop")
   planish_write_desktop_files("${written_desktop}")
   install(FILES "${written_desktop}/planish-studio.desktop"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/applications" COMPONENT planish)

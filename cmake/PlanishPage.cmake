@@ -12,7 +12,9 @@ if(STEP STREQUAL "install")
 else()
   set(made "${WEB}/dist/index.html")
   file(GLOB_RECURSE sources "${WEB}/src/*" "${WEB}/public/*")
-  file(GLOB settings "${WEB}/*.html" "${WEB}/*.ts" "${WEB}/*.js" "${WEB}/*.json")
+  # Its types are written from the schemas.
+  file(GLOB settings "${WEB}/*.html" "${WEB}/*.ts" "${WEB}/*.js" "${WEB}/*.json" "${WEB}/tools/*"
+    "${WEB}/../docs/schema/*.json")
   list(APPEND sources ${settings} "${stamp}")
   set(command run build)
 endif()

@@ -97,7 +97,7 @@ Done set_bend_relief(Request& to, const OptionValue& value) {
 Done set_units(Request& to, const OptionValue& value) {
   to.units = given_text(value) == "inch" ? LengthUnit::inch
              : given_text(value) == "m"  ? LengthUnit::m
-                                      : LengthUnit::mm;
+                                         : LengthUnit::mm;
   return {};
 }
 

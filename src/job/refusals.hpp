@@ -99,13 +99,14 @@ constexpr Refusal not_edited{code::bad_option, "This kind of input cannot be edi
 
 // Bodies, faces, bends and pieces that are asked for.
 constexpr Refusal body_unchosen{code::no_such_body,
-                                "The file holds {count} different bodies; there are {known}.",
+                                "The file holds {count} different bodies: {known}.",
                                 "Choose one with `body`, by its number or name."};
-constexpr Refusal no_body{code::no_such_body, "There is no body \"{body}\"; there are {known}."};
+constexpr Refusal no_body{code::no_such_body,
+                          "There is no body \"{body}\"; the bodies are {known}."};
 constexpr Refusal not_the_body{code::no_such_body,
-                               "There is no body \"{body}\"; there is {known}."};
+                               "There is no body \"{body}\"; the only one is {known}."};
 constexpr Refusal body_name_twice{code::no_such_body,
-                                  "{@same} are named \"{body}\"; there are {known}.",
+                                  "{@same} are named \"{body}\"; the bodies are {known}.",
                                   "Choose one by its number."};
 constexpr Refusal bad_face_number{
     code::bad_option, "`{option}` must be {words} or the number of a face, not \"{text}\"."};

@@ -125,6 +125,10 @@ Json verification_json(const Report& report, const Units& units) {
 
 }  // namespace
 
+Json line_json(const Segment& line, const Units& units) {
+  return Json::array({point_json(line.a, units), point_json(line.b, units)});
+}
+
 Json begun_report(const Report& report, std::string_view command) {
   Json json;
   json["format"] = "planish/report";

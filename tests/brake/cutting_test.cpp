@@ -97,7 +97,7 @@ TEST(Cutting, MakesOneLineOfBendsThatGoOn) {
   for (const double slot : {6.0, 20.0}) {
     const Sheet sheet = bend_drawn_as_two(slot);
     ASSERT_TRUE(check(sheet));
-    const auto work = cut(sheet);
+    const auto work = work_to_cut(sheet);
     ASSERT_TRUE(work) << work.error().message;
     ASSERT_EQ(work->lines.size(), 1u);
     EXPECT_EQ(work->bodies.size(), 2u);

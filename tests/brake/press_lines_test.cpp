@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+
 namespace planish::test {
 namespace {
 
@@ -42,8 +44,8 @@ TEST(PressLines, DivideACornerUpToItsApex) {
     ASSERT_TRUE(flat) << flat.error().message;
     const auto work = workpiece_of(sheet, flat->layout, {});
     ASSERT_TRUE(work) << work.error().message;
-    ASSERT_EQ(work->lines.size(), static_cast<std::size_t>(kPressed));
-    ASSERT_EQ(work->bodies.size(), static_cast<std::size_t>(kPressed + 1));
+    ASSERT_EQ(std::ssize(work->lines), kPressed);
+    ASSERT_EQ(std::ssize(work->bodies), kPressed + 1);
     double most = 0.0, least = 1e9;
     for (int i = 0; i < kPressed; ++i) {
       const BrakeLine& line = work->lines[i];

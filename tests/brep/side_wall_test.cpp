@@ -6,6 +6,7 @@
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <gp_Pln.hxx>
 #include <gtest/gtest.h>
 
 #include <cmath>

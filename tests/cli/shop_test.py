@@ -69,7 +69,7 @@ class Shop(CliTest):
         report = self.report(shop(gauge={"inside_radius": 2.5}))
         (finding,) = self.findings(report, "shop_radius")
         self.assertIn("bend B1 has an inside radius of 2 mm", finding["message"])
-        self.assertIn("to 2.5 mm", finding["message"])
+        self.assertIn("is 2.5 mm", finding["message"])
         self.assertEqual(len(finding["at"]), 1)
         self.assertFalse(self.findings(self.report(shop(gauge={"inside_radius": 2.05})), "shop_radius"))
 
@@ -78,7 +78,7 @@ class Shop(CliTest):
         tight = {"sheet": [90, 80], "smallest_part": [100, 10], "longest_bend": 59, "most_bends": 1}
         messages = [f["message"] for f in self.findings(self.report(shop(limits=tight)), "shop_limit")]
         self.assertEqual(len(messages), 3, messages)
-        self.assertIn("largest sheet of S, 90 × 80 mm", messages[0])
+        self.assertIn("largest sheet of S, 90 mm × 80 mm", messages[0])
         self.assertIn("smaller than S cuts", messages[1])
         self.assertIn("bend B1 is 60 mm long", messages[2])
         loose = {"sheet": [60.1, 97], "smallest_part": [60, 60], "longest_bend": 60, "most_bends": 1}

@@ -171,7 +171,7 @@ TEST(NewMaker, HasAFindingWithItsPlaceNumbersAndRemedy) {
   EXPECT_EQ((*found)["message"], "the disc has a radius of 50 mm, less than 60 mm");
   EXPECT_EQ((*found)["at"], Json({{kRadius, kRadius}}));
   EXPECT_EQ((*found)["numbers"]["least"]["value"], 60.0);
-  EXPECT_THAT((*found)["remedies"].dump(), HasSubstr("another shop"));
+  EXPECT_THAT((*found)["remedy"]["change"].dump(), HasSubstr("another shop"));
   EXPECT_EQ(Json::parse(job::run(request("dxf").dump(), {}, catalogue())->report)["checks"],
             Json::array())
       << "50 mm is not below the default";

@@ -43,7 +43,7 @@ Cone cone_of(double half_angle) { return {Frame{}, half_angle}; }
 
 RC_GTEST_PROP(Development, IsAnIsometryOfEveryOffset, ()) {
   const Case c = any_case();
-  const Tangents t = tangents(c.surface, c.uv, c.offset);
+  const test::Tangents t = test::tangents(c.surface, c.uv, c.offset);
   const Eigen::Matrix2d j = Development(c.surface, c.offset).jacobian(c.uv);
   const Eigen::Matrix2d plane = j.transpose() * j;
   Eigen::Matrix2d space;
@@ -53,7 +53,7 @@ RC_GTEST_PROP(Development, IsAnIsometryOfEveryOffset, ()) {
 
 RC_GTEST_PROP(Development, IsNotMirroredSeenFromTheNormal, ()) {
   const Case c = any_case();
-  const Tangents t = tangents(c.surface, c.uv, c.offset);
+  const test::Tangents t = test::tangents(c.surface, c.uv, c.offset);
   const double area = t.u.cross(t.v).dot(normal_on(c.surface, c.uv.x()));
   const double image = Development(c.surface, c.offset).jacobian(c.uv).determinant();
   RC_ASSERT(area > 0.0);
@@ -107,7 +107,7 @@ RC_GTEST_PROP(Offset, LiesAtItsDistanceAlongTheNormal, ()) {
   const Vec3 shift = point_on(c.surface, c.uv, c.offset) - point_on(c.surface, c.uv);
   const Vec3 n = normal_on(c.surface, c.uv.x());
   RC_ASSERT((shift - c.offset * n).norm() <= 1e-10);
-  const Tangents t = tangents(c.surface, c.uv, c.offset);
+  const test::Tangents t = test::tangents(c.surface, c.uv, c.offset);
   RC_ASSERT(std::abs(t.u.dot(n)) <= 1e-7 * t.u.norm());
   RC_ASSERT((t.v - ruling_on(c.surface, c.uv.x())).norm() <= 1e-7);
 }

@@ -175,7 +175,7 @@ constexpr double interpolation = 1e-5;
 
 RC_GTEST_PROP(UnrollRuled, IsAnIsometryOfEveryOffset, ()) {
   const FineCase c = any_fine_case();
-  const Tangents t = tangents(c.surface, c.uv, c.offset);
+  const test::Tangents t = test::tangents(c.surface, c.uv, c.offset);
   const Eigen::Matrix2d j = c.image->jacobian(c.uv);
   const Eigen::Matrix2d plane = j.transpose() * j;
   Eigen::Matrix2d space;
@@ -185,7 +185,7 @@ RC_GTEST_PROP(UnrollRuled, IsAnIsometryOfEveryOffset, ()) {
 
 RC_GTEST_PROP(UnrollRuled, IsNotMirroredSeenFromTheNormal, ()) {
   const FineCase c = any_fine_case();
-  const Tangents t = tangents(c.surface, c.uv, c.offset);
+  const test::Tangents t = test::tangents(c.surface, c.uv, c.offset);
   const double area = t.u.cross(t.v).dot(normal_on(c.surface, c.uv.x()));
   const double image = c.image->jacobian(c.uv).determinant();
   RC_ASSERT(area > 0.0);
@@ -268,7 +268,7 @@ RC_GTEST_PROP(OffsetRuled, LiesAtItsDistanceAndKeepsTheTangentPlane, ()) {
   const Vec3 shift = point_on(c.surface, c.uv, c.offset) - point_on(c.surface, c.uv);
   const Vec3 n = normal_on(c.surface, c.uv.x());
   RC_ASSERT((shift - c.offset * n).norm() <= 1e-12);
-  const Tangents t = tangents(c.surface, c.uv, c.offset);
+  const test::Tangents t = test::tangents(c.surface, c.uv, c.offset);
   RC_ASSERT(std::abs(t.u.dot(n)) <= interpolation);
   RC_ASSERT((t.v - ruling_on(c.surface, c.uv.x())).norm() <= 1e-9);
 }

@@ -46,7 +46,7 @@ TEST(Info, MeasuresEachBody) {
   EXPECT_NEAR(bracket.size.x(), 55.0, 1e-6);
   EXPECT_NEAR(bracket.size.y(), 40.0, 1e-6);
   EXPECT_NEAR(bracket.size.z(), 35.0, 1e-6);
-  EXPECT_EQ(bracket.faces, 10) << "two skins of three, four sides";
+  EXPECT_EQ(bracket.faces, 14) << "two skins and two sides of three each, two ends";
   EXPECT_FALSE(bracket.sheet) << "unless asked";
   EXPECT_EQ(report.bodies[1].number, 2);
 }

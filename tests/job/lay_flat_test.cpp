@@ -36,7 +36,9 @@ Sheet walls_that_meet(double beyond) {
   const FaceId base = builder.flange(Frame{}, {rectangle(40, 40)});
   for (const int border : {1, 2}) {
     const Rim rim = builder.bend(builder.rim(base, border), Turn{Angle::degrees(90), 2});
-    const double flare = 3.3 + beyond;
+    // Where they begin to flare they are an allowance of 3.83 mm beyond the base, and 3 more at its
+    // end.
+    const double flare = 6.83 + beyond;
     builder.flange_behind(
         rim,
         {polygon({{0, 0}, {40, 0}, {40 + flare, 3}, {40 + flare, 40}, {-flare, 40}, {-flare, 3}})});

@@ -344,7 +344,7 @@ TEST(PlatesJson, TakesNoKeyTwice) {
   const Error error = error_of(
       R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");
   EXPECT_EQ(error.code, code::invalid_input);
-  EXPECT_THAT(error.message, HasSubstr("\"id\" appears twice"));
+  EXPECT_THAT(error.message, HasSubstr("\"id\" twice"));
 }
 
 TEST(PlatesJson, EscapesKeysInPointersAndKeepsMessagesShort) {

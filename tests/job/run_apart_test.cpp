@@ -39,7 +39,7 @@ Error error_by(Open open, const Progress& progress = {}, const Limits& limits = 
   const auto result = run_apart(request_of("connect", "connect/a_folded.json", "dxf"), progress,
                                 limits, opening_by(open));
   EXPECT_FALSE(result);
-  return result ? Error{} : result.error();
+  return result ? Error{} : Error{result.error()};
 }
 
 TEST(RunApart, GivesWhatRunGives) {

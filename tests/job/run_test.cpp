@@ -39,7 +39,7 @@ RunResult done(const json& asked) {
 Error refused(const json& asked) {
   const auto result = run(asked.dump());
   EXPECT_FALSE(result.has_value()) << asked;
-  return result ? Error{} : result.error();
+  return result ? Error{} : Error{result.error()};
 }
 
 TEST(Run, GivesTheReportOfTheMaker) {

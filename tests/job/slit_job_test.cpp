@@ -112,26 +112,6 @@ TEST(SlitJob, RefusesCurvesThatTheSheetDoesNotFit) {
   EXPECT_TRUE(report.strips.empty());
 }
 
-TEST(SlitJob, MovesScansToTheStrips) {
-  SlitFile file = small_chair();
-  const SlitReport plain = bent(file);
-  const Vec3 shift(3, 0, 0);
-  for (int s = 0; s < 2; ++s) {
-    SlitScan scan{s, {}};
-    for (const SlitRidge& ridge : plain.folded.strips[s].ridges)
-      for (const Vec3& p : ridge.folded)
-        scan.points.push_back(p + shift);
-    file.design.scans.push_back(scan);
-  }
-  EXPECT_TRUE(bent(file).scan_motion.isApprox(Eigen::Isometry3d::Identity())) << "unless asked";
-  file.align_scans = true;
-  const Eigen::Isometry3d motion = bent(file).scan_motion;
-  EXPECT_FALSE(motion.isApprox(Eigen::Isometry3d::Identity()));
-  // Each point comes back near to where it was.
-  for (const Vec3& p : file.design.scans[0].points)
-    EXPECT_LT((motion * p - (p - shift)).norm(), 5.0);
-}
-
 TEST(SlitJob, ReadsItsFile) {
   Request request = slit_request();
   request.input = test::example("slit/chair.json");

@@ -29,11 +29,11 @@ std::vector<std::string> said_on(const std::vector<Page>& pages) {
   return said;
 }
 
-PartList list_of(int parts) {
+PartList list_of(unsigned parts) {
   PartList list;
-  for (int i = 0; i < parts; ++i)
+  for (unsigned i = 0; i < parts; ++i)
     list.parts.push_back(drawn_part("part" + std::to_string(i), 2));
-  list.groups = {{"S235", 2.0, 0, static_cast<std::size_t>(parts)}};
+  list.groups = {{"S235", 2.0, 0, std::size_t{parts}}};
   return list;
 }
 

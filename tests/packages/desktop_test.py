@@ -17,7 +17,7 @@ import xml.etree.ElementTree as ElementTree
 CLI = os.environ.get("PLANISH_CLI", "planish")
 SOURCE = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
 ICONS = SOURCE / "packaging" / "desktop"
-DESKTOP = pathlib.Path(os.environ["PLANISH_PYTHON_FOLDER"]).parent / "written" / "desktop"
+DESKTOP = pathlib.Path(os.environ["PLANISH_PYTHON_FOLDER"]).parent / "desktop"
 EXAMPLES = SOURCE / "examples"
 SECONDS = 60
 MIME = "{http://www.freedesktop.org/standards/shared-mime-info}"

@@ -44,13 +44,13 @@ TEST(Mcp, HoldsAResultWhereTheClientReadsIt) {
   WorkDone done;
   done.result = R"({"status":"ok"})";
   done.summary = "a \"part\"";
-  for (const auto& [protocol, items] : {std::pair{"2024-11-05", 2}, {"2025-06-18", 1}}) {
+  for (const auto& [protocol, items] : {std::pair{"2024-11-05", 2u}, {"2025-06-18", 1u}}) {
     const Json told = Json::parse(call_result(done, protocol));
-    EXPECT_EQ(told["content"].size(), static_cast<std::size_t>(items)) << protocol;
+    EXPECT_EQ(told["content"].size(), items) << protocol;
     EXPECT_EQ(told["content"][0]["text"], done.summary);
     EXPECT_EQ(told["structuredContent"]["status"], "ok");
     EXPECT_EQ(told["isError"], false);
-    if (items == 2) {
+    if (items == 2u) {
       EXPECT_EQ(Json::parse(told["content"][1]["text"].get<std::string>())["status"], "ok");
     }
   }

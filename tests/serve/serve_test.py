@@ -67,7 +67,8 @@ class Results(ServeTest):
         said = self.refused("bend", plates, "-q", "-o", "cli.svg", status=4)
         result = server.ask("bend", {"input": str(plates), "artifacts": ["svg"]})
         self.assertEqual((result["status"], result["report"]["reason"]["code"]), ("refused", "cannot_bend"))
-        self.assertIn(result["report"]["reason"]["message"].rstrip("."), said)
+        reason = result["report"]["reason"]["message"].rstrip(".")
+        self.assertIn(reason[0].lower() + reason[1:], said)
         self.assertIn("<svg", result["artifacts"][0]["text"])
         self.run_cli("info", part, "--sheets", "--json", "cli.json")
         self.assertEqual(server.ask("info", {"input": str(part), "sheets": True})["report"], self.json("cli.json"))
@@ -86,7 +87,7 @@ class Results(ServeTest):
             self.assertEqual(server.ask("schema", {"name": name}), json.loads(self.run_cli("schema", name)[0]))
         error = server.fails("schema", {"name": "none"})
         self.assertEqual((error["code"], error["data"]["code"]), (-32602, "bad_option"))
-        self.assertIn("there are plates, ", error["message"])
+        self.assertIn("Name one of these: plates, ", error["message"])
         formats = server.ask("formats")
         text = self.run_cli("--formats")[0]
         for row in formats["makers"] + formats["artifacts"]:

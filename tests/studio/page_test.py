@@ -10,6 +10,10 @@ WEB = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR", pathlib.Path(__file__).p
 
 
 class Page(unittest.TestCase):
+    def test_its_types(self):
+        done = subprocess.run(["npm", "run", "--silent", "typecheck"], cwd=WEB, capture_output=True, text=True, timeout=280)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_its_functions(self):
         done = subprocess.run(["npm", "test"], cwd=WEB, capture_output=True, text=True, timeout=280)
         self.assertEqual(done.returncode, 0, done.stdout[-4000:] + done.stderr[-4000:])

@@ -1,4 +1,7 @@
-import type { LengthUnit, Options } from './types.ts';
+import type { Shop, ShopMaterial, ShopMaterialGauge as Gauge } from '../generated/shop.ts';
+import type { Options } from './types.ts';
+
+export type { Gauge, Shop, ShopMaterial };
 import { millimetres } from './units.ts';
 import type { TableFile } from './workshop-state.ts';
 
@@ -28,34 +31,9 @@ export const withK = (o: Options, from: Pick<Options, 'k' | 'din6935' | 'k_table
 
 /** A file as an option takes it. Throws if a shop profile is no JSON. */
 export const contentOf = ({ kind, name, text }: TableFile): Pick<Options, 'shop' | 'k_table'> =>
-  kind === 'shop'
-    ? { shop: { name, content: JSON.parse(text) as Record<string, unknown> } }
-    : { k_table: { name, content: text } };
+  kind === 'shop' ? { shop: { name, content: JSON.parse(text) as Shop } } : { k_table: { name, content: text } };
 
-/** The parts of a shop profile that are shown; formats.md#shop. */
-export interface Shop {
-  name?: string;
-  units?: LengthUnit;
-  thickness_tolerance?: number;
-  tools?: Record<string, string[]>; // of those that are built in, by kind
-  materials: ShopMaterial[];
-}
-export interface ShopMaterial {
-  name: string;
-  density?: number;
-  gauges: Gauge[];
-}
-export interface Gauge {
-  thickness: number;
-  inside_radius: number;
-  k?: number;
-  deduction?: number;
-  allowance?: number;
-  angle?: number;
-  deduction_to?: 'mould_line' | 'tangent_plane';
-}
-
-export const shopOf = (o: Options): Shop | null => (o.shop ? (o.shop.content as unknown as Shop) : null);
+export const shopOf = (o: Options): Shop | null => o.shop?.content ?? null;
 
 /** The material that is chosen, in upper or lower case; the only one needs no choice. */
 export function materialOf(shop: Shop, name: Options['material']): ShopMaterial | null {

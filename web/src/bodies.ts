@@ -1,7 +1,7 @@
 import { sentence } from './said.ts';
 import type { Input } from './state.ts';
 import { solidImage } from './solid-picture.ts';
-import type { ApiProblem, LengthUnit, Options, Report, Shape, Vec2 } from './types.ts';
+import type { ApiProblem, FlatSize, LengthUnit, Options, Report, Shape, Vec2 } from './types.ts';
 
 /** What became of a body, as far as is known. */
 export interface BodyStatus {
@@ -9,8 +9,8 @@ export interface BodyStatus {
   code?: string; // of a refusal
   message?: string;
   units?: LengthUnit;
-  thickness?: number;
-  size?: Vec2; // of the blank
+  thickness?: number | null;
+  size?: FlatSize; // of the blank
   pierces?: number;
   picture?: Picture;
   of: Options; // what was asked for

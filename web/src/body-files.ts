@@ -74,7 +74,7 @@ export interface SummaryRow {
 
 export function summaryCsv(rows: SummaryRow[]): string {
   const cells = rows.map(({ report: r, pierces, files }) => {
-    const length = (v: number | undefined, more = 0) => known(v, (x) => clean(x, lengthDigits[r.units] + more)),
+    const length = (v: number | null | undefined, more = 0) => known(v, (x) => clean(x, lengthDigits[r.units] + more)),
       v = r.verification;
     return [
       r.body_number,

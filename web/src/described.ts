@@ -33,7 +33,7 @@ function patternText(state: State): string {
   const report = pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
     flat = report?.flat;
   if (!d || !flat) return 'Flat pattern: there is none';
-  const text = (length: number) => lengthText(length, report?.units, units);
+  const text = (length: number | null) => lengthText(length, report?.units, units);
   return `Flat pattern of ${d.name}, ${text(flat.size[0])} by ${text(flat.size[1])} ${unitName(units)}, ${count(
     flat.bends.length,
     'bend',

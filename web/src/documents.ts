@@ -8,7 +8,8 @@ import type { Recent, Recents } from './recents.ts';
 import type { OptionsSet } from './state.ts';
 import type { Store } from './store.ts';
 import { lookAt } from './survey.ts';
-import type { OpenDocument, SlitSpec, Spec } from './types.ts';
+import type { OpenDocument, Spec } from './types.ts';
+import type { SlitSpec } from './edits/slit-types.ts';
 
 interface Given {
   name: string;

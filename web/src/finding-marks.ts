@@ -1,3 +1,4 @@
+import { isKnown } from './report.ts';
 import type { Finding, Vec2 } from './types.ts';
 
 /** A finding where it is on the screen; without a number where that would cover another one of the chosen finding. */
@@ -19,8 +20,10 @@ const [chosen, plain, dot] = [10, 7, 3.5]; // radii, pixels
  */
 export function findingMarks(findings: Finding[], at: (place: Vec2) => Vec2, selected: number | null): FindingMark[] {
   const wanted = findings.flatMap((f, finding) => {
-    const breaches = f.count ? (f.places ?? []) : [{ severity: f.severity, points: f.at ?? [] }],
-      all = breaches.flatMap(({ severity = f.severity, points = [] }) => points.map((point) => ({ severity, point })));
+    const breaches = f.count ? f.places : [{ severity: f.severity, points: f.at }],
+      all = breaches.flatMap(({ severity = f.severity, points = [] }) =>
+        points.filter(isKnown).map((point) => ({ severity, point })),
+      );
     const shown = finding === selected ? all : all.slice(0, 1); // the worst is the first
     return shown.map(({ severity, point }) => ({ finding, severity, at: at(point), of: at(point) }));
   });

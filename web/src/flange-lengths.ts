@@ -89,7 +89,13 @@ const same = 0.01; // mm
 
 /** From the edge of the bend to its mould line: half of what allowance and deduction make together. */
 function setbackOf(bend: BendRow | undefined, units: Shape['report']['units']): number | null {
-  if (!bend || bend.deduction === null || (bend.kind !== 'cylinder' && bend.kind !== 'sharp')) return null;
+  if (
+    !bend ||
+    bend.deduction === null ||
+    bend.allowance === null ||
+    (bend.kind !== 'cylinder' && bend.kind !== 'sharp')
+  )
+    return null;
   return ((bend.allowance + bend.deduction) / 2) * millimetres(units);
 }
 

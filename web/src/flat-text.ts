@@ -2,6 +2,7 @@ import { drawDimensions } from './flat-dimensions.ts';
 import type { LabelWriter } from './flat-labels.ts';
 import { isUp, lengthOfLine, onScreen, type FlatScene, type Lie } from './flat-scene.ts';
 import { findingMarks, type FindingMark } from './finding-marks.ts';
+import { isKnown } from './report.ts';
 import type { Place } from './label-places.ts';
 import { turnedPlace } from './orientation.ts';
 import { sidesAsReported, type Rectangle } from './rectangle.ts';
@@ -65,7 +66,8 @@ export function dimensionBlank(
 ) {
   const factor = millimetres(report?.units),
     box = r.corners.map((p) => onScreen(lie, ...p)) as typeof r.corners;
-  const size = report?.flat ? sidesAsReported(r.size, report.flat.size.map((v) => v * factor) as Vec2) : r.size;
+  const reported = report?.flat?.size,
+    size = reported && isKnown(reported) ? sidesAsReported(r.size, reported.map((v) => v * factor) as Vec2) : r.size;
   const text = size.map((v) => lengthText(v, 'mm', units)) as [string, string];
   drawDimensions(c, box, text, palette, writer, r.turned);
 }
@@ -84,7 +86,8 @@ export function writeLabels(
     factor = millimetres(report?.units);
   const flange = (text: string, at: Vec2, room: number) =>
     writer.write({ text, at: onScreen(lie, ...at), angle: 0, room, color: palette.label, weight: 'bold' });
-  for (const m of marks) flange(m.text, turnedPlace([m.at[0] * factor, m.at[1] * factor], shape.turn), 200);
+  for (const { text, at } of marks)
+    if (isKnown(at)) flange(text, turnedPlace([at[0] * factor, at[1] * factor], shape.turn), 200);
   if (marks.length) return;
   for (const [part, { at, room }] of places()) {
     const { name, plate } = shape.parts[part]!;
@@ -122,6 +125,6 @@ function writeBends(lie: Lie, scene: FlatScene, shape: Shape, writer: LabelWrite
 
 function bendLabel(name: string, row: BendRow | undefined, { report, units }: FlatScene): string {
   if (!row) return name;
-  const radius = row.inside_radius > 0 ? ` R${lengthText(row.inside_radius, report?.units, units)}` : '';
+  const radius = (row.inside_radius ?? 0) > 0 ? ` R${lengthText(row.inside_radius, report?.units, units)}` : '';
   return `${name} ${row.direction} ${clean(row.angle, 1)}°${radius}`;
 }

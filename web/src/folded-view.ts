@@ -18,7 +18,8 @@ import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
 import type { Stage } from './stage.ts';
-import type { AnchorSpec, OrderAnswer, Shape, Vec3 } from './types.ts';
+import type { AnchorSpec } from './edits/slit-types.ts';
+import type { OrderAnswer, Shape, Vec3 } from './types.ts';
 
 export interface FoldedViewEvents extends LookEvents {
   /** Whether the line was used; else the part behind it is picked. */

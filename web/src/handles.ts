@@ -14,7 +14,8 @@ import {
   type Texture,
 } from 'three';
 import type { Palette } from './theme.ts';
-import type { AnchorSpec, Handles, Vec3 } from './types.ts';
+import type { AnchorSpec } from './edits/slit-types.ts';
+import type { Handles, Vec3 } from './types.ts';
 
 export interface Overlay {
   anchors: AnchorSpec[];

@@ -1,37 +1,21 @@
 // What `plan` takes and answers (docs/studio-api.md#plan).
 
-import type { LengthUnit, OptionFile, Vec2 } from './types.ts';
+import type { ReportPlan, ReportPlanBlocked, ReportPlanStroke } from '../generated/report.ts';
+import type { LengthUnit, SentOptions, Vec2 } from './types.ts';
 
 /** Options of the press brake. */
-export interface BrakeOptions {
-  tools?: OptionFile<string>; // a tools file's text
-  metal?: 'steel' | 'stainless' | 'aluminium';
-  springback?: number;
-  clearance?: number;
-  shortfall?: number;
-  opening?: number;
-  weights?: string;
-  fix?: string;
-  search_time?: number;
-}
+export type BrakeOptions = Pick<
+  SentOptions,
+  'tools' | 'metal' | 'springback' | 'clearance' | 'shortfall' | 'opening' | 'weights' | 'fix' | 'search_time'
+>;
 
 /** What is pressed at once. */
-export interface OrderedStroke {
-  bends: string[];
-  press_line?: number; // from 1, of a bend with several
-  flattening?: boolean; // closes a hem that was bent before
-}
+export type OrderedStroke = Pick<ReportPlanStroke, 'bends' | 'press_line' | 'flattening'>;
 
 export type ToolName = 'punch' | 'die' | 'upper beam' | 'lower beam';
 
 /** What is in the way of a stroke. */
-export interface Blocked {
-  bend: string;
-  hits: string | null;
-  with: string | null; // the flange
-  depth: number;
-  at_turn: number | null; // degrees
-  why?: string;
+export interface Blocked extends ReportPlanBlocked {
   tool: ToolName | null;
   sentence: string;
 }
@@ -59,28 +43,7 @@ export interface Scene {
   gauge: [Vec2, Vec2] | null; // the edge at the fingers, in the pattern
 }
 
-/** Segments side by side, from the left as the operator sees them. */
-export interface SegmentRow {
-  from: number;
-  segments: number[];
-}
-
-export interface StrokeRow extends OrderedStroke {
-  angle: number;
-  punch: string;
-  die: string;
-  punch_segments: number[];
-  punch_from: number;
-  punch_rows?: SegmentRow[];
-  die_segments: number[];
-  die_from: number;
-  die_rows?: SegmentRow[];
-  side_up: 'reference' | 'other';
-  to_gauge: string | null;
-  gauge_direction: Vec2;
-  gauge: { distance: number; edge: [Vec2, Vec2] } | null;
-  force: number;
-  clearance: number;
+export interface StrokeRow extends ReportPlanStroke {
   blocked: Blocked | null;
   scene: Scene;
 }
@@ -96,20 +59,16 @@ export interface ToolTable {
   finger_width: number;
 }
 
-/** The cheapest order (the first four), or one that was given. */
-export type OrderStatus = 'optimal' | 'feasible' | 'infeasible' | 'gave_up' | 'possible' | 'blocked';
+/** The cheapest order, or whether one that was given can be made. */
+export type OrderStatus = ReportPlan['status'] | 'possible' | 'blocked';
 
-export interface OrderAnswer {
+export interface OrderAnswer
+  extends Pick<ReportPlan, 'cost' | 'turn_overs' | 'rotations' | 'tool_changes' | 'ungauged'> {
   status: OrderStatus;
   sentence: string | null;
   notes: string[];
   units: LengthUnit;
   thickness: number; // mm
-  cost: number | null;
-  turn_overs: number;
-  rotations: number;
-  tool_changes: number;
-  ungauged: number;
   strokes: StrokeRow[];
   tools: ToolTable;
 }

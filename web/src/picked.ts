@@ -68,7 +68,7 @@ export function bendText(state: State, row: number): string | null {
     bend = report?.flat?.bends.find((b) => b.id === part?.name);
   if (part?.kind !== 'bend') return null;
   if (!bend) return part.name;
-  const text = (length: number) => `${lengthText(length, report?.units, units)} ${unitName(units)}`,
-    radius = bend.inside_radius > 0 ? `, R ${text(bend.inside_radius)}` : '';
+  const text = (length: number | null) => `${lengthText(length, report?.units, units)} ${unitName(units)}`,
+    radius = (bend.inside_radius ?? 0) > 0 ? `, R ${text(bend.inside_radius)}` : '';
   return `${bend.id} ${bend.direction} ${clean(bend.angle, 1)}°${radius}, ${text(bend.length)} long`;
 }

@@ -1,7 +1,8 @@
 import { ShapeUtils, Vector2 } from 'three';
 import type { State } from './state.ts';
 import { namedPlaces, unnamed, type NamedPlaces, type Solid } from './solid-mesh.ts';
-import type { Place, PlatesSpec, Vec3 } from './types.ts';
+import type { Place, Vec3 } from './types.ts';
+import type { PlatesSpec } from './edits/plates-types.ts';
 import { millimetres } from './units.ts';
 import { cross, dot, minus, normalised, plus, scaled } from './vectors.ts';
 

@@ -37,7 +37,7 @@ export class Stages {
     const lines = new Map<string, number>();
     for (const row of order.strokes)
       for (const key of keysOf(row)) {
-        this.total.set(key, (this.total.get(key) ?? 0) + row.angle);
+        this.total.set(key, (this.total.get(key) ?? 0) + angleOf(row));
         if (row.press_line) lines.set(row.bends[0]!, Math.max(row.press_line, lines.get(row.bends[0]!) ?? 0));
       }
     this.key = Array.from(shape.facet_parent, (parent, f) => (parent < 0 ? null : lineOf(shape, f, lines)));
@@ -77,7 +77,7 @@ export class Stages {
   shares(stroke: number, turn: number): Float64Array {
     const turned = new Map<string, number>();
     this.order.strokes.slice(0, stroke + 1).forEach((row, i) => {
-      for (const key of keysOf(row)) turned.set(key, (turned.get(key) ?? 0) + (i < stroke ? row.angle : turn));
+      for (const key of keysOf(row)) turned.set(key, (turned.get(key) ?? 0) + (i < stroke ? angleOf(row) : turn));
     });
     return Float64Array.from(this.key, (key) =>
       key === null || !this.total.get(key) ? 0 : (turned.get(key) ?? 0) / this.total.get(key)!,
@@ -129,7 +129,7 @@ export class Stages {
 
   /** The held facet of a stroke as the stroke before left it. */
   private left(stroke: number, to: Pose): Matrix4 {
-    const last = this.poseAt(stroke - 1, this.order.strokes[stroke - 1]!.angle),
+    const last = this.poseAt(stroke - 1, angleOf(this.order.strokes[stroke - 1]!)),
       tree = facetTransforms(this.shape, to.share),
       moved = product(last.at, 0, inverse(tree, 16 * last.held), 0);
     return matrix(product(moved, 0, tree, 16 * to.held));
@@ -144,6 +144,8 @@ export class Stages {
       .applyMatrix4(matrix(own));
   }
 }
+
+const angleOf = ({ angle }: StrokeRow) => angle ?? 0;
 
 /** The lines that a stroke presses. */
 const keysOf = ({ bends, press_line }: StrokeRow) => bends.map((b) => `${b}/${press_line ?? ''}`);
@@ -205,9 +207,9 @@ function punchAt({ scene }: StrokeRow, turn: number): number {
 
 /** How far a stroke has turned its lines: no further than where something collides. */
 export function turnAt(row: StrokeRow, share: number): number {
-  const most = row.blocked?.at_turn ?? row.angle,
+  const most = row.blocked?.at_turn ?? angleOf(row),
     t = (share - phases.down) / (phases.pressed - phases.down),
-    turn = row.angle * Math.min(1, Math.max(0, t));
+    turn = angleOf(row) * Math.min(1, Math.max(0, t));
   if (row.blocked && t >= 1) return most; // it may collide only when bent beyond its angle
   return row.blocked ? Math.min(turn, most) : turn;
 }

@@ -1,6 +1,5 @@
 import type {
   ApiProblem,
-  CurveName,
   Description,
   Example,
   OpenDocument,
@@ -11,6 +10,7 @@ import type {
   Spec,
   Vec2,
 } from './types.ts';
+import type { CurveName } from './edits/slit-types.ts';
 import type { Bodies, BodyStatus } from './bodies.ts';
 import type { Recent } from './recents.ts';
 import { noOrder, type OrderAction, type OrderState } from './order-state.ts';

@@ -1,28 +1,54 @@
-// The types of docs/studio-api.md and of the files and reports of the program.
+// The types of docs/studio-api.md. What a schema describes (reports, requests, files) is generated from it.
 
+import type { Info, InfoBody } from '../generated/info.ts';
+import type {
+  Report,
+  ReportCheck,
+  ReportCheckPlace,
+  ReportFlatBend,
+  ReportFlatBendAlternative,
+  ReportFlatFeature,
+  ReportPiece,
+  ReportReason,
+  ReportReasonPlace,
+  ReportReasonRemedy,
+} from '../generated/report.ts';
+import type { RequestOptions } from '../generated/request.ts';
 import type { BrakeOptions, OrderedStroke } from './order-types.ts';
-import type { Numbers, Piece, Place, Remedy } from './said.ts';
-import type { Spec } from './spec-types.ts';
 
 export * from './order-types.ts';
-export * from './said.ts';
-export * from './spec-types.ts';
+export type {
+  Report,
+  ReportCheck as Finding,
+  ReportCheckPlace as FindingPlace,
+  ReportFlatBend as BendRow,
+  ReportFlatBendAlternative as Alternative,
+  ReportFlatFeature as FeatureRow,
+  ReportReasonPlace as Place,
+  ReportReasonRemedy as Remedy,
+  Info as FileInfo,
+  InfoBody as BodyInfo,
+};
 
 /** The name of a maker: a row of the description. */
 export type Kind = string;
 export type Vec2 = [number, number];
 export type Vec3 = [number, number, number];
-export type LengthUnit = 'mm' | 'inch' | 'm';
+export type LengthUnit = Report['units'];
 
-export interface ApiProblem {
-  code: string;
-  message: string;
-  where?: string | null;
-  places?: Place[];
-  numbers?: Numbers;
-  remedy?: Remedy;
-  remedies?: Remedy[]; // if there are several
-  wording?: Piece[]; // the message, where it names an option or a place
+/** The report of a part, or of one of its pieces. */
+export type PieceReport = Pick<Report, keyof Report & keyof ReportPiece>;
+
+/** Length and width of a blank. */
+export type FlatSize = NonNullable<Report['flat']>['size'];
+
+/** A refusal, or an error of the server, which knows less. */
+export type ApiProblem = Pick<ReportReason, 'code' | 'message'> & Partial<ReportReason>;
+
+/** An input file as the page edits it; each maker's has more. */
+export interface Spec {
+  units?: LengthUnit;
+  thickness: number;
 }
 
 export interface Example {
@@ -31,80 +57,28 @@ export interface Example {
   title: string;
 }
 
-export interface BodyInfo {
-  number: number;
-  name: string;
-  quantity: number;
-  faces: number;
-  size: number[];
-  volume: number;
-}
-export interface FileInfo {
-  format: 'planish/info';
-  version: number;
-  command: 'info';
-  input: string;
-  units: LengthUnit;
-  status: 'ok' | 'refused';
-  reason: ApiProblem | null;
-  schema: string;
-  cad_system: string;
-  file_units: string;
-  bodies: BodyInfo[];
-  surface_bodies: number;
-}
-
 /** `given`: the file of the command line. */
 export interface OpenDocument {
   id: string;
   given?: boolean;
   kind: Kind;
   name: string;
-  info?: FileInfo | null;
+  info?: Info | null;
   text?: string | null;
 }
 
-/** The content of a file given to an option. */
-export interface OptionFile<Content> {
-  name?: string;
-  content: Content;
-}
-export interface Options {
-  body?: number | string;
-  root?: 'largest' | number;
-  rip_edges?: string; // as in 21,56
-  up?: 'auto' | 'reference' | 'other' | number;
-  k?: number;
-  k_table?: OptionFile<string>;
-  din6935?: boolean;
-  shop?: OptionFile<Record<string, unknown>>;
-  material?: OptionFile<Record<string, unknown>> | string; // a string: one of the shop's
-  bend_k?: Record<string, number>;
-  inside_radius?: number;
-  lateral?: 'auto' | 'straight' | 'arc' | 'corner';
-  trade_off?: number;
-  largest_span?: number;
-  density?: number;
-  piece?: number;
-  units?: LengthUnit;
-  extruded?: 'pilot' | 'through' | 'outline';
-  relief?: 'none' | 'rip' | 'square' | 'round';
-  bend_relief?: 'none' | 'square' | 'round';
-  rip_width?: number;
-  profile?: string;
-  r12?: boolean;
-  splines?: 'arcs' | 'keep';
-  arc_tolerance?: number;
-  bend_marks?: 'lines' | 'ticks';
-  tick_length?: number;
-  tangent_lines?: boolean;
-  bend_text?: boolean;
-  turn_to_blank?: boolean;
-  process?: 'laser' | 'punch';
-  rules?: OptionFile<Record<string, number | boolean | string>>;
-  no_rules?: boolean;
-  write_overlapping?: boolean;
-}
+type IsFile<Value> = [Extract<Value, { content: unknown }>] extends [never] ? false : true;
+/** Options as the page sends them: left out rather than null, and files by their content rather than their path. */
+export type SentOptions = {
+  [Name in keyof RequestOptions]: Exclude<
+    RequestOptions[Name],
+    null | (IsFile<RequestOptions[Name]> extends true ? string : never)
+  >;
+};
+/** `material`: a string is one of the shop's. */
+export type Options = Omit<SentOptions, keyof BrakeOptions | 'material' | 'check_bending' | 'first'> & {
+  material?: SentOptions['material'] | string;
+};
 
 /** What can be opened, asked and written; the menus are built from it. */
 export interface Description {
@@ -179,7 +153,7 @@ export interface ShapeHeader {
   report: Report;
   arrays: Record<string, ArrayPlace>;
   parts: Part[];
-  root: number[];
+  root: number[] | null; // without facets
   handles?: Handles;
   pierces?: number | null;
   seconds?: number;
@@ -224,159 +198,4 @@ export interface Shape extends Facets {
   handles: Handles;
   pierces: number | null; // contours and slits that are cut
   seconds: number;
-}
-
-// ---- reports ------------------------------------------------------------------------------------------------------
-
-export interface Alternative {
-  edges: Record<string, number[] | null>;
-  surface: string;
-  facing: string;
-  width: number;
-  span: number;
-}
-
-export interface BendRow {
-  id: string;
-  order?: number;
-  kind: string;
-  angle: number;
-  inside_radius: number;
-  k_factor: number | null;
-  k_source?: string;
-  allowance: number;
-  deduction: number | null;
-  direction: 'up' | 'down';
-  length: number;
-  line: Vec2[];
-  lines?: Vec2[][];
-  between?: string[];
-  edges?: Record<string, number[]>;
-  surface?: string;
-  lateral?: string;
-  facing?: string;
-  slope?: number;
-  offset?: number;
-  apex?: number | null;
-  half_angle?: number | null;
-  inside_radii?: number[];
-  frame?: { origin: Vec3; d: Vec3; e1: Vec3; e2: Vec3; beta: number; rise: number[] };
-  width?: number;
-  span?: number;
-  joined?: number;
-  stretches?: { edges: Record<string, number[]>; width: number }[];
-  extension_area?: number;
-  alternatives?: Alternative[];
-}
-
-export interface Finding {
-  code: string;
-  severity: 'info' | 'warning' | 'error';
-  message: string;
-  at?: Vec2[] | null;
-  count?: number; // of a rule's places
-  numbers?: Numbers;
-  places?: FindingPlace[]; // of a rule: those where it is broken, the worst first
-  remedy?: Remedy;
-  remedies?: Remedy[];
-}
-
-export interface FindingPlace extends Place {
-  severity?: 'info' | 'warning' | 'error'; // of a rule's place, as the next two
-  message?: string;
-  points?: Vec2[];
-  numbers?: Numbers;
-}
-
-export interface Verification {
-  volume_ratio: number | null;
-  explained_ratio?: number | null;
-  length_error: number | null;
-  refold_deviation?: number | null;
-  closure?: number | null;
-  area_at_half?: number | null;
-  openings?: { solid?: number; pattern: number; features: number; loops?: number };
-  places?: Record<'length_error' | 'refold_deviation', Vec2 | null>;
-}
-
-export interface SheetRow {
-  thickness: number;
-  thickness_spread?: number;
-  k_factor: number | null;
-  k_source?: string | null;
-  flanges: number;
-  bends: number;
-  volume: number | null;
-  mass?: number | null;
-}
-
-export interface FeatureRow {
-  kind: string;
-  side?: 'both' | 'up' | 'down';
-  at: Vec2 | null;
-  size: Vec2 | null;
-  openings?: number;
-}
-
-export interface FlatRow {
-  area: number;
-  perimeter: number;
-  size: Vec2;
-  openings?: number;
-  cutting?: { outer: number; inner: number };
-  bends: BendRow[];
-  labels?: { text: string; at: Vec2 }[];
-  features?: FeatureRow[];
-}
-
-export interface StripRow {
-  status: string;
-  gap: number;
-  shortfall: number;
-  min_radius: number | null;
-  iterations?: number;
-  seat_distance?: number;
-  anchor_distance?: number;
-  scan_distance?: number;
-  crosses?: number[]; // strips of higher numbers
-  crosses_plane?: boolean;
-  ridges?: { flat: Vec2[]; folded: Vec3[]; fold: number | null }[];
-}
-
-export interface PieceReport {
-  body?: string;
-  units: LengthUnit;
-  status: 'ok' | 'warning' | 'refused';
-  reason: ApiProblem | null;
-  sheet: SheetRow | null;
-  flat: FlatRow | null;
-  verification: Verification | null;
-  checks: Finding[];
-  notes?: string[];
-  files?: string[];
-}
-
-export interface Report extends PieceReport {
-  format: 'planish/report';
-  version: number;
-  command: Kind;
-  input: string;
-  body_number?: number;
-  quantity?: number;
-  pieces?: PieceReport[];
-  slit?: { gap: number; flat_deviation: number | null; leg_scales: (number | null)[]; strips: StripRow[] };
-  transition?: {
-    area: number;
-    perimeters: number[];
-    patches: { kind: string; area: number; borders: number[]; turn: number }[];
-    press_lines: { id: string; piece: string; angle: number; direction: 'up' | 'down'; line: Vec2[] }[];
-    true_lengths: {
-      from: string;
-      to: string;
-      length: number;
-      piece: string;
-      press_line: string | null;
-      points: Vec3[];
-    }[];
-  };
 }

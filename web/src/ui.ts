@@ -1,6 +1,6 @@
 import type { Recent } from './recents.ts';
 import type { Action, State, Theme } from './state.ts';
-import type { ApiProblem, OrderedStroke, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
+import type { ApiProblem, OrderedStroke, Options, Spec } from './types.ts';
 import type { StandardView } from './folded-camera.ts';
 
 /** What panels may see and do. `edit` with `live` is part of a drag, which `commit` ends. */
@@ -45,10 +45,6 @@ export interface Ui {
   playStrokes(): void;
   setTheme(theme: Theme): void;
 }
-
-export const platesOf = (ui: Ui) => ui.state.input.spec as PlatesSpec;
-export const transitionOf = (ui: Ui) => ui.state.input.spec as TransitionSpec;
-export const slitOf = (ui: Ui) => ui.state.input.spec as SlitSpec;
 
 /** The input before the current drag: slider ranges are based on it, so that they do not move. */
 export const restingSpec = <S extends Spec>(ui: Ui) => (ui.state.pending ?? ui.state.input).spec as S;

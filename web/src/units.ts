@@ -33,7 +33,8 @@ export const unitName = (unit: DisplayUnit) => (unit === 'mm' ? 'mm' : 'in');
 const tie = 1e-3; // of the last digit: values come by way of other units and of arrays of seven digits
 
 /** `value` with at most `digits` decimals, without trailing zeros, never −0; of two that are as near the larger one. */
-export function clean(value: number, digits: number): string {
+export function clean(value: number | null, digits: number): string {
+  if (value === null) return '–';
   const scale = 10 ** digits,
     size = Math.round(Math.abs(value) * scale + tie) / scale,
     text = (value < 0 ? -size : size).toFixed(digits);

@@ -17,7 +17,9 @@ import { Stages } from './stage.ts';
 import { readPalette } from './theme.ts';
 import type { MeasuringEvents } from './measure/events.ts';
 import type { MeasuredView } from './measure/things.ts';
-import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
+import type { PlatesSpec } from './edits/plates-types.ts';
+import type { Shape, Vec3 } from './types.ts';
+import type { SlitSpec } from './edits/slit-types.ts';
 import type { Ui } from './ui.ts';
 import { millimetres } from './units.ts';
 

@@ -55,7 +55,7 @@ test('a part is of the nearest gauge within the tolerance, in the units of the s
 });
 
 test('K comes from one place', () => {
-  const shop = { name: 's', content: {} },
+  const shop = { name: 's', content: { materials: [] } },
     all = withK({ body: 2, density: 7.85, k: 0.4 }, { shop, material: 'steel' });
   assert.equal(kRule(all), 'shop');
   assert.deepEqual(allowanceOf(all), { shop, material: 'steel', density: 7.85 });

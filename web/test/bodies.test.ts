@@ -8,6 +8,8 @@ import type { Report } from '../src/types.ts';
 import { zip } from '../src/zip.ts';
 import { twoFlangesShape } from './two-flanges.ts';
 
+const reason = (code: string, message: string) => ({ code, message, where: '', places: [], numbers: {} });
+
 const report = (body: string, thickness: number, more: Partial<Report> = {}): Report => ({
   format: 'planish/report',
   version: 1,
@@ -19,10 +21,38 @@ const report = (body: string, thickness: number, more: Partial<Report> = {}): Re
   units: 'mm',
   status: 'ok',
   reason: null,
-  sheet: { thickness, k_factor: 0.44, flanges: 2, bends: 1, volume: 1, mass: null },
-  flat: { area: 6000, perimeter: 320, size: [100, 60], cutting: { outer: 320, inner: 0 }, openings: 0, bends: [] },
-  verification: { volume_ratio: 1, length_error: 1.4e-14, refold_deviation: 0.00005 },
+  sheet: {
+    thickness,
+    thickness_spread: 0,
+    k_factor: 0.44,
+    k_source: 'default',
+    flanges: 2,
+    bends: 1,
+    volume: 1,
+    mass: null,
+  },
+  flat: {
+    area: 6000,
+    perimeter: 320,
+    size: [100, 60],
+    cutting: { outer: 320, inner: 0 },
+    openings: 0,
+    bends: [],
+    features: [],
+  },
+  verification: {
+    volume_ratio: 1,
+    explained_ratio: null,
+    length_error: 1.4e-14,
+    refold_deviation: 0.00005,
+    closure: null,
+    area_at_half: null,
+    openings: { pattern: 0, features: 0 },
+    places: { length_error: [0, 0], refold_deviation: [0, 0] },
+  },
   checks: [],
+  notes: [],
+  files: [],
   ...more,
 });
 
@@ -51,10 +81,10 @@ test('the summary has a row a body, figures as the page shows them', () => {
       sheet: null,
       flat: null,
       verification: null,
-      reason: { code: 'not_a_sheet', message: 'it is no sheet, but a block' },
+      reason: reason('not_a_sheet', 'it is no sheet, but a block'),
     }),
     raw = report('B', 0.7999999999999979, {
-      sheet: { thickness: 0.7999999999999979, k_factor: 0.44, flanges: 2, bends: 1, volume: 1, mass: 0.0123456789 },
+      sheet: { ...report('', 0.7999999999999979).sheet!, mass: 0.0123456789 },
       flat: {
         ...report('', 1).flat!,
         area: 6283.185307,
@@ -62,7 +92,7 @@ test('the summary has a row a body, figures as the page shows them', () => {
         cutting: { outer: 320.4567, inner: 31.41592653589793 },
         openings: 1,
       },
-      verification: { volume_ratio: 0.9999999999999979, length_error: 1.4e-14, refold_deviation: 0.00005 },
+      verification: { ...report('', 1).verification!, volume_ratio: 0.9999999999999979 },
     }),
     inch = report('C', 1 / 3, { units: 'inch', flat: { ...report('', 1).flat!, size: [10 / 3, 1], area: 10 / 3 } });
   const rows = summaryCsv([
@@ -79,12 +109,12 @@ test('the summary has a row a body, figures as the page shows them', () => {
 });
 
 test('what is said of one body only does not go with another', () => {
-  const shop = { content: {} },
+  const shop = { content: { materials: [] } },
     all = { body: 3, k: 0.4, root: 7, up: 'other', bend_k: { B1: 0.3 }, shop } as const;
   assert.deepEqual(sharedOptions(all), { k: 0.4, shop });
   assert.ok(sameOptions({ body: 1, k: 0.4, shop }, { body: 2, k: 0.4, shop }));
   assert.ok(!sameOptions({ k: 0.4 }, {}));
-  assert.ok(!sameOptions({ shop }, { shop: { content: {} } }));
+  assert.ok(!sameOptions({ shop }, { shop: { content: { materials: [] } } }));
 });
 
 test('what is said of one body only waits for it', () => {
@@ -123,11 +153,8 @@ test('a pattern has a picture, its y axis down, and no more points than are seen
 
 test('a refusal is said with its reason', () => {
   const shape = decodeShape(twoFlangesShape()),
-    reason = { code: 'not_a_sheet', message: 'no' };
-  const status = statusOfShape(
-    { ...shape, report: { ...shape.report, status: 'refused', reason, sheet: null, flat: null } },
-    {},
-  );
+    refused = { status: 'refused', reason: reason('not_a_sheet', 'no'), sheet: null, flat: null } as const;
+  const status = statusOfShape({ ...shape, report: { ...shape.report, ...refused } }, {});
   assert.deepEqual(status, { status: 'refused', code: 'not_a_sheet', message: 'no', of: {}, units: 'mm' });
 });
 

@@ -15,7 +15,8 @@ import {
   surfacePatch,
 } from '../src/edits/connect.ts';
 import { addCorner, addHole, along, directionsOf, moveCorner, removeCorner, removeHole } from '../src/edits/outline.ts';
-import type { BendRow, PlatesSpec, Vec3 } from '../src/types.ts';
+import type { BendRow, Vec3 } from '../src/types.ts';
+import type { PlatesSpec } from '../src/edits/plates-types.ts';
 
 const level: Vec3[] = [
   [0, 0, 0],
@@ -200,11 +201,11 @@ test('lists of edges are read as they are written', () => {
 });
 
 test('a bend of another surface keeps nothing that this cannot have', () => {
-  const general = {
+  const general: PlatesSpec = {
     ...spec(),
-    bends: [{ between: ['A', 'B'], surface: 'general', tangent_point: [0, 0, 0] as Vec3, apex: 3 }],
+    bends: [{ between: ['A', 'B'], surface: 'general', tangent_point: [0, 0, 0], apex: 3 }],
   };
-  const bend = (surface: string, s: PlatesSpec = general) =>
+  const bend = (surface: Parameters<typeof surfacePatch>[0], s: PlatesSpec = general) =>
     setBend(s, rows, rows[0]!, surfacePatch(surface)).bends![0];
   assert.deepEqual(bend('auto'), { between: ['A', 'B'], apex: 3 });
   assert.deepEqual(bend('cylinder'), { between: ['A', 'B'], surface: 'cylinder' });

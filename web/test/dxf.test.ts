@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { dxfOptions, soundChoices } from '../src/dxf-choices.ts';
+import { dxfOptions, soundChoices, type DxfChoices } from '../src/dxf-choices.ts';
 import type { MakerRow } from '../src/types.ts';
 
 const row = (name: string, words: string[] = []) => ({
@@ -48,7 +48,7 @@ test('what contradicts something else is left out, and there again when that is 
 test('only what the maker takes is asked for', () => {
   const few = { ...unfold, options: unfold.options.filter((o) => o.name !== 'turn_to_blank') };
   assert.deepEqual(dxfOptions({ turn_to_blank: true, tangent_lines: true }, few, 'mm'), { units: 'mm' });
-  assert.deepEqual(dxfOptions({ profile: 'no such layers' }, unfold, 'mm'), { units: 'mm' });
+  assert.deepEqual(dxfOptions({ profile: 'no such layers' } as unknown as DxfChoices, unfold, 'mm'), { units: 'mm' });
 });
 
 test('of what was kept, only what can be meant is taken', () => {

@@ -25,7 +25,7 @@ test('outside lengths, less the deduction, are the length of the blank', () => {
   // 40 and 30 beside a bend of 8: the setback is half of 8 + 4.4
   near(first, 40 + 6.2, 1e-5);
   near(second, 30 + 6.2, 1e-5);
-  near(first + second - 4.4, shape.report.flat!.size[0], 1e-5);
+  near(first + second - 4.4, shape.report.flat!.size[0]!, 1e-5);
   const why = (change: (bend: BendRow) => unknown) => outside(decoded(change), 'B1');
   assert.match(why((bend) => (bend.deduction = null)) as string, /has no deduction/);
   assert.match(why((bend) => (bend.kind = 'cone')) as string, /radius of this bend changes/);

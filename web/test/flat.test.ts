@@ -5,7 +5,14 @@ import { dimensionReach } from '../src/flat-dimensions.ts';
 import { sidesAsReported } from '../src/rectangle.ts';
 import type { Finding, FindingPlace, Vec2 } from '../src/types.ts';
 
-const finding = (...at: Vec2[]): Finding => ({ code: 'opening_to_edge', severity: 'warning', message: '', at });
+const finding = (...at: Vec2[]): Finding => ({
+  code: 'opening_to_edge',
+  severity: 'warning',
+  message: '',
+  at,
+  places: [],
+  numbers: {},
+});
 
 test('the sides of the blank are as long as the report says, in whatever order it names them', () => {
   assert.deepEqual(sidesAsReported([121.24, 130.64], [130.68, 121.27]), [121.27, 130.68]);
@@ -57,17 +64,23 @@ test('marks of findings that would cover each other step aside, never that of th
   );
 });
 
+test('a finding whose place could not be measured has no mark', () => {
+  const nowhere: Finding = { ...finding(), at: [[null, 3]] };
+  assert.deepEqual(
+    findingMarks([nowhere, finding([1, 2])], (p) => p, null).map((m) => [m.finding, m.at]),
+    [[1, [1, 2]]],
+  );
+});
+
 test('a rule has one mark, at its worst place, until it is chosen: then one at each place', () => {
   const places = Array.from(
       { length: 300 },
       (_, i): FindingPlace => ({ kind: 'point', severity: i ? 'info' : 'warning', message: '', points: [[30 * i, 0]] }),
     ),
     rules: Finding[] = [1, 2, 3].map((y) => ({
-      code: 'hole_size',
-      severity: 'warning',
-      message: '',
+      ...finding(),
       count: places.length,
-      places: places.map((p) => ({ ...p, points: [[p.points![0]![0], 100 * y]] })),
+      places: places.map((p) => ({ ...p, points: [[p.points![0]![0]!, 100 * y]] })),
     }));
   const marks = (selected: number | null) => findingMarks(rules, (p) => p, selected);
   assert.deepEqual(

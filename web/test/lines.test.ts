@@ -50,7 +50,7 @@ test('a hole and the outline of a feature on the same circle are two', () => {
 test('the features that are drawn are counted by kind, the most first', () => {
   const circle = { at: [0, 0] as [number, number], radius: 1, sweep: 2 * Math.PI };
   const shape = arcs([circle, ...[0, 2, 2, 3].map((feature) => ({ ...circle, feature }))]),
-    feature = (kind: string) => ({ kind, at: null, size: null });
+    feature = (kind: string) => ({ kind, side: 'both' as const, at: null, size: null, openings: 0 });
   assert.equal(
     drawnFeatures(shape, ['countersink', 'contact', 'pocket', 'pocket'].map(feature)),
     '2 pockets, 1 countersink',

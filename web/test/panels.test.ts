@@ -11,7 +11,8 @@ import {
 } from '../src/edits/panels.ts';
 import { lengthOf, removePoint } from '../src/edits/slit.ts';
 import { setStripWidth } from '../src/edits/strips.ts';
-import type { SlitSpec, Vec2 } from '../src/types.ts';
+import type { SlitSpec } from '../src/edits/slit-types.ts';
+import type { Vec2 } from '../src/types.ts';
 
 const leg: Vec2[] = [
   [300, 0],

@@ -13,7 +13,8 @@ import {
   sheetWidth,
   uniform,
 } from '../src/edits/strips.ts';
-import type { SlitSpec, Vec2, Vec3 } from '../src/types.ts';
+import type { SlitSpec } from '../src/edits/slit-types.ts';
+import type { Vec2, Vec3 } from '../src/types.ts';
 
 const straight: Vec2[] = [
   [360, 0],

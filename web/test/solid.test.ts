@@ -7,7 +7,8 @@ import { SolidNames } from '../src/solid-names.ts';
 import { directionThatShows } from '../src/solid-sight.ts';
 import { normalised } from '../src/vectors.ts';
 import { pixelsOf, rasterOf } from '../src/solid-picture.ts';
-import type { Place, PlatesSpec, Shape, Vec3 } from '../src/types.ts';
+import type { Place, Shape, Vec3 } from '../src/types.ts';
+import type { PlatesSpec } from '../src/edits/plates-types.ts';
 
 test('faces and edges are those among the places', () => {
   assert.deepEqual(

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { asKind, profileKind, withProfile, type ProfileKind } from '../src/edits/transition.ts';
-import type { Profile, Seam, TransitionSpec } from '../src/types.ts';
+import type { Profile, Seam, TransitionSpec } from '../src/edits/transition-types.ts';
 
 const square: Profile = {
   polygon: [

@@ -1,4 +1,5 @@
-import type { BendRow, BendSpec, PlateSpec, PlatesSpec, Vec2, Vec3 } from '../types.ts';
+import type { BendRow, Vec2, Vec3 } from '../types.ts';
+import type { BendSpec, PlateSpec, PlatesSpec } from './plates-types.ts';
 import { round } from '../units.ts';
 import { plus, scaled } from '../vectors.ts';
 import { directionsOf, extentOf, rectangleAt } from './outline.ts';
@@ -55,7 +56,7 @@ const without = (keys: (keyof BendSpec)[]): Partial<BendSpec> =>
 /**
  * The patch that gives a bend another surface, or leaves that to the program, without what such a surface cannot have.
  */
-export const surfacePatch = (surface: string): Partial<BendSpec> => ({
+export const surfacePatch = (surface: NonNullable<BendSpec['surface']>): Partial<BendSpec> => ({
   ...without(notWith[surface] ?? []),
   surface: surface === 'auto' ? undefined : surface,
 });

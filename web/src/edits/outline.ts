@@ -1,4 +1,5 @@
-import type { PlateSpec, PlatesSpec, Vec2, Vec3 } from '../types.ts';
+import type { PlateSpec, PlatesSpec } from './plates-types.ts';
+import type { Vec2, Vec3 } from '../types.ts';
 import { round } from '../units.ts';
 import { cross, dot, minus, normalised, plus, scaled } from '../vectors.ts';
 

@@ -1,4 +1,5 @@
-import type { LegCurve, MouldSpec, PanelName, SlitSpec, Vec2 } from '../types.ts';
+import type { LegCurve, MouldSpec, PanelName, SlitSpec } from './slit-types.ts';
+import type { Vec2 } from '../types.ts';
 import { fileDigits, round } from '../units.ts';
 import { fitted, lengthOf } from './slit.ts';
 
@@ -61,13 +62,15 @@ function reachOf({ strips, panel_height, half_length = 0 }: SlitSpec['sheet']): 
 export function ownSecondPanel(spec: SlitSpec): SlitSpec {
   const { sheet, leg_curve } = spec,
     beyond = (end: number) => round(2 * end - sheet.panel_height);
-  const whole = {
-    ...sheet,
-    ...(sheet.half_length === undefined ? {} : { half_length: 2 * sheet.half_length }),
-    ...(typeof sheet.strips === 'number'
-      ? {}
-      : { strips: sheet.strips.map((s) => (s.end === undefined ? s : { ...s, end: beyond(s.end) })) }),
-  };
+  const half_length = 2 * sheet.half_length,
+    whole: SlitSpec['sheet'] =
+      sheet.strip_width === undefined
+        ? {
+            ...sheet,
+            half_length,
+            strips: sheet.strips.map((s) => (s.end === undefined ? s : { ...s, end: beyond(s.end) })),
+          }
+        : { ...sheet, half_length };
   const { seat_curve: _seat, end_angle: _angle, anchors: _anchors, scan: _scan, align_scan: _align, ...rest } = spec;
   return {
     ...rest,

@@ -1,4 +1,5 @@
-import type { AnchorSpec, CurveName, SlitSpec, Vec2, Vec3 } from '../types.ts';
+import type { AnchorSpec, CurveName, SlitSpec } from './slit-types.ts';
+import type { Vec2, Vec3 } from '../types.ts';
 import { fileDigits, round } from '../units.ts';
 import { legOf, setLeg } from './panels.ts';
 

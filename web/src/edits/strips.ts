@@ -1,4 +1,5 @@
-import type { SlitSpec, StripEnd, StripSpec, Vec3 } from '../types.ts';
+import type { SlitSpec, StripEnd, StripSpec } from './slit-types.ts';
+import type { Vec3 } from '../types.ts';
 import { fileDigits, round } from '../units.ts';
 import { minus, normalised, plus, scaled } from '../vectors.ts';
 import { scaledLegs } from './panels.ts';
@@ -12,6 +13,9 @@ export const stripsOf = ({ strips, strip_width }: Sheet): StripSpec[] =>
 const widthOf = (sheet: Sheet) => stripsOf(sheet).reduce((sum, s) => sum + s.width + (s.gap ?? 0), sheet.margin ?? 0);
 export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
 
+/** The sheet with strips that have their own widths. */
+const withStrips = ({ strip_width: _one, ...sheet }: Sheet, strips: StripSpec[]): Sheet => ({ ...sheet, strips });
+
 /** Another sheet. Leg curves grow and shrink with the sheet's width. */
 function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
   const before = widthOf(spec.sheet),
@@ -20,19 +24,19 @@ function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
 }
 
 export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec =>
-  withSheet(spec, { ...spec.sheet, strip_width });
+  withSheet(spec, { ...spec.sheet, strips: stripsOf(spec.sheet).length, strip_width });
 
 export const setMargin = (spec: SlitSpec, margin: number): SlitSpec => withSheet(spec, { ...spec.sheet, margin });
 
 /** A number of strips of one width. */
 export function setStripCount(spec: SlitSpec, strips: number): SlitSpec {
-  return renumbered(withSheet(spec, { ...spec.sheet, strips }), (i) => (i < strips ? i : null));
+  const { strip_width = stripsOf(spec.sheet)[0]?.width ?? 0 } = spec.sheet;
+  return renumbered(withSheet(spec, { ...spec.sheet, strips, strip_width }), (i) => (i < strips ? i : null));
 }
 
 /** Gives each strip its own width, leaving the sheet unchanged. */
 export function ownWidths(spec: SlitSpec): SlitSpec {
-  const { strip_width: _one, ...sheet } = spec.sheet;
-  return { ...spec, sheet: { ...sheet, strips: stripsOf(spec.sheet) } };
+  return { ...spec, sheet: withStrips(spec.sheet, stripsOf(spec.sheet)) };
 }
 
 /** The same number of strips, of one width without gaps, on a sheet of the same width. */
@@ -48,13 +52,14 @@ export function uniform(spec: SlitSpec): SlitSpec {
 export function setStrip(spec: SlitSpec, index: number, patch: Partial<StripSpec>): SlitSpec {
   const changed = (s: StripSpec) =>
     Object.fromEntries(Object.entries({ ...s, ...patch }).filter(([, v]) => v !== undefined)) as unknown as StripSpec;
-  return withSheet(spec, { ...spec.sheet, strips: stripsOf(spec.sheet).map((s, i) => (i === index ? changed(s) : s)) });
+  const strips = stripsOf(spec.sheet).map((s, i) => (i === index ? changed(s) : s));
+  return withSheet(spec, withStrips(spec.sheet, strips));
 }
 
 /** Adds a strip like the one at `index`, after it. */
 export function addStrip(spec: SlitSpec, index: number): SlitSpec {
   const strips = stripsOf(spec.sheet),
-    sheet = { ...spec.sheet, strips: [...strips.slice(0, index + 1), strips[index]!, ...strips.slice(index + 1)] };
+    sheet = withStrips(spec.sheet, [...strips.slice(0, index + 1), strips[index]!, ...strips.slice(index + 1)]);
   return renumbered(withSheet(spec, sheet), (i) => (i > index ? i + 1 : i));
 }
 
@@ -62,7 +67,8 @@ export function addStrip(spec: SlitSpec, index: number): SlitSpec {
 export function removeStrip(spec: SlitSpec, index: number): SlitSpec {
   const strips = stripsOf(spec.sheet).filter((_, i) => i !== index);
   if (!strips.length) return spec;
-  return renumbered(withSheet(spec, { ...spec.sheet, strips }), (i) => (i === index ? null : i > index ? i - 1 : i));
+  const less = withSheet(spec, withStrips(spec.sheet, strips));
+  return renumbered(less, (i) => (i === index ? null : i > index ? i - 1 : i));
 }
 
 /** Updates references to strips whose numbers have changed; null: the strip is gone. */

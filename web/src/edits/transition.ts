@@ -1,4 +1,5 @@
-import type { Frame, Profile, Seam, TransitionSpec, Vec2, Vec3 } from '../types.ts';
+import type { Frame, Profile, Seam, TransitionSpec } from './transition-types.ts';
+import type { Vec2, Vec3 } from '../types.ts';
 import { round } from '../units.ts';
 import { cross, dot, normalised, plus, scaled } from '../vectors.ts';
 

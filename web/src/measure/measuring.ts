@@ -19,7 +19,7 @@ export function measuredOf(state: State): Measured | null {
   if (last?.state.shape === shape && last.state.known === known && last.state.result === result) return last.of;
   const report = pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
     thickness = report?.sheet?.thickness;
-  if (!report || thickness === undefined) return null;
+  if (!report || typeof thickness !== 'number') return null;
   const of = {
     shape,
     thickness: thickness * millimetres(report.units),

@@ -89,7 +89,7 @@ function bendLine(
 function bendAxis(of: Measured, part: number): Thing | null {
   const { shape, thickness, bends, units } = of,
     row = bends.find((b) => b.id === shape.parts[part]?.name);
-  if (row?.kind !== 'cylinder') return null;
+  if (row?.kind !== 'cylinder' || row.inside_radius === null) return null;
   const radius = row.inside_radius * millimetres(units) + thickness / 2,
     { facet_part, facet_parent, facet_hinge: h } = shape;
   for (let f = 0; f < facet_parent.length; ++f) {

@@ -264,7 +264,7 @@ function shopRows(ui: Ui) {
 function gaugeTable(ui: Ui, shop: Shop, material: ShopMaterial) {
   const sheet = pieceOf(ui.state)?.sheet,
     from: LengthUnit = shop.units ?? 'mm',
-    thickness = sheet ? convert(sheet.thickness, pieceOf(ui.state)?.units, from) : NaN,
+    thickness = typeof sheet?.thickness === 'number' ? convert(sheet.thickness, pieceOf(ui.state)?.units, from) : NaN,
     own = gaugeOf(shop, material, thickness),
     units = unitName(ui.state.units),
     text = (v: number) => lengthText(v, from, ui.state.units);

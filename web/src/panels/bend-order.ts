@@ -248,7 +248,7 @@ function strokeItem(
 
 function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
   const { units } = ui.state,
-    length = (v: number) => `${lengthText(v, answer.units, units)} ${unitName(units)}`;
+    length = (v: number | null) => `${lengthText(v, answer.units, units)} ${unitName(units)}`;
   const gauge = row.gauge
     ? `${byPlates(ui, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}`
     : row.flattening
@@ -269,10 +269,7 @@ export const byPlates = ({ state }: Pick<Ui, 'state'>, text: string) =>
 /** What is done before a stroke. */
 export function changesBefore(before: StrokeRow | undefined, row: StrokeRow): string[] {
   if (!before) return [];
-  const turned = Math.hypot(
-    row.gauge_direction[0] - before.gauge_direction[0],
-    row.gauge_direction[1] - before.gauge_direction[1],
-  );
+  const turned = Math.hypot(...row.gauge_direction.map((v, k) => (v ?? 0) - (before.gauge_direction[k] ?? 0)));
   return [
     ...(row.side_up !== before.side_up ? ['turn over'] : []),
     ...(turned > 1e-3 ? ['rotate'] : []),

@@ -21,6 +21,7 @@ const deduction =
 /** What the deduction of a bend that goes beyond 90° is measured to: there are two readings. */
 function deductionTo({ angle, kind, deduction: value }: BendRow): string | typeof nothing {
   if (value === null) return kind === 'cone' ? 'It changes along the bend, as the radius does' : nothing;
+  if (angle === null) return nothing;
   if (angle >= 180) return 'Measured to the plane that touches the bend: from 180° on there is no mould line';
   return angle > 90 + 1e-6 ? 'Measured to the mould line, not to the plane that touches the bend' : nothing;
 }

@@ -68,10 +68,10 @@ const isSheet = (known: BodyStatus | undefined) => known !== undefined && known.
 
 function row(ui: Ui, b: BodyInfo, known: BodyStatus | undefined, shown: boolean) {
   const { units } = ui.state,
-    text = (v: number | undefined) => lengthText(v, known?.units, units),
+    text = (v: number | null) => lengthText(v, known?.units, units),
     name = b.name || `body ${b.number}`;
   const sizes = [
-    known?.thickness !== undefined && isSheet(known) ? `t ${gaugeText(known.thickness, known.units, units)}` : '',
+    typeof known?.thickness === 'number' && isSheet(known) ? `t ${gaugeText(known.thickness, known.units, units)}` : '',
     known?.size ? `${text(known.size[0])} × ${text(known.size[1])} ${unitName(units)}` : '',
   ].filter(Boolean);
   return html`<button

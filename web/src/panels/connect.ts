@@ -10,9 +10,10 @@ import {
   surfacePatch,
 } from '../edits/connect.ts';
 import { knownPiece } from '../report.ts';
-import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
+import type { Alternative, BendRow } from '../types.ts';
+import type { BendSpec, PlatesSpec } from '../edits/plates-types.ts';
 import { lengthText } from '../units.ts';
-import { platesOf, type Ui } from '../ui.ts';
+import type { Ui } from '../ui.ts';
 import { shopSection } from './allowance.ts';
 import { block } from './blocks.ts';
 import { choice, lengthSlider, niceAbove, numberField, refuse, section } from './fields.ts';
@@ -20,7 +21,7 @@ import { kFactorField, thicknessField } from './sheet-fields.ts';
 import { platesPart } from './plates.ts';
 
 export function connectPanel(ui: Ui) {
-  const spec = platesOf(ui),
+  const spec = ui.state.input.spec as PlatesSpec,
     set = (patch: Partial<PlatesSpec>) => ui.edit<PlatesSpec>((s) => ({ ...s, ...patch }));
   const rows = knownPiece(ui.state)?.flat?.bends ?? [],
     bends = bendsOf(spec, rows);
@@ -92,9 +93,9 @@ function bendFields(
   own: BendSpec | undefined,
   set: (patch: Partial<BendSpec>, live?: boolean) => void,
 ) {
-  const radius = own?.inside_radius ?? row.inside_radius;
+  const radius = own?.inside_radius ?? row.inside_radius ?? 0;
   const most = niceAbove(2.5 * Math.max(radius, spec.thickness));
-  return html` ${choice(
+  return html` ${choice<NonNullable<BendSpec['surface']>>(
     'Surface',
     'bend-surface',
     own?.surface ?? 'auto',
@@ -103,7 +104,7 @@ function bendFields(
       ['cylinder', 'cylinder'],
       ['cone', 'cone'],
       ['general', 'oblique cone'],
-    ] as [string, string][],
+    ],
     (v) => set(surfacePatch(v)),
   )}
   ${own?.surface === 'general'
@@ -127,7 +128,7 @@ function bendFields(
         </button>
       </p>`
     : nothing}
-  ${choice(
+  ${choice<NonNullable<BendSpec['lateral']>>(
     'Sides end',
     'bend-lateral',
     own?.lateral ?? 'auto',
@@ -136,7 +137,7 @@ function bendFields(
       ['straight', 'straight'],
       ['arc', 'along an arc'],
       ['corner', 'at the corner'],
-    ] as [string, string][],
+    ],
     (v) => set({ lateral: v === 'auto' ? undefined : v }),
   )}
   ${numberField({
@@ -172,7 +173,7 @@ function mostOf(ui: Ui, row: BendRow, otherwise: number): number {
   const before = ui.state.pending?.spec as PlatesSpec | undefined,
     own = before && bendSpecOf(before, knownPiece(ui.state)?.flat?.bends ?? [], row);
   const radius = own?.inside_radius ?? ui.state.result?.report.flat?.bends.find((b) => b.id === row.id)?.inside_radius;
-  return radius === undefined ? otherwise : niceAbove(2.5 * Math.max(radius, before!.thickness));
+  return typeof radius !== 'number' ? otherwise : niceAbove(2.5 * Math.max(radius, before!.thickness));
 }
 
 function edgesField(row: BendRow, own: BendSpec | undefined, id: string, set: (patch: Partial<BendSpec>) => void) {

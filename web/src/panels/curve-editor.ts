@@ -1,6 +1,7 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html';
 import { bezierPoints, lengthOf, lowered, raised, removePoint } from '../edits/slit.ts';
-import type { CurveName, LengthUnit, SlitSpec, Vec2 } from '../types.ts';
+import type { CurveName, SlitSpec } from '../edits/slit-types.ts';
+import type { LengthUnit, Vec2 } from '../types.ts';
 import { fileDigits, lengthText, round } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { lengthField } from './fields.ts';

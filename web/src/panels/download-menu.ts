@@ -2,9 +2,11 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { dxfOptions, dxfUnit, type DxfChoices } from '../dxf-choices.ts';
 import { isRefused } from '../report.ts';
 import { refusedByClick } from '../typing.ts';
-import type { LengthUnit, MakerRow } from '../types.ts';
+import type { LengthUnit, MakerRow, Options } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { choice, lengthField, toggle } from './fields.ts';
+
+type Profile = NonNullable<Options['profile']>;
 
 export function downloadMenu(ui: Ui): TemplateResult {
   const { makers, artifacts } = ui.state.description,
@@ -89,11 +91,11 @@ function dxfPanel(ui: Ui, maker: MakerRow) {
         (v) => set({ r12: v === '12' ? true : v === '2000' && ofShop.length ? false : undefined }),
       ),
     takes('profile') &&
-      choice<string>(
+      choice<Profile | ''>(
         'Layers',
         'dxf-profile',
         dxf.profile ?? (ofShop.length ? '' : 'default'),
-        [...ofShop, ...words('profile').map((w) => [w, layerSystems[w] ?? 'Planish'] as const)],
+        [...ofShop, ...words('profile').map((w) => [w as Profile, layerSystems[w] ?? 'Planish'] as const)],
         (v) => set({ profile: v === '' || (v === 'default' && !ofShop.length) ? undefined : v }),
       ),
     takes('bend_marks') &&

@@ -11,7 +11,7 @@ export const findingsOf = (state: State): Finding[] =>
 
 /** The same, without places where the list leaves them out. */
 export const markedFindings = (state: State): Finding[] =>
-  findingsOf(state).map((f) => (state.hidden.includes(f.severity) ? { ...f, at: [], places: undefined } : f));
+  findingsOf(state).map((f) => (state.hidden.includes(f.severity) ? { ...f, at: [], places: [] } : f));
 
 /** The rules in the order of the report, those that are left out by severity too: their numbers stay. */
 export function findingsList(ui: Ui): TemplateResult {
@@ -73,6 +73,6 @@ function finding(ui: Ui, f: Finding, i: number) {
 const placesOf = ({ places, count = 0 }: Finding) =>
   count > 1
     ? html`<ul class="places" data-testid="places" tabindex="0" aria-label="Places">
-        ${places!.map((place) => html`<li class="${place.severity}">${place.message!}</li>`)}
+        ${places.map((place) => html`<li class="${place.severity}">${place.message ?? ''}</li>`)}
       </ul>`
     : nothing;

@@ -2,7 +2,7 @@ import { html, nothing } from 'lit-html';
 import { addSecondPanel, legOf, ownSecondPanel, removeSecondPanel, setLeg } from '../edits/panels.ts';
 import { fitted, lengthOf } from '../edits/slit.ts';
 import { sheetWidth } from '../edits/strips.ts';
-import type { LegCurve, PanelName, SlitSpec } from '../types.ts';
+import type { LegCurve, PanelName, SlitSpec } from '../edits/slit-types.ts';
 import { clean, lengthText } from '../units.ts';
 import { restingSpec, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';

@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit-html';
 import { setMould } from '../edits/panels.ts';
-import type { MouldSpec, SlitSpec, Vec3 } from '../types.ts';
+import type { MouldSpec, SlitSpec } from '../edits/slit-types.ts';
+import type { Vec3 } from '../types.ts';
 import { lengthText } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { choice, lengthField, numberField, toggle } from './fields.ts';

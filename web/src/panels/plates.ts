@@ -22,7 +22,8 @@ import {
   removeHole,
   ringsOf,
 } from '../edits/outline.ts';
-import type { BendRow, PlateSpec, PlatesSpec, Vec2, Vec3 } from '../types.ts';
+import type { BendRow, Vec2, Vec3 } from '../types.ts';
+import type { PlateSpec, PlatesSpec } from '../edits/plates-types.ts';
 import { convert } from '../units.ts';
 import type { GizmoMode } from '../state.ts';
 import type { Ui } from '../ui.ts';

@@ -1,13 +1,9 @@
-import type { PlatesSpec } from '../types.ts';
+import type { Spec } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { lengthField, numberField } from './fields.ts';
 
 /** Of the sheet that any input is made of. */
-export const thicknessField = (
-  ui: Ui,
-  { thickness, units }: Pick<PlatesSpec, 'thickness' | 'units'>,
-  set: (patch: { thickness: number }) => void,
-) =>
+export const thicknessField = (ui: Ui, { thickness, units }: Spec, set: (patch: { thickness: number }) => void) =>
   lengthField(ui, {
     label: 'Thickness',
     testid: 'thickness',
@@ -18,7 +14,7 @@ export const thicknessField = (
   });
 
 export const kFactorField = (
-  { k_factor }: Pick<PlatesSpec, 'k_factor'>,
+  { k_factor }: { k_factor?: number },
   otherwise: string,
   set: (patch: { k_factor: number | undefined }) => void,
 ) =>

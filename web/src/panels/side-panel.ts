@@ -1,13 +1,13 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { pieceOf } from '../report.ts';
 import type { Tab } from '../state.ts';
-import type { PieceReport, PlatesSpec, TransitionSpec } from '../types.ts';
+import type { PieceReport, Spec } from '../types.ts';
 import { areaText, massText } from '../amounts.ts';
 import { unconfirmedK } from '../default-k.ts';
 import { clean, gaugeText, lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { bendOrder } from './bend-order.ts';
-import { panels } from './kinds.ts';
+import { kinds } from './kinds.ts';
 import { bendTable } from './bend-table.ts';
 import { certificate } from './certificate.ts';
 import { findingsList, findingsOf } from './findings.ts';
@@ -62,7 +62,7 @@ function content(ui: Ui, tab: Tab) {
   if (tab === 'order') return bendOrder(ui);
   if (tab === 'findings') return findingsList(ui);
   if (tab === 'certificate') return certificate(ui);
-  const panel = panels[ui.state.document?.kind ?? ''];
+  const panel = kinds[ui.state.document?.kind ?? ''];
   if (!panel || (panel.edits && !ui.state.input.spec))
     return html`<p class="hint">This file cannot be edited here.</p>`;
   return panel.draw(ui);
@@ -71,7 +71,7 @@ function content(ui: Ui, tab: Tab) {
 function summary(ui: Ui) {
   const report = pieceOf(ui.state),
     unit = unitName(ui.state.units),
-    text = (v: number | undefined) => lengthText(v, report?.units, ui.state.units),
+    text = (v: number | null | undefined) => lengthText(v, report?.units, ui.state.units),
     pierces = report?.flat ? (ui.state.shape?.pierces ?? null) : null;
   const rows: [string, string, string][] = [
     [
@@ -80,11 +80,7 @@ function summary(ui: Ui) {
       'blank-size',
     ],
     ['Thickness', gaugeText(report?.sheet?.thickness, report?.units, ui.state.units), 'sheet-thickness'],
-    [
-      'Cut length',
-      report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–',
-      'cut-length',
-    ],
+    ['Cut length', text(cutLength(report)), 'cut-length'],
     ['Pierces', pierces === null ? '–' : String(pierces), 'pierces'],
     ['Area', areaText(report?.flat?.area, report?.units, ui.state.units), 'area'],
     ['Mass', massText(report?.sheet?.mass, ui.state.units), 'mass'],
@@ -103,6 +99,12 @@ function summary(ui: Ui) {
     </dl>
     ${unconfirmed(ui, unconfirmedK(report))}
   </div>`;
+}
+
+/** Null where it is not known. */
+function cutLength(report: PieceReport | null): number | null {
+  const { outer = null, inner = null } = report?.flat?.cutting ?? {};
+  return outer === null || inner === null ? null : outer + inner;
 }
 
 const explained: Record<string, string> = {
@@ -131,7 +133,7 @@ function unconfirmed(ui: Ui, k: number | null) {
   const confirm = () =>
     d?.kind === 'unfold'
       ? ui.editOptions((o) => ({ ...o, k }))
-      : ui.edit<PlatesSpec | TransitionSpec>((s) => ({ ...s, k_factor: k }));
+      : ui.edit<Spec & { k_factor?: number }>((s) => ({ ...s, k_factor: k }));
   return html`<p class="unconfirmed" data-testid="unconfirmed">
     <span>K ${clean(k, 3)} is only a default.</span>
     <button data-testid="confirm-k" title="The part is made with this K; undo takes it back" @click=${confirm}>

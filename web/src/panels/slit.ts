@@ -1,9 +1,10 @@
 import { html, nothing } from 'lit-html';
 import { removeAnchor, moveAnchor } from '../edits/slit.ts';
 import { sheetWidth } from '../edits/strips.ts';
-import type { AnchorSpec, SlitSpec, SlitWeights, StripRow, Vec3 } from '../types.ts';
+import type { AnchorSpec, SlitSpec, SlitWeights, StripRow } from '../edits/slit-types.ts';
+import type { Vec3 } from '../types.ts';
 import { convert, lengthText, sizeText, unitName } from '../units.ts';
-import { restingSpec, slitOf, type Ui } from '../ui.ts';
+import { restingSpec, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
 import { massSection } from './allowance.ts';
 import { block } from './blocks.ts';
@@ -16,7 +17,7 @@ import { stripFields } from './strips.ts';
 type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
 
 export function slitPanel(ui: Ui) {
-  const spec = slitOf(ui),
+  const spec = ui.state.input.spec as SlitSpec,
     set: Set = (patch, live = false) => ui.edit<SlitSpec>((s) => clear({ ...s, ...patch }), live);
   return html` ${section('Leg curve, on the ground', legFields(ui, spec, 'leg'))}
   ${section('Second panel', secondPanel(ui, spec))} ${section('Seat curve, in the middle', seatEditor(ui, spec, set))}
@@ -153,7 +154,7 @@ function stripTable(ui: Ui, spec: SlitSpec) {
   if (!strips.length) return html`<p class="hint">No strip is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
   const columns: [string, (s: StripRow) => string][] = [
-    ['Gap', (s) => sizeText(convert(s.gap, from, ui.state.units))],
+    ['Gap', ({ gap }) => (gap === null ? '–' : sizeText(convert(gap, from, ui.state.units)))],
     ['Least radius', (s) => text(s.min_radius)],
   ];
   if (spec.seat_curve) columns.push(['Off seat', (s) => text(s.seat_distance)]);

@@ -1,9 +1,10 @@
 import { html, nothing } from 'lit-html';
-import { fileOf, templates } from '../templates.ts';
 import type { Example } from '../types.ts';
 import type { Recent } from '../recents.ts';
 import type { Ui } from '../ui.ts';
 import { drawing } from './bodies.ts';
+import { inputsText } from './inputs-text.ts';
+import { kinds } from './kinds.ts';
 import { chooseFile } from './top-bar.ts';
 
 const most = 3; // examples of a kind
@@ -14,11 +15,13 @@ export function startScreen(ui: Ui) {
   if (d || opening?.first) return nothing;
   return html`<div class="start" data-testid="start">
     <h2>Drop a file here</h2>
-    <p>A STEP part to unfold, or a plates, transition or slit file (JSON).</p>
+    <p>${inputsText(description.makers)}</p>
     <p class="begin">
       <button class="primary" data-testid="start-open" @click=${chooseFile}>Choose a file …</button>
-      ${templates.map(
-        (t) => html`<button data-testid="new-${t.kind}" @click=${() => ui.openNew(fileOf(t))}>${t.text}</button>`,
+      ${Object.entries(kinds).map(([kind, { title, begin }]) =>
+        begin
+          ? html`<button data-testid="new-${kind}" @click=${() => ui.openNew(fileOf(begin))}>New ${title}</button>`
+          : nothing,
       )}
       ${given
         ? html`<button data-testid="start-given" @click=${ui.openGiven}>Open ${given.name} again</button>`
@@ -52,21 +55,19 @@ export function startScreen(ui: Ui) {
   </div>`;
 }
 
-const kinds: Record<string, string> = {
-  unfold: 'STEP part',
-  connect: 'bent plate',
-  transition: 'transition',
-  slit: 'slit sheet',
-};
+const fileOf = ({ file, spec }: { file: string; spec: object }) =>
+  new File([JSON.stringify(spec)], file, { type: 'application/json' });
+
+const kindOf = (kind: string) => kinds[kind]?.title ?? kind;
 
 const recentTile = (ui: Ui, r: Recent) =>
   html`<button class="tile" data-testid="recent-${r.name}" @click=${() => ui.openRecent(r)}>
-    ${drawing(r.picture)}<b title=${r.name}>${breaking(titleOf(r))}</b><small>${kinds[r.kind] ?? r.kind}</small>
+    ${drawing(r.picture)}<b title=${r.name}>${breaking(titleOf(r))}</b><small>${kindOf(r.kind)}</small>
   </button>`;
 
 /** What was made here has no name of its own. */
 export const titleOf = ({ name, kind, edited }: Recent) =>
-  edited === 'new' ? (templates.find((t) => t.kind === kind)?.text ?? name) : edited ? `${name} (edited)` : name;
+  edited === 'new' ? (kinds[kind] ? `New ${kinds[kind].title}` : name) : edited ? `${name} (edited)` : name;
 
 /** A file's name, which may go on in another line after each of its words. */
 const breaking = (name: string) => name.split(/(?<=[_\-. ])/).map((word, i) => (i ? html`<wbr />${word}` : word));
@@ -74,5 +75,5 @@ const breaking = (name: string) => name.split(/(?<=[_\-. ])/).map((word, i) => (
 const tile = (ui: Ui, e: Example) =>
   html`<button class="tile" data-testid="start-${e.name}" @click=${() => ui.openExample(e.name)}>
     <img src="pictures/${e.name.replace(/\.\w+$/, '.webp')}" alt="" width="176" height="100" loading="lazy" />
-    <b>${e.title}</b><small>${kinds[e.kind] ?? e.kind}</small>
+    <b>${e.title}</b><small>${kindOf(e.kind)}</small>
   </button>`;

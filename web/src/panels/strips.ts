@@ -13,7 +13,8 @@ import {
   stripsOf,
   uniform,
 } from '../edits/strips.ts';
-import type { LengthUnit, SlitSpec, StripEnd, StripSpec, Vec3 } from '../types.ts';
+import type { LengthUnit, Vec3 } from '../types.ts';
+import type { SlitSpec, StripEnd, StripSpec } from '../edits/slit-types.ts';
 import { lengthText, millimetres } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { block } from './blocks.ts';

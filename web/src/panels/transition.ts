@@ -13,8 +13,9 @@ import {
   type ProfileKind,
   type SeamKind,
 } from '../edits/transition.ts';
-import type { PressLines, Profile, ProfileSpec, Seam, TransitionSpec, Vec2, Vec3 } from '../types.ts';
-import { restingSpec, transitionOf, type Ui } from '../ui.ts';
+import type { PressLines, Profile, ProfileSpec, Seam, TransitionSpec } from '../edits/transition-types.ts';
+import type { Vec2, Vec3 } from '../types.ts';
+import { restingSpec, type Ui } from '../ui.ts';
 import { shopSection } from './allowance.ts';
 import { choice, lengthField, lengthSlider, niceAbove, section, slider } from './fields.ts';
 import { kFactorField, thicknessField } from './sheet-fields.ts';
@@ -23,7 +24,7 @@ type Set = (patch: Partial<TransitionSpec>, live?: boolean) => void;
 type End = 'from' | 'to';
 
 export function transitionPanel(ui: Ui) {
-  const spec = transitionOf(ui);
+  const spec = ui.state.input.spec as TransitionSpec;
   const set: Set = (patch, live = false) => ui.edit<TransitionSpec>((s) => clear({ ...s, ...patch }), live);
   return html` ${section(
     'Sheet',

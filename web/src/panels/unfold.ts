@@ -42,8 +42,8 @@ export function unfoldPanel(ui: Ui) {
       </div>
       ${options.rip_edges
         ? html`<div class="pick">
-            <span>Ripped along</span><b data-testid="rip-edges">edge ${options.rip_edges.replaceAll(',', ', ')}</b
-            ><span></span>
+            <span>Ripped along</span
+            ><b data-testid="rip-edges">edge ${String(options.rip_edges).replaceAll(',', ', ')}</b><span></span>
             <button
               class="link"
               data-testid="clear-rips"
