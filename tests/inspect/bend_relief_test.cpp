@@ -324,6 +324,21 @@ TEST(BendRelief, NamesTheSideOnWhichTheSheetGoesOnBeforeANarrowOne) {
   }
 }
 
+TEST(BendRelief, NamesTheNarrowerOfTwoAtABendsEnd) {
+  // A bend that ends within a plate at two slots, the one below and the one above it.
+  const double w = test::zone_width();
+  for (const auto& [below, above] : {std::pair{1.0, 1.4}, std::pair{1.4, 1.0}}) {
+    FlatPattern pattern = flat_plate(shifted(rectangle(40, w + 80), Vec2(-10, -40)));
+    open(pattern, rectangular_opening({10 + 0.5 * below, -0.5}, below, 3));
+    open(pattern, rectangular_opening({10 + 0.5 * above, w + 0.5}, above, 3));
+    test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+    const auto found = relief_findings(pattern);
+    ASSERT_EQ(found.size(), 1u) << text_of(found);
+    EXPECT_NEAR(number_of(found[0], "measured"), 1.0, 1e-6);
+    EXPECT_NEAR(found[0].at.at(0).y(), below < above ? 0.0 : w, 1e-9);
+  }
+}
+
 TEST(BendRelief, IsMissedTwiceWhereBendsEndFartherApartThanTheSheetIsThick) {
   const double w = test::zone_width();
   for (const auto& [apart, count] : {std::pair{1.5, 3u}, std::pair{2.5, 4u}}) {

@@ -42,6 +42,22 @@ TEST(Gap, OfAnArcAndASegmentIsAtTheArcsTop) {
   expect_gap(gap_between(Segment{{-9, 5}, {9, 5}}, half), 2.0, {1, 5}, {1, 3});
 }
 
+TEST(Gap, OfArcsIsFoundWhereverItsPlaceIsBetweenSamples) {
+  // Of an arc and a line it is where the line's normal through the centre meets the arc; of two
+  // arcs on the line of their centres.
+  for (int i = 0; i < 40; ++i) {
+    const double at = 0.3 + 0.0613 * i;  // direction from the centre
+    const Vec2 out(std::cos(at), std::sin(at)), center(5, -3);
+    const Arc arc{center, 20.0, 0.1, 2.9};
+    const Vec2 foot = center + 27.0 * out, along(-out.y(), out.x());
+    const Segment line{foot - 11.0 * along, foot + 17.0 * along};
+    expect_gap(gap_between(arc, line), 7.0, center + 20.0 * out, foot);
+    expect_gap(gap_between(line, arc), 7.0, foot, center + 20.0 * out);
+    const Arc other{center + 36.0 * out, 12.0, at + pi - 1.3, 2.2};
+    expect_gap(gap_between(arc, other), 4.0, center + 20.0 * out, center + 24.0 * out);
+  }
+}
+
 TEST(Gap, OfASplineIsThatOfItsParabola) {
   // y = x² for x from −1 to 1; nearest to (0, −2) is its vertex, to (3, 1) its end.
   const CubicSpline parabola{{{-1, 1}, {-1.0 / 3, -1.0 / 3}, {1.0 / 3, -1.0 / 3}, {1, 1}}};
