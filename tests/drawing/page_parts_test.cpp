@@ -31,7 +31,7 @@ TEST(RingsOf, AreAsFineAsThePaperShows) {
   FlatPattern flat;
   const double pi = std::numbers::pi;
   flat.outer.loop = {Arc{{0, 0}, 100, 0.0, 2 * pi}};
-  flat.openings.push_back({{Arc{{0, 0}, 50, 0.0, -2 * pi}}});
+  flat.openings.push_back({{Arc{{0, 0}, 50, 0.0, -2 * pi}}, {}});
   for (const double scale : {1.0, 0.1}) {
     const auto rings = rings_of(flat, scale);
     ASSERT_EQ(rings.size(), 2u);

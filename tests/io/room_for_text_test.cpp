@@ -16,7 +16,7 @@ FlatPattern pattern_of(const Loop& outer, const std::vector<Loop>& openings = {}
   FlatPattern pattern;
   pattern.outer.loop = outer;
   for (const Loop& loop : openings)
-    pattern.openings.push_back({loop});
+    pattern.openings.push_back({loop, {}});
   return pattern;
 }
 
