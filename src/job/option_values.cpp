@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace planish::job {
 using namespace shop;
@@ -217,10 +218,11 @@ Result<void> OptionValues::check_together() const {
 Result<void> OptionValues::enter(Request& request) const {
   if (auto fine = check_together(); !fine) return fine;
   // In the order of the table: a rules file changes the limits of the process.
-  auto ordered = values_;
-  std::ranges::stable_sort(ordered, {}, [](const auto& one) { return rank_of(*one.first); });
-  for (const auto& [option, value] : ordered)
-    if (auto done = enter_one(*option, value, request, reads_files_); !done) return done;
+  std::multimap<std::ptrdiff_t, const std::pair<const Option*, OptionValue>*> ordered;
+  for (const auto& one : values_)
+    ordered.emplace(rank_of(*one.first), &one);
+  for (const auto& [rank, one] : ordered)
+    if (auto done = enter_one(*one->first, one->second, request, reads_files_); !done) return done;
   if (!request.shop) return {};
   // `planish bend --material steel` takes a word that it knows for the metal.
   if (!request.shop->material) take_material(request, text("metal"));

@@ -117,10 +117,9 @@ std::size_t ask_for_writes(Json& request, const WorkTask& task) {
   return before;
 }
 
-/// The error with another pointer for one that it names, in its sentence too.
+/// The error with another pointer in its sentence for one that this names.
 Error renamed(Error error, const std::string& from, const std::string& to) {
   const Place old = place::pointer(from);
-  std::ranges::replace(error.places, old, place::pointer(to));
   std::size_t grown = 0;  // of the sentence so far
   for (Named& named : error.named) {
     named.at += grown;
