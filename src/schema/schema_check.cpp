@@ -16,6 +16,11 @@ using Kind = Schema::Kind;
 
 constexpr std::size_t kShownBytes = 40;  // of a value in a message
 
+/// JSON has one type of numbers: 1, 1.0 and -1 are kept differently, and are not told apart.
+bool same_type(const Json& a, const Json& b) {
+  return a.is_number() ? b.is_number() : a.type() == b.type();
+}
+
 /// Whether a value is of the JSON type that a schema asks for, whatever else the schema says.
 bool is_of_type(const Schema& schema, const Json& value) {
   switch (schema.kind) {
@@ -30,7 +35,7 @@ bool is_of_type(const Schema& schema, const Json& value) {
       return value.is_boolean();
     case Kind::value:
       return std::any_of(schema.values.begin(), schema.values.end(),
-                         [&](const Json& one) { return one.type() == value.type(); });
+                         [&](const Json& one) { return same_type(one, value); });
     case Kind::list:
     case Kind::tuple:
       return value.is_array();

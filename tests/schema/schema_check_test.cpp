@@ -174,6 +174,14 @@ TEST(SchemaCheck, RefusesLengthsThatAreNotFiniteInMillimetres) {
   EXPECT_FALSE(first_mistake(number(), 1e306, 1000.0)) << "no length";
 }
 
+TEST(SchemaCheck, TakesNumbersHoweverTheyAreWritten) {
+  const Schema either = values({1, "auto"}, "1 or auto").or_null();
+  for (const char* written : {"1", "1.0", "10e-1", "null", "\"auto\""})
+    EXPECT_FALSE(first_mistake(either, Json::parse(written))) << written;
+  for (const char* written : {"-1", "1.5", "true", "[]"})
+    EXPECT_TRUE(first_mistake(either, Json::parse(written))) << written;
+}
+
 TEST(SchemaCheck, EscapesPointersAsRfc6901Does) {
   EXPECT_EQ(escaped_token("a/b~c"), "a~1b~0c");
   EXPECT_EQ(escaped_token("~1"), "~01");
