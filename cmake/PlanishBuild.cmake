@@ -46,11 +46,13 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 # The presets compile much the same files in different build trees. Paths relative to the
-# repository, and a hash that leaves out the build tree's name, let them share the cache.
+# repository, and a hash that leaves out the build tree's name, let them share the cache. What a
+# source includes is known from the compiler, so that ccache need not preprocess it first.
 find_program(PLANISH_CCACHE ccache)
 if(PLANISH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${PLANISH_CCACHE}")
+    env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+    "${PLANISH_CCACHE}")
 endif()
 
 # Messages name a source as it lies in the repository, so that where that was does not show in what is built.

@@ -150,6 +150,8 @@ function(_planish_module_tests name)
     PRIVATE planish::${name} ${ARGN} GTest::gmock GTest::gtest_main rapidcheck_gtest)
   target_include_directories(${name}_tests
     PRIVATE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/src/${name}")
+  # Compiling them costs more than running them: docs/decisions/0005-build-time.md.
+  target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name}_tests
     PRIVATE PLANISH_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PLANISH_PYTHON="${PLANISH_PYTHON}")
   include(GoogleTest)

@@ -56,9 +56,9 @@ struct DensityUnit {
   double mass, volume;  ///< kg, dm³
 };
 
-/// Some write the volume with exponent 3, not −3.
+/// Some write the volume with exponent 3, not −3. What the unit lacks is 0.
 std::optional<DensityUnit> density_unit(const StepBasic_DerivedUnit& unit) {
-  std::optional<double> mass, volume;
+  DensityUnit found{0.0, 0.0};
   for (int i = 1; i <= unit.NbElements(); ++i) {
     const auto& element = unit.ElementsValue(i);
     const auto si = Handle(StepBasic_SiUnit)::DownCast(element->Unit());
@@ -66,14 +66,13 @@ std::optional<DensityUnit> density_unit(const StepBasic_DerivedUnit& unit) {
     const auto factor = factor_of(*si);
     if (!factor) return std::nullopt;
     if (si->Name() == StepBasic_sunGram && element->Exponent() == 1.0)
-      mass = *factor / kKilo;
+      found.mass = *factor / kKilo;
     else if (si->Name() == StepBasic_sunMetre && std::abs(element->Exponent()) == 3.0)
-      volume = std::pow(*factor * 10.0, 3.0);  // dm³
+      found.volume = std::pow(*factor * 10.0, 3.0);  // dm³
     else
       return std::nullopt;
   }
-  if (!mass || !volume) return std::nullopt;
-  return DensityUnit{*mass, *volume};
+  return found;
 }
 
 std::optional<double> density_in(const StepRepr_MeasureRepresentationItem& item) {
@@ -83,7 +82,8 @@ std::optional<double> density_in(const StepRepr_MeasureRepresentationItem& item)
   if (unit.IsNull()) return std::nullopt;
   const auto one = density_unit(*unit);
   if (!one) return std::nullopt;
-  // Lighter than foam or heavier than any metal: the unit is not what it says.
+  // Lighter than foam or heavier than any metal (0 or infinite if the unit lacks one of the two): the
+  // unit is not what it says.
   constexpr double kLightest = 0.05, kHeaviest = 23.0;
   const double density = item.Measure()->ValueComponent() * one->mass / one->volume;
   if (!(density >= kLightest && density <= kHeaviest)) return std::nullopt;

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace planish::brep::test {
 namespace {
@@ -29,6 +31,23 @@ TEST(Outlines, TakeOpeningsOff) {
   const auto outlines = outlines_of(plate(2, {20, 20}, {{{10, 10}, {{3, 2}, {3, 0}}}}));
   const double polygon = 12 * 9 * std::sin(pi / 12);  // of 24 sides
   EXPECT_NEAR(outlines[1].area, 400 - polygon, 1e-9);
+}
+
+TEST(Outlines, FollowShallowArcsByTwoChords) {
+  const double half = pi / 30, radius = 10 / std::sin(half);  // 12° over a chord of 20
+  const Arc arc{{10, 10 - radius * std::cos(half)}, radius, pi / 2 - half, 2 * half};
+  const Loop profile{Segment{{0, 0}, {20, 0}}, Segment{{20, 0}, {20, 10}}, arc,
+                     Segment{{0, 10}, {0, 0}}};
+  const auto outlines = outlines_of(prism({profile}, 5));
+  EXPECT_NEAR(outlines[kBottom].area, 200 + 10 * radius * (1 - std::cos(half)), 1e-9);
+}
+
+TEST(Outlines, TakeNothingOffForALoopThatIsAPoint) {
+  SolidModel model = plate(2, {20, 20});
+  model.faces[kTop].loops.emplace_back();
+  EXPECT_NEAR(outlines_of(model)[kTop].area, 400, 1e-9);
+  std::swap(model.faces[kTop].loops.front(), model.faces[kTop].loops.back());
+  EXPECT_EQ(outlines_of(model)[kTop].area, 0.0) << "no point to measure from";
 }
 
 TEST(Opposite, MeasuresDepthAndSharedArea) {

@@ -93,6 +93,11 @@ TEST(StepMaterials, HaveNoDensityThatCannotBeOrInUnitsThatAreNone) {
   EXPECT_FALSE(known("23100.", ".KILO.", "$")) << "heavier than any metal";
   EXPECT_FALSE(known("7900.", ".KILO.", "$", "-2."));
   EXPECT_FALSE(known("7900.", ".MEGA.", "$"));
+  for (const char* element : {"#9104", "#9105"}) {
+    std::string entities = density_entities("7.9", ".KILO.", ".DECI.");
+    entities.replace(entities.find("#9104,#9105"), 11, element);
+    EXPECT_FALSE(body_with(entities).density()) << "a mass or a volume alone: " << element;
+  }
 }
 
 /// A style for the item of this kind: a colour in thousandths.
