@@ -1,5 +1,7 @@
 #include "manual.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,8 +91,7 @@ std::string sentence_of(const std::string& text) {
   if (made.empty()) return made;
   const std::string first = text.substr(0, text.find_first_of(" ,"));
   const bool is_word = std::ranges::all_of(first, [](unsigned char c) { return std::isalpha(c); });
-  if (is_word)
-    made.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(made.front())));
+  if (is_word) made = capitalized(std::move(made));
   return made.ends_with('.') ? made : made + ".";
 }
 

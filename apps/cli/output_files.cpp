@@ -2,14 +2,11 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/io/mesh_writers.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cctype>
 
 namespace planish::cli {
 
@@ -17,12 +14,7 @@ namespace fs = std::filesystem;
 
 Error bad_option(std::string message) { return {code::bad_option, std::move(message), {}}; }
 
-std::string suffix_of(const fs::path& path) {
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
+std::string suffix_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 bool is_folder(const std::string& output) {
   std::error_code ignored;

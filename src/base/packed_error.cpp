@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <mutex>
 #include <set>
-#include <type_traits>
 
 namespace planish {
 namespace {

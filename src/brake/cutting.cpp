@@ -7,7 +7,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/brake/codes.hpp>
 #include <planish/geometry/plane.hpp>
 
 #include <fmt/format.h>

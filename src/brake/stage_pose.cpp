@@ -4,8 +4,6 @@
 // the lines of its path alone (math.md#stages, math.md#machine-frame).
 #include "stage_pose.hpp"
 
-#include <planish/base/assert.hpp>
-
 #include <algorithm>
 #include <cmath>
 

@@ -10,7 +10,6 @@
 #include "slanted_cuts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 // What the flat pattern only outlines: forms, bosses, pockets, countersinks, chamfers. A part of
 // the rim becomes a feature by which skins its loops touch and on which side it leaves the sheet;

@@ -4,7 +4,6 @@
 #include "rim_refusal.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 // What belongs to neither skin, in connected parts: the walls of a cut, a countersink, an emboss, a

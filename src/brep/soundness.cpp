@@ -2,7 +2,6 @@
 
 #include "kernel_points.hpp"
 
-#include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
 
 #include <BRepAdaptor_Curve.hxx>

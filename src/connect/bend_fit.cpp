@@ -8,8 +8,6 @@
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -6,7 +6,6 @@
 #include "refusals.hpp"
 #include "request_check.hpp"
 
-#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 #include "chain_pair.hpp"
 #include "refusals.hpp"
 
-#include <planish/connect/codes.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

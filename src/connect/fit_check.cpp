@@ -7,11 +7,9 @@
 #include "sheets_meet.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <algorithm>

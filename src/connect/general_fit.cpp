@@ -4,7 +4,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <algorithm>

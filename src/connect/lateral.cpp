@@ -3,12 +3,10 @@
 #include "refusals.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/fit.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 // The sides of a bend (math.md#lateral-boundaries): straight in the flat between the plates'
 // corners, at the neutral surface, or along a circle of the surface. A straight one must meet

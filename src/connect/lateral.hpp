@@ -4,8 +4,6 @@
 
 #include <planish/base/result.hpp>
 
-#include <optional>
-
 namespace planish::connect_detail {
 
 /// One lateral boundary of a bend: where it meets the tangent rulings, and its curve in the (u, v)

@@ -1,7 +1,6 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/connect.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -5,8 +5,6 @@
 #include "refusals.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
-
 #include <algorithm>
 #include <cmath>
 

@@ -5,10 +5,8 @@
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 

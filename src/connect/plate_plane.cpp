@@ -3,7 +3,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 

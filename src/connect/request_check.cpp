@@ -2,8 +2,6 @@
 
 #include "refusals.hpp"
 
-#include <planish/connect/codes.hpp>
-
 #include <cmath>
 
 namespace planish::connect_detail {

@@ -6,8 +6,6 @@
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -94,7 +94,7 @@ std::string order_of(const BendDrawing& drawing) {
   const Plan& plan = *drawing.plan;
   if (plan.strokes.empty()) return state_of(plan);
   return fmt::format("{}, turned over {}×, rotated {}×, tools changed {}×: {}",
-                     counted(static_cast<int>(plan.strokes.size()), "stroke"), plan.turn_overs,
+                     counted(plan.strokes.size(), "stroke"), plan.turn_overs,
                      plan.rotations, plan.tool_changes, state_of(plan));
 }
 

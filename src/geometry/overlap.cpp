@@ -5,8 +5,6 @@
 
 #include <planish/geometry/region.hpp>
 
-#include <numeric>
-
 // Which polygons cover each other, by more than a clearance and an area. A sweep along the longer
 // side of all boxes leaves pairs whose boxes share area; only these are shrunk by the clearance,
 // each polygon once, and intersected by GEOS.

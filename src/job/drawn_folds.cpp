@@ -1,6 +1,5 @@
 #include "drawn_folds.hpp"
 
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "facts.hpp"
 
-#include <cmath>
-
 namespace planish::job {
 std::string_view severity_name(Severity severity) {
   switch (severity) {

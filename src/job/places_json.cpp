@@ -5,7 +5,6 @@
 
 #include <planish/job/reason.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace planish::job {
@@ -22,9 +21,7 @@ Json coordinates_json(const std::vector<double>& at, const Units& units) {
 Json remedy_json(const Remedy& remedy) {
   Json json;
   if (!remedy.option.empty()) {
-    std::string flag = "--" + remedy.option;
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    json["option"] = flag;
+    json["option"] = flag_of(remedy.option);
     json["value"] = remedy.value;
   }
   if (!remedy.change.empty()) json["change"] = remedy.change;

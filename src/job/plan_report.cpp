@@ -216,10 +216,10 @@ std::string plan_text(const Plan& plan, const Report& report) {
   if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
     return fmt::format("plan: {} ({} examined)\n",
                        plan.status == PlanStatus::infeasible ? "impossible" : "none found",
-                       counted(static_cast<int>(plan.states), "stage")) +
+                       counted(plan.states, "stage")) +
            proposals_text(plan, report);
   return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
-                     counted(static_cast<int>(plan.strokes.size()), "stroke"),
+                     counted(plan.strokes.size(), "stroke"),
                      counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
                      counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units));
 }

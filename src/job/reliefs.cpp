@@ -5,7 +5,6 @@
 
 #include <planish/inspect/missing_relief.hpp>
 #include <planish/schema/units.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/cutout.hpp>
 #include <planish/sheet/one_piece.hpp>
 

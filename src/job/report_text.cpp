@@ -47,7 +47,7 @@ std::string blank_line(const Report& report, const Units& units) {
       units.area_text(flat.area), unit, units.length_text(outer_cutting_length(flat)), unit);
   if (!flat.openings.empty()) {
     text += fmt::format(" + {} {} in {}", units.length_text(inner_cutting_length(flat)), unit,
-                        counted(static_cast<int>(flat.openings.size()), "opening"));
+                        counted(flat.openings.size(), "opening"));
   }
   return text + "\n";
 }

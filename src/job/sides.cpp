@@ -3,7 +3,6 @@
 #include "refusals.hpp"
 
 #include <planish/schema/schema.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,6 @@
 #include "refusals.hpp"
 #include "sentences.hpp"
 
-#include <planish/schema/units.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace planish::job {
 namespace {

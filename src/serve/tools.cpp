@@ -2,6 +2,7 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/schemas.hpp>
 #include <planish/schema/fail_at.hpp>
 
@@ -68,14 +69,9 @@ Json parameters_of(const std::string& name, const job::Catalogue& catalogue) {
   return schema;
 }
 
-std::string sentence(std::string_view words) {
-  std::string text(words);
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
-
 Tool tool_of(const job::Maker& maker, const job::Catalogue& catalogue) {
-  std::string said = fmt::format("{} Reads a {}", sentence(maker.description), maker.input_kind());
+  std::string said = fmt::format(
+      "{}. Reads a {}", capitalized(std::string(maker.description)), maker.input_kind());
   if (maker.schema)
     said += fmt::format(", JSON; `schema` with name \"{}\" says what it must hold",
                         maker.schema_name());

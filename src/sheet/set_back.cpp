@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // Sharp bends whose reference skin is outside: borders are moved to where the bend begins,
 // t·tan(α/2) into their faces (math.md#setback). From a moved border the loop is walked both ways

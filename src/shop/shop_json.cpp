@@ -1,5 +1,6 @@
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/schema/json_reading.hpp>
 #include <planish/sheet/allowance.hpp>
 #include <planish/shop/schemas.hpp>
@@ -189,12 +190,6 @@ ShopMaterial material_at(const JsonPlace& place, double tolerance) {
   }
   std::ranges::sort(material.gauges, {}, &Gauge::thickness);
   return material;
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 void read_materials(Shop& shop, const JsonPlace& place) {

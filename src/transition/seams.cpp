@@ -7,8 +7,6 @@
 #include "refusals.hpp"
 #include "roots.hpp"
 
-#include <planish/transition/codes.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

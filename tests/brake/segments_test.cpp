@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <numeric>
 
 namespace planish::test {

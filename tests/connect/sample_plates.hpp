@@ -4,10 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
-#include <numbers>
 #include <string>
-#include <vector>
 
 namespace planish::test {
 

@@ -4,7 +4,6 @@
 #include "connect_oracle/line_fit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 

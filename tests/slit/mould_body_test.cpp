@@ -4,7 +4,6 @@
 #include <planish/geometry/region.hpp>
 #include <planish/slit/mould.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>

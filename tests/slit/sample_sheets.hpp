@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace planish::test {
 
 /// The chair of formats.md#slits: six strips, a straight leg, a seat that rises to a back.

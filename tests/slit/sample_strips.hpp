@@ -3,7 +3,6 @@
 #include "reach.hpp"
 #include "strip_problem.hpp"
 
-#include <cmath>
 #include <random>
 
 namespace planish::test {

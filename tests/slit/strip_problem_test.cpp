@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 
 namespace planish::test {
 namespace {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <vector>
 
 namespace planish::studio {
 namespace {

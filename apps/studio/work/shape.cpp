@@ -1,7 +1,6 @@
 #include "shape.hpp"
 
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 namespace planish::studio {

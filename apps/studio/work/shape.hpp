@@ -2,7 +2,6 @@
 
 #include "json_text.hpp"
 
-#include <planish/geometry/frame.hpp>
 #include <planish/geometry/mesh.hpp>
 #include <planish/job/report.hpp>
 #include <planish/sheet/facets.hpp>

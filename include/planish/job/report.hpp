@@ -6,7 +6,6 @@
 #include <planish/job/request.hpp>
 #include <planish/sheet/certificate.hpp>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
