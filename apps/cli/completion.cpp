@@ -1,5 +1,7 @@
 #include "completion.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -153,10 +155,7 @@ std::string bash_command(const TableCommand& command) {
 // zsh
 
 std::string zsh_quoted(const std::string& text) {
-  std::string made = "'";
-  for (const char c : text)
-    made += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return made + "'";
+  return "'" + replaced(text, {{'\'', "'\\''"}}) + "'";
 }
 
 std::string zsh_action(const TableOption& option) {

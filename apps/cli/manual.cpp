@@ -42,28 +42,12 @@ std::string roff(std::string_view text) {
   for (const char c : text) {
     const bool at_start = made.empty() || made.back() == '\n';
     if (at_start && (c == '.' || c == '\'')) made += "\\&";
-    switch (c) {
-      case '\\':
-        made += "\\e";
-        break;
-      case '-':
-        made += "\\-";
-        break;
-      case '\'':
-        made += "\\(aq";
-        break;
-      case '`':
-        made += "\\(ga";
-        break;
-      case '^':
-        made += "\\(ha";
-        break;
-      case '~':
-        made += "\\(ti";
-        break;
-      default:
-        made += c;
-    }
+    made += replaced({&c, 1}, {{'\\', "\\e"},
+                               {'-', "\\-"},
+                               {'\'', "\\(aq"},
+                               {'`', "\\(ga"},
+                               {'^', "\\(ha"},
+                               {'~', "\\(ti"}});
   }
   return made;
 }

@@ -52,6 +52,15 @@ std::string capitalized(std::string text) {
   return text;
 }
 
+std::string replaced(std::string_view text, std::initializer_list<Replacement> replacements) {
+  std::string made;
+  for (const char c : text) {
+    const auto* const found = std::ranges::find(replacements, c, &Replacement::of);
+    found == replacements.end() ? made += c : made += found->by;
+  }
+  return made;
+}
+
 std::string continued(std::string sentence) {
   const bool is_name = sentence.starts_with("Cairo") || sentence.starts_with("Planish");
   const bool is_word = sentence.size() > 1 && (is_small(sentence[1]) || sentence[1] == ' ');

@@ -42,16 +42,9 @@ void set_error(planish_result& result, const Error& error) {
 }
 
 void set_result(planish_result& result, job::RunResult made) {
-  switch (made.status) {
-    case job::Status::ok:
-      result.status = PLANISH_OK;
-      break;
-    case job::Status::warning:
-      result.status = PLANISH_WARNING;
-      break;
-    case job::Status::refused:
-      result.status = PLANISH_REFUSED;
-  }
+  result.status = made.status == job::Status::ok        ? PLANISH_OK
+                  : made.status == job::Status::warning ? PLANISH_WARNING
+                                                        : PLANISH_REFUSED;
   result.report = std::move(made.report);
   result.summary = std::move(made.summary);
   result.files = std::move(made.artifacts);

@@ -14,14 +14,6 @@ Result<int> row_of(const PlateStructure& structure, const std::string& id,
   return fail(refuse::no_such_plate, of_unknown_plate(structure, id, pointer));
 }
 
-// In JSON pointers ~ and / in keys are escaped (RFC 6901).
-std::string escaped(const std::string& key) {
-  std::string text;
-  for (const char c : key)
-    text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return text;
-}
-
 /// What is wrong with a request, and the key at fault.
 struct Fault {
   std::string key;
@@ -118,7 +110,7 @@ Result<void> check_edges(const FitTask& task) {
     if (!task.plates[side] || !task.request.edges[side]) continue;
     const int count = task.plates[side]->all_edges();
     const std::string& id = task.request.between[side];
-    const std::string list = task.pointer + "/edges/" + escaped(id);
+    const std::string list = task.pointer + "/edges/" + escaped_token(id);
     if (task.request.edges[side]->empty())
       return fail(refuse::no_edges_listed,
                   {{"plate", place::plate(id)}, {"field", place::pointer(list)}});

@@ -1,6 +1,7 @@
 #include "filling.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/drawing/page_parts.hpp>
 #include <planish/geometry/curve.hpp>
@@ -75,17 +76,9 @@ std::string size_with_unit(const BendDrawing& drawing, double mm) {
 }
 
 std::string state_of(const Plan& plan) {
-  switch (plan.status) {
-    case PlanStatus::optimal:
-      return "cheapest order, proven";
-    case PlanStatus::feasible:
-      return "an order that works";
-    case PlanStatus::infeasible:
-      return "CANNOT BE BENT with these tools";
-    case PlanStatus::gave_up:
-      break;
-  }
-  return "no order found within the limit";
+  return std::string(word_of(
+      plan.status, {"cheapest order, proven", "an order that works",
+                    "CANNOT BE BENT with these tools", "no order found within the limit"}));
 }
 
 /// One line on the order of strokes.

@@ -1,5 +1,7 @@
 #include "svg_shapes.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -80,33 +82,15 @@ std::array<Vec2, 4> zone_between(const Limit& l, const Limit& r, bool whole) {
 }  // namespace
 
 std::string svg_number(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
+  std::string text = trimmed_number(value, decimals);
   return text == "-0" ? "0" : text;
 }
 
 std::string xml_escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) result += c;
-    }
-  }
-  return result;
+  std::string escaped = replaced(
+      text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+  std::erase_if(escaped, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  return escaped;
 }
 
 std::string svg_point(const Vec2& p) {

@@ -3,6 +3,7 @@
 #include "report_schema.hpp"
 #include "report_text.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/connect.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
@@ -22,17 +23,7 @@ std::string_view facing_name(EdgeKind kind) {
 }
 
 std::string_view lateral_name(LateralBoundary lateral) {
-  switch (lateral) {
-    case LateralBoundary::straight:
-      return "straight";
-    case LateralBoundary::arc:
-      return "arc";
-    case LateralBoundary::corner:
-      return "corner";
-    case LateralBoundary::automatic:
-      break;
-  }
-  return "auto";
+  return word_of(lateral, {"auto", "straight", "arc", "corner"});
 }
 
 const FittedBend* fitted(const ConnectReport& report, BendId id) {

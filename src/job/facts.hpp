@@ -8,7 +8,6 @@
 namespace planish::job {
 
 std::string_view severity_name(Severity severity);
-std::string_view status_name(Status status);
 
 /// A report may be incomplete (see Report).
 bool sheet_known(const Report& report);

@@ -3,6 +3,7 @@
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
 
@@ -122,17 +123,7 @@ std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId
 }
 
 std::string_view status_word(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return "optimal";
-    case PlanStatus::feasible:
-      return "feasible";
-    case PlanStatus::infeasible:
-      return "infeasible";
-    case PlanStatus::gave_up:
-      break;
-  }
-  return "gave_up";
+  return word_of(status, {"optimal", "feasible", "infeasible", "gave_up"});
 }
 
 Json stroke_json(const Stroke& stroke, const Report& report) {

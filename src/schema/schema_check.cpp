@@ -197,19 +197,6 @@ std::optional<Mistake> first_mistake(const Schema& schema, const Json& document,
   return check.mistake();
 }
 
-std::string escaped_token(const std::string& key) {
-  std::string text;
-  for (const char c : key) {
-    if (c == '~')
-      text += "~0";
-    else if (c == '/')
-      text += "~1";
-    else
-      text += c;
-  }
-  return text;
-}
-
 std::string shown(const Json& value) {
   if (value.is_array()) return "a list";
   if (value.is_object()) return "an object";

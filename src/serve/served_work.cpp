@@ -155,12 +155,9 @@ WorkDone done_of(job::RunResult made, std::map<std::string, Wanted> wanted) {
     }
     artifacts.push_back(std::move(row));
   }
-  const char* const status = made.status == job::Status::ok        ? "ok"
-                             : made.status == job::Status::warning ? "warning"
-                                                                   : "refused";
   Json report = Json::parse(made.report, nullptr, false);
   done.result = text_of(
-      {{"status", status}, {"report", std::move(report)}, {"artifacts", std::move(artifacts)}});
+      {{"status", job::status_name(made.status)}, {"report", std::move(report)}, {"artifacts", std::move(artifacts)}});
   return done;
 }
 

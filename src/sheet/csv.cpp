@@ -4,6 +4,7 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <algorithm>
@@ -157,10 +158,7 @@ std::string csv_row(const std::vector<std::string>& cells) {
       row += cell;
       continue;
     }
-    row += '"';
-    for (const char c : cell)
-      row += c == '"' ? std::string("\"\"") : std::string(1, c);
-    row += '"';
+    row += '"' + replaced(cell, {{'"', "\"\""}}) + '"';
   }
   return row + "\n";
 }

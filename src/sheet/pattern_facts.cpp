@@ -12,17 +12,7 @@
 
 namespace planish {
 std::string_view kind_name(BendKind kind) {
-  switch (kind) {
-    case BendKind::cylinder:
-      return "cylinder";
-    case BendKind::cone:
-      return "cone";
-    case BendKind::general:
-      return "general";
-    case BendKind::sharp:
-      break;
-  }
-  return "sharp";
+  return word_of(kind, {"cylinder", "cone", "general", "sharp"});
 }
 
 std::string_view direction_name(BendDirection direction) {

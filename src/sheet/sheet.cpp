@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/sheet/sheet.hpp>
 
 namespace planish {
@@ -30,18 +31,7 @@ FormSide other_side(FormSide side) {
   return side == FormSide::up ? FormSide::down : FormSide::up;
 }
 
-const char* side_name(FormSide side) {
-  switch (side) {
-    case FormSide::both:
-      return "both";
-    case FormSide::up:
-      return "up";
-    case FormSide::down:
-      return "down";
-  }
-  PLANISH_ASSERT(false);
-  return "";
-}
+std::string_view side_name(FormSide side) { return word_of(side, {"both", "up", "down"}); }
 
 Vec3 outward_normal(const Face& face, const Vec2& uv) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;

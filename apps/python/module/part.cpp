@@ -59,15 +59,7 @@ py::array view_of(const Rows& rows, const py::object& owner) {
 }
 
 std::string Part::status() const {
-  switch (made_.made->report().status()) {
-    case job::Status::ok:
-      return "ok";
-    case job::Status::warning:
-      return "warning";
-    case job::Status::refused:
-      return "refused";
-  }
-  return {};
+  return std::string(job::status_name(made_.made->report().status()));
 }
 
 std::optional<Error> Part::refusal() const { return made_.made->report().refusal; }

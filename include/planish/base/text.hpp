@@ -1,7 +1,10 @@
 #pragma once
 
+#include <planish/base/assert.hpp>
+
 #include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -26,6 +29,20 @@ std::string lower_case(std::string_view text);
 
 /// With a capital in front, if it begins with a letter of ASCII.
 std::string capitalized(std::string text);
+
+/// The text with some of its characters written otherwise: `replaced(text, {{'<', "&lt;"}})`.
+struct Replacement {
+  char of;
+  std::string_view by;
+};
+std::string replaced(std::string_view text, std::initializer_list<Replacement> replacements);
+
+/// The word of an enumerator, of a list in the order of the enumeration.
+template <typename Enum>
+constexpr std::string_view word_of(Enum one, std::initializer_list<std::string_view> words) {
+  PLANISH_ASSERT(static_cast<std::size_t>(one) < words.size());
+  return words.begin()[static_cast<std::size_t>(one)];
+}
 
 /// A sentence as it goes on after a colon: it begins small, unless with a name ("STEP", "Cairo",
 /// "K-factor").

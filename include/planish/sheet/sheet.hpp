@@ -111,7 +111,7 @@ enum class FormSide { both, up, down };
 /// The same form seen from behind the sheet.
 FormSide other_side(FormSide side);
 /// "both", "up", "down".
-const char* side_name(FormSide side);
+std::string_view side_name(FormSide side);
 
 /// A feature that a flat pattern only outlines. Contours made of borders marked with the feature
 /// are drawn, not cut; `outlines` adds loops that are not borders of the material (a countersink's
