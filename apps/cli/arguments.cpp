@@ -99,7 +99,7 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
     words.emplace_back(artifact->suffix.substr(1));
   const auto check = [words](const std::string& text) -> std::string {
     for (const std::string& word : between_commas(text))
-      if (std::find(words.begin(), words.end(), word) == words.end())
+      if (std::ranges::find(words, word) == words.end())
         return fmt::format("must be one of {}, not \"{}\"{}", fmt::join(words, ", "), word,
                            word == text ? "" : fmt::format(", in \"{}\"", text));
     return {};

@@ -50,7 +50,7 @@ std::string too_much(const CLI::App& command, const CLI::App& app, const std::st
 std::string left_over(const CLI::App& command, const CLI::App& app) {
   const auto words = command.remaining();
   if (words.empty()) return {};
-  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  const auto option = std::ranges::find_if(words, is_option);
   // A command that is not known has options that are not known either.
   if (option == words.end() || (&command == &app && !is_option(words.front())))
     return too_much(command, app, words.front());

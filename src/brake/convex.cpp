@@ -42,7 +42,7 @@ class Joining {
     std::vector<std::pair<int, int>> sides;
     for (const auto& [side, polygon] : at_side_)
       if (side.first < side.second) sides.push_back(side);
-    std::sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+    std::ranges::sort(sides, [&](const auto& a, const auto& b) {
       return length(a) > length(b);  // long ones first: what is left over is not thin
     });
     for (const auto& side : sides)
@@ -69,7 +69,7 @@ class Joining {
     return result;
   }
   void add(std::vector<int> polygon) {
-    if (ring_area(corners(polygon)) < 0.0) std::reverse(polygon.begin(), polygon.end());
+    if (ring_area(corners(polygon)) < 0.0) std::ranges::reverse(polygon);
     const int id = static_cast<int>(polygons_.size());
     for (size_t i = 0; i < polygon.size(); ++i)
       at_side_[{polygon[i], polygon[(i + 1) % polygon.size()]}] = id;
@@ -77,7 +77,7 @@ class Joining {
   }
   /// The corners from the end of a side round to its start.
   static std::vector<int> behind(std::vector<int> polygon, int start, int end) {
-    const auto at = std::find(polygon.begin(), polygon.end(), end);
+    const auto at = std::ranges::find(polygon, end);
     std::rotate(polygon.begin(), at, polygon.end());
     return polygon.back() == start ? polygon : std::vector<int>();
   }
@@ -134,14 +134,14 @@ double corners_to_sides(const Convex& a, const Convex& b) {
 std::vector<Convex> convex_pieces(const Polygon& polygon, double inset) {
   if (inset == 0.0 && polygon.holes.empty()) {
     Convex ring = polygon.outer;
-    if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+    if (ring_area(ring) < 0.0) std::ranges::reverse(ring);
     if (ring.size() >= 3 && is_convex(ring)) return {ring};
   }
   return Joining(inset_triangles(polygon, inset)).joined();
 }
 
 Convex hull_of(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
+  std::ranges::sort(points, [](const Vec2& a, const Vec2& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
   points.erase(std::unique(points.begin(), points.end()), points.end());

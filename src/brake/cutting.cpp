@@ -74,7 +74,7 @@ int Cutting::count_nodes() {
 
 int Cutting::region_of(BendId bend, double u) const {
   const std::vector<double>& at = lines_at_[bend];
-  const auto behind = std::lower_bound(at.begin(), at.end(), u);
+  const auto behind = std::ranges::lower_bound(at, u);
   return first_region_[bend] + static_cast<int>(behind - at.begin());
 }
 

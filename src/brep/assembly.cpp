@@ -140,9 +140,8 @@ Bend sharp_bend(double angle) {
 /// A mitred corner holds more than the arc of material that bends to it: per length
 /// T² (tan α/2 − α/2).
 double mitre_volume(const Recognition& of, int e) {
-  const bool rounded = std::any_of(
-      of.skins.sharp.begin(), of.skins.sharp.end(),
-      [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
+  const bool rounded = std::ranges::any_of(
+      of.skins.sharp, [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
   if (rounded) return 0.0;
   const double half = std::abs(*dihedral(of.model, e)) / 2;
   const double t = of.skins.thickness;

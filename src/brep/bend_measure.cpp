@@ -83,7 +83,7 @@ Step step_between(const Face& face, double u0, double u1, double v) {
 /// Smallest of radii taken in the middles of equal steps, the ends of the first and the last step
 /// included: extrapolated there by the parabola through the three nearest.
 double smallest_of(const std::vector<double>& radii) {
-  double smallest = *std::min_element(radii.begin(), radii.end());
+  double smallest = *std::ranges::min_element(radii);
   const auto end_beyond = [](auto first) {
     return (15 * first[0] - 10 * first[1] + 3 * first[2]) / 8;
   };

@@ -15,8 +15,7 @@ bool boxes_near(const Outline& a, const Outline& b, double reach) {
 std::vector<int> in_order_of_x(const std::vector<Outline>& outlines) {
   std::vector<int> order(outlines.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return outlines[a].lo.x() < outlines[b].lo.x(); });
+  std::ranges::sort(order, [&](int a, int b) { return outlines[a].lo.x() < outlines[b].lo.x(); });
   return order;
 }
 

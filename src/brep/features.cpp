@@ -83,7 +83,7 @@ Box3 box_of(const Recognition& of, const RimPart& part) {
 /// sides).
 bool formed_here(const Recognition& of, const RimPart& part) {
   const Box3 box = box_of(of, part);
-  return std::any_of(of.rim.parts.begin(), of.rim.parts.end(), [&](const RimPart& other) {
+  return std::ranges::any_of(of.rim.parts, [&](const RimPart& other) {
     return &other != &part && !other.within && !loops_here(of, other).empty() &&
            box.meets(box_of(of, other));
   });
@@ -92,7 +92,7 @@ bool formed_here(const Recognition& of, const RimPart& part) {
 /// A loop of the other skin as seen on this one: reversed, a thickness below.
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {
   std::vector<CoEdge> loop = loop_of(of, ref);
-  std::reverse(loop.begin(), loop.end());
+  std::ranges::reverse(loop);
   for (CoEdge& use : loop)
     use.forward = !use.forward;
   BorderLoop borders = read_borders(of.model, loop, plane, 0.0, of.tolerance);
@@ -209,8 +209,7 @@ bool has_several_holes(const Recognition& of, const RimPart& part) {
   const auto& there = loops_there(of, part);
   // A loop that is no opening is the outline of a face cut off from its skin.
   return part.openings > std::ssize(here) && there.size() > here.size() &&
-         std::all_of(here.begin(), here.end(), in_plane) &&
-         std::all_of(there.begin(), there.end(), in_plane);
+         std::ranges::all_of(here, in_plane) && std::ranges::all_of(there, in_plane);
 }
 
 /// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
@@ -222,8 +221,8 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
     const auto contours_on = [&](Skin skin) {
       return closed_borders(of.model, part.faces, [&](int edge) {
         const auto& faces = of.model.edges[edge].faces;
-        return std::any_of(faces.begin(), faces.end(),
-                           [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
+        return std::ranges::any_of(faces,
+                                   [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
       });
     };
     const int cut = contours_on(of.skin);

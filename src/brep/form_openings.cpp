@@ -85,9 +85,9 @@ bool lies_inside(const Loop& loop, const std::vector<std::vector<Vec2>>& outline
   for (const Curve2& curve : loop)
     for (const double t : {0.0, 0.2, 0.5, 0.8}) {
       const Vec2 p = point_at(curve, t);
-      const bool near = std::any_of(
-          outlines.begin(), outlines.end(),
-          [&](const std::vector<Vec2>& ring) { return distance_of(ring, p) <= tolerance; });
+      const bool near = std::ranges::any_of(outlines, [&](const std::vector<Vec2>& ring) {
+        return distance_of(ring, p) <= tolerance;
+      });
       if (!near && !inside(outlines, p)) return false;
     }
   return true;
@@ -189,7 +189,7 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
       const int wall = face_across(of.model.edges[use.edge], ref.face);
       free.push_back(wall >= 0 && of.rim.part_of[wall] >= 0 && touches_there(wall));
     }
-    const auto formed = std::find(free.begin(), free.end(), false);
+    const auto formed = std::ranges::find(free, false);
     const size_t first = formed == free.end() ? 0 : static_cast<size_t>(formed - free.begin());
     bool begun = false;
     for (size_t i = 0; i < loop.size(); ++i) {
@@ -210,10 +210,9 @@ std::optional<BorderLoop> slit_of(const Recognition& of, const Section& section,
   for (auto chain = free.begin(); chain != free.end(); ++chain) {
     BorderLoop borders = read_borders(of.model, *chain, plane, 0.0, of.tolerance);
     const Vec2 middle = point_at(borders[borders.size() / 2].curve, 0.5);
-    const bool beside = std::any_of(
-        section.loop.begin(), section.loop.end(), [&](const Curve2& curve) {
-          return nearest(curve, middle).distance <= kSlit * of.skins.thickness;
-        });
+    const bool beside = std::ranges::any_of(section.loop, [&](const Curve2& curve) {
+      return nearest(curve, middle).distance <= kSlit * of.skins.thickness;
+    });
     if (!beside) continue;
     free.erase(chain);
     return borders;
@@ -233,11 +232,10 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
     return;
   }
   feature.lost_openings = part.openings;
-  const bool in_planes = std::all_of(
-                             here.begin(), here.end(),
-                             [&](const LoopRef& ref) { return opening_in_plane(of, ref); }) &&
-                         std::all_of(there.begin(), there.end(),
-                                     [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
+  const bool in_planes = std::ranges::all_of(
+                             here, [&](const LoopRef& ref) { return opening_in_plane(of, ref); }) &&
+                         std::ranges::all_of(
+                             there, [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
   if (!in_planes) return;
   const auto outlines = rings_of(of, here, plane);
   auto free = free_edges(of, part);

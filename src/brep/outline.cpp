@@ -89,7 +89,7 @@ std::vector<double> cuts(const std::vector<std::vector<Vec2>>& rings, double v) 
       if ((a.y() > v) == (b.y() > v)) continue;
       us.push_back(a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }
-  std::sort(us.begin(), us.end());
+  std::ranges::sort(us);
   return us;
 }
 

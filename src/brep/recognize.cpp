@@ -88,10 +88,9 @@ constexpr double kFormed = 0.08;
 double formed_at_most(const Sheet& sheet) {
   constexpr double kSlanted = 0.25;
   const bool slanted = !sheet.features.empty() &&
-                       std::all_of(sheet.features.begin(), sheet.features.end(),
-                                   [](const FormedFeature& feature) {
-                                     return feature.kind == "slanted cut";
-                                   });
+                       std::ranges::all_of(sheet.features, [](const FormedFeature& feature) {
+                         return feature.kind == "slanted cut";
+                       });
   return slanted ? kSlanted : kFormed;
 }
 
@@ -101,10 +100,9 @@ double volume_allowed(const Sheet& sheet) {
   constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
   if (sheet.forms_volume) return kMeasured;
-  const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
-                                  [](const FormedFeature& feature) {
-                                    return feature.kind != "chamfer" && feature.kind != "contact";
-                                  });
+  const bool formed = std::ranges::any_of(sheet.features, [](const FormedFeature& feature) {
+    return feature.kind != "chamfer" && feature.kind != "contact";
+  });
   return formed ? kFormed : kChamfered;
 }
 

@@ -97,7 +97,7 @@ std::pair<int, double> most_opposite(const Components& components, const FacePai
     if (a == first) shared[b] += pair.opposite.overlap;
     if (b == first) shared[a] += pair.opposite.overlap;
   }
-  const auto most = std::max_element(shared.begin(), shared.end());
+  const auto most = std::ranges::max_element(shared);
   return {static_cast<int>(most - shared.begin()), *most};
 }
 
@@ -140,8 +140,8 @@ std::vector<std::pair<int, Skin>> islands_of(const Skins& skins,
     if (!candidates[f] || skins.skin_of[f] != Skin::none) continue;
     const auto& partners = skins.partners[f];
     const auto all_on = [&](Skin skin) {
-      return !partners.empty() && std::all_of(partners.begin(), partners.end(),
-                                              [&](int p) { return skins.skin_of[p] == skin; });
+      return !partners.empty() &&
+             std::ranges::all_of(partners, [&](int p) { return skins.skin_of[p] == skin; });
     };
     if (all_on(Skin::first)) islands.emplace_back(f, Skin::second);
     if (all_on(Skin::second)) islands.emplace_back(f, Skin::first);

@@ -235,8 +235,8 @@ const char* planish_schema_name(size_t number) {
 const char* planish_schema(const char* name) {
   if (!name || !texts()) return nullptr;
   const auto& schemas = texts()->schemas;
-  const auto found = std::find_if(schemas.begin(), schemas.end(),
-                                  [&](const auto& one) { return one.first == name; });
+  const auto found = std::ranges::find_if(schemas,
+                                          [&](const auto& one) { return one.first == name; });
   return found == schemas.end() ? nullptr : found->second.c_str();
 }
 

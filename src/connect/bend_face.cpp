@@ -54,7 +54,7 @@ double length_in_space(const Developable& surface, const Curve2& uv) {
 }
 
 TaggedLoop reversed_loop(TaggedLoop loop) {
-  std::reverse(loop.begin(), loop.end());
+  std::ranges::reverse(loop);
   for (TaggedCurve& border : loop)
     border.curve = reversed(border.curve);
   return loop;
@@ -72,8 +72,8 @@ std::vector<RulingJoint> joints_of(const Parts& parts, int bend, int side, int p
   for (int row = 0; row < static_cast<int>(parts.fits.size()); ++row)
     if (row == bend || parts.fits[row].joint_of == std::pair{bend, side})
       joints.push_back({joint_range(parts.fits[row], side, parts.plates[plate]), row});
-  std::sort(joints.begin(), joints.end(),
-            [](const RulingJoint& a, const RulingJoint& b) { return a.range.low < b.range.low; });
+  std::ranges::sort(
+      joints, [](const RulingJoint& a, const RulingJoint& b) { return a.range.low < b.range.low; });
   return joints;
 }
 

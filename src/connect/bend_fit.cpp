@@ -122,7 +122,7 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
   report.request = task.request;
   report.edges = choice.edges(best);
   for (auto& edges : report.edges)
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
   report.edge_kind = best.kind;
   report.kind = fit.surface.kind;
   report.frame = choice.frame;

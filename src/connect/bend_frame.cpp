@@ -86,7 +86,7 @@ std::vector<BendFrame> parallel_frames(const PlacedPlate& a, const PlacedPlate& 
       const Vec3 outward = flat.cross(plate->frame.z).normalized();
       const Vec3 e = (outward - outward.dot(a.frame.z) * a.frame.z).normalized();
       const auto same = [&](const Vec3& other) { return (other - e).norm() < kSameDirection; };
-      if (std::any_of(directions.begin(), directions.end(), same)) continue;
+      if (std::ranges::any_of(directions, same)) continue;
       directions.push_back(e);
       frames.push_back(parallel_frame(a, b, e.cross(a.frame.z).normalized(), e));
     }

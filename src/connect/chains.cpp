@@ -67,8 +67,8 @@ Chain chain_from(const std::vector<Vec2>& corners, Use use, std::size_t start, s
     chain.corners.push_back(corners[(start + j + 1) % n]);
   }
   if (chain.corners.front().x() > chain.corners.back().x()) {
-    std::reverse(chain.corners.begin(), chain.corners.end());
-    std::reverse(chain.edges.begin(), chain.edges.end());
+    std::ranges::reverse(chain.corners);
+    std::ranges::reverse(chain.edges);
   }
   return chain;
 }
@@ -97,11 +97,8 @@ std::vector<Chain> viable_chains(const std::vector<Vec2>& outline) {
     if (uses[start] != Use::none) chains.push_back(chain_from(corners, uses[start], start, count));
     done += count;
   }
-  const auto lowest = [](const Chain& chain) {
-    return *std::min_element(chain.edges.begin(), chain.edges.end());
-  };
-  std::sort(chains.begin(), chains.end(),
-            [&](const Chain& a, const Chain& b) { return lowest(a) < lowest(b); });
+  const auto lowest = [](const Chain& chain) { return *std::ranges::min_element(chain.edges); };
+  std::ranges::sort(chains, [&](const Chain& a, const Chain& b) { return lowest(a) < lowest(b); });
   return chains;
 }
 

@@ -69,9 +69,7 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
 
 Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates) {
   if (structure.root.empty()) {
-    const auto largest = std::max_element(
-        plates.begin(), plates.end(),
-        [](const PlacedPlate& a, const PlacedPlate& b) { return a.area < b.area; });
+    const auto largest = std::ranges::max_element(plates, {}, &PlacedPlate::area);
     return static_cast<int>(largest - plates.begin());
   }
   for (std::size_t p = 0; p < plates.size(); ++p)
@@ -123,8 +121,9 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   if (!fits) return pass_on(fits);
   // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
   if (structure.bends.empty())
-    std::sort(fits->begin(), fits->end(),
-              [](const BendFit& a, const BendFit& b) { return a.report.plates < b.report.plates; });
+    std::ranges::sort(*fits, [](const BendFit& a, const BendFit& b) {
+      return a.report.plates < b.report.plates;
+    });
 
   Parts parts{structure.thickness, std::move(*plates), {}, std::move(*fits), *root};
   const std::size_t bends = parts.fits.size();

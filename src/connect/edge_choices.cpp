@@ -23,7 +23,7 @@ class Choices {
     const EdgeChoice& best = choice.search.best;
     std::array edges = choice.edges(best);
     for (auto& side : edges)
-      std::sort(side.begin(), side.end());
+      std::ranges::sort(side);
     const Vec3& e = choice.frame.e[0];
     const Vec3& f = choice.frame.e[1];
     if (!known_
@@ -41,8 +41,8 @@ class Choices {
       const EdgeChoice& best = choice.search.best;
       return best.width > 0.0 ? best.span / best.width : std::numeric_limits<double>::infinity();
     };
-    std::stable_sort(all_.begin(), all_.end(),
-                     [&](const PairChoice& a, const PairChoice& b) { return cost(a) < cost(b); });
+    std::ranges::stable_sort(
+        all_, [&](const PairChoice& a, const PairChoice& b) { return cost(a) < cost(b); });
     return std::move(all_);
   }
 

@@ -116,8 +116,8 @@ struct Search {
 };
 
 double lowest(const Chain& chain) {
-  return std::min_element(chain.corners.begin(), chain.corners.end(),
-                          [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
+  return std::ranges::min_element(chain.corners,
+                                  [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
       ->y();
 }
 
@@ -151,8 +151,7 @@ std::vector<Candidate> candidates_of(const Search& search) {
 }
 
 std::vector<Candidate> nearest_first(std::vector<Candidate> candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.shortest < b.shortest; });
+  std::ranges::stable_sort(candidates, {}, &Candidate::shortest);
   return candidates;
 }
 
@@ -176,8 +175,7 @@ double shortest_length(const Search& search, double noise) {
 }
 
 bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
-  return std::any_of(chains.begin(), chains.end(),
-                     [&](const Chain& chain) { return chain.kind == kind; });
+  return std::ranges::any_of(chains, [&](const Chain& chain) { return chain.kind == kind; });
 }
 
 tl::unexpected<Error> nothing_fits(const Sides& sides) {
@@ -198,10 +196,8 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
     const auto reference = reference_bend(search.pair(candidate),
                                           std::numeric_limits<double>::infinity());
     if (!reference) continue;
-    const auto later = std::upper_bound(others.begin(), others.end(), *reference,
-                                        [](const ReferenceBend& bend, const auto& other) {
-                                          return bend.length < other.second.length;
-                                        });
+    const auto later = std::ranges::upper_bound(
+        others, reference->length, {}, [](const auto& other) { return other.second.length; });
     others.insert(later, {candidate, *reference});
     if (others.size() > count) others.pop_back();
   }
@@ -210,8 +206,7 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
     if (auto best = widest_bend(search.pair(candidate), reference.choice, search.options.trade_off,
                                 std::nullopt))
       choices.push_back(std::move(*best));
-  std::stable_sort(choices.begin(), choices.end(),
-                   [](const EdgeChoice& a, const EdgeChoice& b) { return a.width > b.width; });
+  std::ranges::stable_sort(choices, std::ranges::greater(), &EdgeChoice::width);
   return choices;
 }
 

@@ -58,7 +58,7 @@ std::optional<Vec2> within(const PlacedPlate& plate, const Vec2& a, const Vec2& 
     const double share = cross(to, along) / across;
     if (share > 0.0 && share < 1.0) cuts.push_back(share);
   }
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Vec2 middle = a + 0.5 * (cuts[i] + cuts[i + 1]) * (b - a);
     if (well_inside(ring, middle, kOnOutline * plate.extent)) return middle;
@@ -99,8 +99,8 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
   for (const int plate : parts.fits[bend].report.plates) {
     const auto made = plate_face(parts, plate, 1);
     if (!made) return pass_on(made);
-    const bool joined = std::any_of(made->joints.begin(), made->joints.end(),
-                                    [&](const auto& joint) { return joint.bend == bend; });
+    const bool joined = std::ranges::any_of(made->joints,
+                                            [&](const auto& joint) { return joint.bend == bend; });
     if (!joined) return fail(refuse::touches_in_point, {{"plate", place::plate(parts.ids[plate])}});
     if (parts.fits[bend].fold) continue;  // which cuts the plates back
     const PlacedPlate& placed = parts.plates[plate];

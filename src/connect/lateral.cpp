@@ -205,7 +205,7 @@ std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, 
       const double t = std::clamp(a.y() / (a.y() - b.y()), 0.0, 1.0);
       crossings.push_back(a.x() + t * (b.x() - a.x()));
     }
-  std::sort(crossings.begin(), crossings.end());
+  std::ranges::sort(crossings);
   std::vector<Spread> sections;
   double from = low;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {

@@ -38,7 +38,7 @@ Vec2 at_share(const std::pair<Vec2, Vec2>& edge, double share) {
 }
 
 EdgeParts free_parts(EdgeParts taken) {
-  std::sort(taken.begin(), taken.end());
+  std::ranges::sort(taken);
   EdgeParts free;
   double from = 0.0;
   for (const auto& [low, high] : taken) {
@@ -148,7 +148,7 @@ std::vector<Chain> free_chains(const std::vector<Chain>& chains,
       if ((first - a).norm() > (first - b).norm()) {
         for (auto& [low, high] : free)
           std::tie(low, high) = std::pair{1.0 - high, 1.0 - low};
-        std::reverse(free.begin(), free.end());
+        std::ranges::reverse(free);
       }
       if (free.empty() || free.front().first > 0.0) parts.end();
       for (const auto& [low, high] : free) {

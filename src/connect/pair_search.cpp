@@ -51,9 +51,8 @@ std::set<int> too_near(const std::vector<Chain>& chains, double height) {
 bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
   std::array<std::pair<double, double>, 2> range;
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto [lo, hi] = std::minmax_element(
-        outlines[side].begin(), outlines[side].end(),
-        [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    const auto [lo, hi] = std::ranges::minmax_element(
+        outlines[side], [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
     range[side] = {lo->y(), hi->y()};
   }
   return range[0].second <= range[1].first || range[1].second <= range[0].first;

@@ -83,7 +83,7 @@ Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
   const Vec2 to(joint_end(corners.back(), last, -inward), 0.0);
   Path path{taut(corners, from), 0};
   path.joint = path.points.size() - 1;
-  std::reverse(corners.begin(), corners.end());
+  std::ranges::reverse(corners);
   std::vector<Vec2> back = taut(corners, to);
   path.points.insert(path.points.end(), back.rbegin(), back.rend());
   return path;
@@ -226,7 +226,7 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id, int ring) {
   std::erase_if(bends, [&](const BendOnPlate& on) { return run_of(on).ring != ring; });
-  std::sort(bends.begin(), bends.end(), [](const BendOnPlate& a, const BendOnPlate& b) {
+  std::ranges::sort(bends, [](const BendOnPlate& a, const BendOnPlate& b) {
     return std::pair{run_of(a).first, run_of(a).start} <
            std::pair{run_of(b).first, run_of(b).start};
   });
@@ -241,8 +241,8 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
     append_bend(outline, plate, bends[i]);
     append_free(outline, plate, run_of(bends[i]), run_of(bends[last ? 0 : i + 1]), last);
   }
-  const bool folded = std::any_of(bends.begin(), bends.end(),
-                                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
+  const bool folded = std::ranges::any_of(
+      bends, [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
   with_runs_joined(outline, folded, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
   if (auto simple = check_simple(outline, plate, id, ring); !simple) return pass_on(simple);

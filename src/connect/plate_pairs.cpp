@@ -43,7 +43,7 @@ std::vector<Spread> inside_intervals(const PlacedPlate& plate, const Vec3& origi
   std::vector<Spread> free = legal_sections(above, low, high, tolerance);
   for (const Spread& section : legal_sections(below, low, high, tolerance))
     free.push_back(section);
-  std::sort(free.begin(), free.end());
+  std::ranges::sort(free);
   std::vector<Spread> inside;
   double from = low;
   for (const Spread& section : free) {
@@ -70,7 +70,7 @@ std::optional<Vec3> common_area(const PlacedPlate& a, const PlacedPlate& b) {
     std::vector<Vec2> ring;
     for (const Vec2& p : b.ring(r))
       ring.push_back(a.frame.local2(b.frame.point(p)));
-    if ((ring_area(ring) < 0.0) == (r == 0)) std::reverse(ring.begin(), ring.end());
+    if ((ring_area(ring) < 0.0) == (r == 0)) std::ranges::reverse(ring);
     if (r == 0)
       second.outer = std::move(ring);
     else
@@ -113,9 +113,8 @@ std::optional<TooNear> too_near(const PlacedPlate& a, const PlacedPlate& b, doub
           to_border = std::min(to_border, nearest(Segment{c, d}, local.head<2>()).distance);
         }
       if (to_border <= thickness) continue;
-      const bool in_hole = std::any_of(a.holes.begin(), a.holes.end(), [&](const auto& hole) {
-        return inside({hole}, local.head<2>());
-      });
+      const bool in_hole = std::ranges::any_of(
+          a.holes, [&](const auto& hole) { return inside({hole}, local.head<2>()); });
       if (!in_hole) return TooNear{p, distance, needed};
     }
   return std::nullopt;

@@ -222,7 +222,7 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
     if (auto apart = check_hole_apart(placed, boxes, hole, polygon); !apart) return apart;
     boxes.push_back(box_of(hole));
     placed.turned.push_back(ring_area(hole) > 0.0);
-    if (placed.turned.back()) std::reverse(hole.begin(), hole.end());
+    if (placed.turned.back()) std::ranges::reverse(hole);
     placed.holes.push_back(std::move(hole));
   }
   return {};

@@ -36,8 +36,8 @@ std::vector<Unit> units_of(const ChainPair& pair, int side) {
                      std::accumulate(corner, corner + count, Vec2(0.0, 0.0)) / count});
   }
   // Nearest first: lengths grow with the mean height.
-  std::stable_sort(units.begin(), units.end(),
-                   [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
+  std::ranges::stable_sort(units,
+                           [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
   return units;
 }
 

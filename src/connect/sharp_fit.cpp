@@ -44,7 +44,7 @@ std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side, c
   std::vector<LineEdge> edges;
   for (const Chain& chain : frame.chains[side])
     for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j) {
-      if (wanted && std::count(wanted->begin(), wanted->end(), chain.edges[j]) == 0) continue;
+      if (wanted && std::ranges::count(*wanted, chain.edges[j]) == 0) continue;
       const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
       if (std::max(a.y(), b.y()) <= 2.0 * near) edges.push_back({chain.edges[j], a.x(), b.x()});
     }

@@ -31,8 +31,8 @@ Rings rings_near(const PlacedPlate& plate, const BendFrame& frame, int side, dou
   Rings rings{side_outline(plate, frame, side)};
   for (int ring = 1; ring < plate.ring_count(); ++ring) {
     std::vector<Vec2> hole = side_ring(plate, ring, frame, side);
-    const auto [low, high] = std::minmax_element(
-        hole.begin(), hole.end(), [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
+    const auto [low, high] = std::ranges::minmax_element(
+        hole, [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
     if (low->y() <= reach && high->y() >= -reach) rings.push_back(std::move(hole));
   }
   return rings;
@@ -47,7 +47,7 @@ std::vector<Spread> section(const Rings& rings, double x) {
       if ((p.x() <= x) != (q.x() <= x))
         ys.push_back(p.y() + (x - p.x()) / (q.x() - p.x()) * (q.y() - p.y()));
     }
-  std::sort(ys.begin(), ys.end());
+  std::ranges::sort(ys);
   std::vector<Spread> material;
   for (std::size_t i = 0; i + 1 < ys.size(); i += 2)
     material.emplace_back(ys[i], ys[i + 1]);
@@ -101,8 +101,8 @@ std::optional<SheetsMeet> sheets_meet(const PlacedPlate& a, const PlacedPlate& b
   double low = -std::numeric_limits<double>::infinity(), high = -low;
   for (const Rings& rings : plates) {
     const std::vector<Vec2>& outline = rings.front();
-    const auto [left, right] = std::minmax_element(
-        outline.begin(), outline.end(), [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); });
+    const auto [left, right] = std::ranges::minmax_element(
+        outline, [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); });
     low = std::max(low, left->x());
     high = std::min(high, right->x());
   }

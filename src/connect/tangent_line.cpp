@@ -70,9 +70,8 @@ std::optional<Range> offsets_with_room(const Corners& corners, EdgeKind kind, do
 }
 
 bool touch(const Corners& corners, double extent) {
-  return std::all_of(corners.begin(), corners.end(), [&](const auto& side) {
-    return std::any_of(side.begin(), side.end(),
-                       [&](const Vec2& p) { return p.y() <= kTouching * extent; });
+  return std::ranges::all_of(corners, [&](const auto& side) {
+    return std::ranges::any_of(side, [&](const Vec2& p) { return p.y() <= kTouching * extent; });
   });
 }
 

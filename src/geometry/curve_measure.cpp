@@ -175,7 +175,7 @@ struct NearestOnSpan {
   }
 
   void search(const std::array<double, 7>& c, double lo, double hi) {
-    const auto [least, most] = std::minmax_element(c.begin(), c.end());
+    const auto [least, most] = std::ranges::minmax_element(c);
     // |B|² is at least its smallest coefficient; a gain within rounding of the best is no gain.
     if (*least >= best - 8.0 * kEpsilon * *most) return;
     std::array<double, 6> rise{};
@@ -186,7 +186,7 @@ struct NearestOnSpan {
     const int changes = sign_changes(rise);
     if (changes == 0) return;
     if (changes == 1) {
-      const auto first = std::find_if(rise.begin(), rise.end(), [](double r) { return r != 0.0; });
+      const auto first = std::ranges::find_if(rise, [](double r) { return r != 0.0; });
       if (*first < 0.0) polish(lo, hi);
       return;
     }

@@ -5,8 +5,7 @@
 namespace planish {
 
 std::vector<Interval> joined(std::vector<Interval> intervals, double touching) {
-  std::sort(intervals.begin(), intervals.end(),
-            [](const Interval& a, const Interval& b) { return a.lo < b.lo; });
+  std::ranges::sort(intervals, {}, &Interval::lo);
   std::vector<Interval> result;
   for (const Interval& interval : intervals) {
     if (!result.empty() && interval.lo <= result.back().hi + touching)

@@ -24,8 +24,8 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping_boxes(const std::ve
     order.push_back(i);
   }
   const int axis = !all.empty() && all.size().y() > all.size().x() ? 1 : 0;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t k) { return boxes[i].lo[axis] < boxes[k].lo[axis]; });
+  std::ranges::sort(
+      order, [&](std::size_t i, std::size_t k) { return boxes[i].lo[axis] < boxes[k].lo[axis]; });
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<std::size_t> open;
   for (const std::size_t i : order) {
@@ -35,7 +35,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping_boxes(const std::ve
     }
     open.push_back(i);
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
   return pairs;
 }
 

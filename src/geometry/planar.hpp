@@ -163,7 +163,7 @@ void add_inner_roots(const std::array<double, M>& c, double lo, double hi,
 template <std::size_t M>
 std::vector<double> roots(const std::array<double, M>& c) {
   std::vector<double> found;
-  if (std::all_of(c.begin(), c.end(), [](double x) { return x == 0.0; })) return found;
+  if (std::ranges::all_of(c, [](double x) { return x == 0.0; })) return found;
   if (c.front() == 0.0) found.push_back(0.0);
   add_inner_roots(c, 0.0, 1.0, found);
   if (c.back() == 0.0) found.push_back(1.0);

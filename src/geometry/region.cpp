@@ -55,7 +55,7 @@ std::vector<Vec2> hull_of(std::vector<Vec2> points) {
   const auto before = [](const Vec2& a, const Vec2& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   };
-  std::sort(points.begin(), points.end(), before);
+  std::ranges::sort(points, before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Vec2> hull;

@@ -383,14 +383,12 @@ Vec2 RuledImage::fold(const Vec2& p) const {
 
   std::vector<double> us = rising_roots([&](double u) { return passing_of(line_at(u)); }, nodes);
   if (us.empty()) {
-    const auto nearest = std::min_element(nodes.begin(), nodes.end(), [](auto& a, auto& b) {
-      return std::abs(a.value) < std::abs(b.value);
-    });
+    const auto nearest = std::ranges::min_element(
+        nodes, [](auto& a, auto& b) { return std::abs(a.value) < std::abs(b.value); });
     us.push_back(nearest->u);
   }
-  const double u = *std::min_element(us.begin(), us.end(), [&](double a, double b) {
-    return std::abs(v_at(a)) < std::abs(v_at(b));
-  });
+  const double u = *std::ranges::min_element(
+      us, [&](double a, double b) { return std::abs(v_at(a)) < std::abs(v_at(b)); });
   return {u, v_at(u)};
 }
 

@@ -25,8 +25,7 @@ struct Cover {
 };
 
 void add_part(Cover& place, const Place& part) {
-  if (std::find(place.parts.begin(), place.parts.end(), part) == place.parts.end())
-    place.parts.push_back(part);
+  if (std::ranges::find(place.parts, part) == place.parts.end()) place.parts.push_back(part);
 }
 
 void take(Cover& place, const Cover& other) {

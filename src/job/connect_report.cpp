@@ -28,8 +28,7 @@ std::string_view lateral_name(LateralBoundary lateral) {
 
 const FittedBend* fitted(const ConnectReport& report, BendId id) {
   const auto& bends = report.connection.bends;
-  const auto found = std::find_if(bends.begin(), bends.end(),
-                                  [&](const FittedBend& bend) { return bend.bend == id; });
+  const auto found = std::ranges::find(bends, id, &FittedBend::bend);
   return found == bends.end() ? nullptr : &*found;
 }
 

@@ -117,8 +117,7 @@ std::vector<Plate> plates_at(const JsonPlace& place) {
   std::vector<Plate> plates;
   for (const JsonPlace& item : place.items()) {
     Plate plate = plate_at(item);
-    const auto same = std::find_if(plates.begin(), plates.end(),
-                                   [&](const Plate& other) { return other.id == plate.id; });
+    const auto same = std::ranges::find(plates, plate.id, &Plate::id);
     if (same != plates.end()) {
       item["id"].mistake(
           refuse::same_plate_id,
@@ -146,7 +145,7 @@ std::vector<int> edges_at(const JsonPlace& place) {
   std::vector<int> edges;
   for (const JsonPlace& item : place.items()) {
     const int edge = item.whole();
-    if (std::find(edges.begin(), edges.end(), edge) != edges.end())
+    if (std::ranges::find(edges, edge) != edges.end())
       item.mistake(refuse::edge_listed_twice, {{"edge", edge}});
     edges.push_back(edge);
   }
@@ -155,7 +154,7 @@ std::vector<int> edges_at(const JsonPlace& place) {
 
 void read_edges(BendRequest& bend, const JsonPlace& place) {
   for (const auto& [id, list] : place.members()) {
-    const auto side = std::find(bend.between.begin(), bend.between.end(), id);
+    const auto side = std::ranges::find(bend.between, id);
     if (side == bend.between.end()) {
       list.mistake(
           refuse::not_of_this_bend,

@@ -188,7 +188,7 @@ struct PlacedRelief {
 
 /// Whether one of them is at the same end of the same bend.
 bool is_among(const std::vector<MissingRelief>& places, const MissingRelief& place) {
-  return std::any_of(places.begin(), places.end(), [&](const MissingRelief& other) {
+  return std::ranges::any_of(places, [&](const MissingRelief& other) {
     return other.bend == place.bend && other.beyond.dot(place.beyond) > 0.0;
   });
 }
@@ -208,8 +208,7 @@ std::vector<PlacedRelief> cut_missing(Relieved& relieved, const Sheet& sheet, co
       going_on = true;
       const Cutout wanted = cutout_beside(place, place.web, relieved.pattern.thickness, shape);
       const Box2 box = bounds(wanted.outline());
-      if (std::any_of(cut_now.begin(), cut_now.end(),
-                      [&](const Box2& other) { return other.overlaps(box); }))
+      if (std::ranges::any_of(cut_now, [&](const Box2& other) { return other.overlaps(box); }))
         continue;
       tried.push_back(place);
       if (const auto cutout = cut_at(relieved, area, place, shape)) {
@@ -248,9 +247,8 @@ void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const SheetArea& a
   std::vector<PlacedRelief> reliefs = cut_missing(with, sheet, area, shape, rules, {});
   std::vector<MissingRelief> useless = missing_reliefs(sheet, with.pattern, rules);
   std::erase_if(useless, [&](const MissingRelief& place) {
-    return std::none_of(reliefs.begin(), reliefs.end(), [&](const PlacedRelief& relief) {
-      return is_among({relief.place}, place);
-    });
+    return std::ranges::none_of(
+        reliefs, [&](const PlacedRelief& relief) { return is_among({relief.place}, place); });
   });
   if (!useless.empty()) {
     with = relieved;

@@ -41,7 +41,7 @@ void add_material(const Face& face, double u, Intervals& intervals) {
     for (const Border& border : loop)
       for (const double t : crossings(border.curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
         heights.push_back(point_at(border.curve, t).y());
-  std::sort(heights.begin(), heights.end());
+  std::ranges::sort(heights);
   for (size_t i = 0; i + 1 < heights.size(); i += 2)
     intervals.push_back({heights[i], heights[i + 1]});
 }

@@ -23,7 +23,7 @@ using namespace sheet_detail;
 
 /// Reads a number; a comma alone is a decimal comma.
 std::optional<double> number(std::string text) {
-  if (text.find('.') == std::string::npos && std::count(text.begin(), text.end(), ',') == 1)
+  if (text.find('.') == std::string::npos && std::ranges::count(text, ',') == 1)
     text[text.find(',')] = '.';
   const char* first = text.data();
   const char* last = first + text.size();
@@ -118,8 +118,8 @@ std::optional<Error> contradiction(const BendTable& table, const std::vector<int
   std::vector<size_t> order(table.rows.size());
   for (size_t i = 0; i < order.size(); ++i)
     order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return key(table.rows[a]) < key(table.rows[b]); });
+  std::ranges::stable_sort(
+      order, [&](size_t a, size_t b) { return key(table.rows[a]) < key(table.rows[b]); });
   for (size_t i = 0; i + 1 < order.size(); ++i) {
     const BendTable::Row& a = table.rows[order[i]];
     const BendTable::Row& b = table.rows[order[i + 1]];

@@ -104,8 +104,7 @@ std::string without_blanks(std::string_view text) {
 }
 
 const Spelling* spelling_of(std::string_view name) {
-  const auto found = std::find_if(kSpellings.begin(), kSpellings.end(),
-                                  [&](const Spelling& s) { return s.text == name; });
+  const auto found = std::ranges::find(kSpellings, name, &Spelling::text);
   return found == kSpellings.end() ? nullptr : &*found;
 }
 

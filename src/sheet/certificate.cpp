@@ -97,8 +97,8 @@ double area_of_forms(const Sheet& sheet, const Topology& topology, const Relaid&
 Result<double> area_at_half(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
                             const Allowances& stated, double tolerance) {
   const double written = area_as_written(pattern);
-  const bool all_half = std::all_of(stated.begin(), stated.end(),
-                                    [](const BendAllowance& bend) { return bend.k_factor == 0.5; });
+  const bool all_half = std::ranges::all_of(
+      stated, [](const BendAllowance& bend) { return bend.k_factor == 0.5; });
   if (all_half) return written;
   const Allowances half = at_half(sheet, stated);
   const auto halfway = relaid(sheet, pattern, half);
@@ -172,7 +172,7 @@ IdVector<FaceId, std::vector<CutStrip>> cut_strips(const Sheet& sheet) {
 }
 
 bool is_cut_off(const std::vector<CutStrip>& strips, int loop, const Vec2& uv) {
-  return std::any_of(strips.begin(), strips.end(), [&](const CutStrip& strip) {
+  return std::ranges::any_of(strips, [&](const CutStrip& strip) {
     return strip.loop == loop && (uv - strip.origin).dot(strip.inwards) < strip.depth;
   });
 }
@@ -224,8 +224,8 @@ Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid
       bands.push_back(hinge_band(sheet, laid, joint, stated[*joint.sharp].allowance));
   const CurveIndex index(std::move(borders));
   const auto across_hinge = [&](const Vec2& p) {
-    return std::any_of(bands.begin(), bands.end(),
-                       [&](const HingeBand& band) { return band.holds(p, 10.0 * tolerance); });
+    return std::ranges::any_of(
+        bands, [&](const HingeBand& band) { return band.holds(p, 10.0 * tolerance); });
   };
   Worst worst;
   for (const Curve2& curve : written_curves(pattern))

@@ -35,8 +35,8 @@ class CsvReader {
     while (at_ < text_.size()) {
       auto record = next();
       if (!record) return pass_on(record);
-      const bool empty = std::all_of(record->fields.begin(), record->fields.end(),
-                                     [](const std::string& field) { return field.empty(); });
+      const bool empty = std::ranges::all_of(
+          record->fields, [](const std::string& field) { return field.empty(); });
       if (!empty) result.push_back(std::move(*record));
     }
     return result;

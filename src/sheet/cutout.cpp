@@ -180,7 +180,7 @@ Result<std::vector<Contour>> joined_along(std::vector<Stretch> paths, const Cuto
     ends.emplace_back(paths[i].from, i);
     ends.emplace_back(paths[i].to, -1 - i);
   }
-  std::sort(ends.begin(), ends.end());
+  std::ranges::sort(ends);
   // A slit leaves and enters at one place: out along its left bank, back along the other, from
   // where the outline goes on clockwise.
   for (size_t k = 0; k < ends.size(); ++k) {

@@ -39,7 +39,7 @@ struct Band {
 };
 
 std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
-  if ((ring_area(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  if ((ring_area(ring) > 0.0) != counter_clockwise) std::ranges::reverse(ring);
   return ring;
 }
 
@@ -329,7 +329,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
     for (const BorderRef& ref : {sheet.joints[number].a, sheet.joints[number].b})
       joints_of[topology.node_of(ref.face)].push_back(number);
   std::vector<int> kept = layout.tree;
-  std::sort(kept.begin(), kept.end());
+  std::ranges::sort(kept);
   Frontier<std::pair<double, int>, std::less<>> front;  // the longest first
   const auto enter = [&](int node) {
     hung[node] = true;
@@ -346,7 +346,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
   }
   // A bend in several lines, or one that closes a cycle, has a band at each of its joints.
   for (int number = 0; number < std::ssize(sheet.joints); ++number)
-    if (!std::binary_search(kept.begin(), kept.end(), number)) tree.add_band(sheet.joints[number]);
+    if (!std::ranges::binary_search(kept, number)) tree.add_band(sheet.joints[number]);
   return std::move(tree).take();
 }
 

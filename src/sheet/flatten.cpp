@@ -103,7 +103,7 @@ void transform(Contour& contour, const Isometry2& motion) {
       origin.image = transformed(origin.image, motion);
   if (motion.linear().determinant() > 0) return;
   contour.loop = reversed(contour.loop);
-  std::reverse(contour.origins.begin(), contour.origins.end());
+  std::ranges::reverse(contour.origins);
 }
 
 /// Moves the whole pattern; a reflection shows the sheet from its other side.
@@ -141,9 +141,7 @@ void move(FlatSheet& flat, const Isometry2& motion) {
 
 bool other_side_up(const FlatPattern& pattern, UpSide up) {
   if (up != UpSide::automatic) return up == UpSide::other;
-  const auto ups = std::count_if(
-      pattern.bends.begin(), pattern.bends.end(),
-      [](const FlatBend& bend) { return bend.direction == BendDirection::up; });
+  const auto ups = std::ranges::count(pattern.bends, BendDirection::up, &FlatBend::direction);
   return 2 * ups < static_cast<std::ptrdiff_t>(pattern.bends.size());
 }
 

@@ -138,8 +138,8 @@ void add_missing_contours(std::vector<Vec2>& missing, const Sheet& sheet, const 
   const CurveIndex index(std::move(written));
   constexpr double kNear = 0.05;  // mm: setbacks and kerfs are not looked at here
   for (const std::vector<BorderId>& contour : contours) {
-    if (std::any_of(contour.begin(), contour.end(),
-                    [&](BorderId id) { return sheet[topology[id]].feature.has_value(); }))
+    if (std::ranges::any_of(contour,
+                            [&](BorderId id) { return sheet[topology[id]].feature.has_value(); }))
       continue;
     const BorderRef& first = topology[contour.front()];
     const auto hit = index.nearest(laid.image(first.face, point_at(sheet[first].curve, 0.5)));
@@ -164,9 +164,8 @@ void add_missing_in_forms(std::vector<Vec2>& missing, const Sheet& sheet, const 
     for (const BorderLoop& slit : feature.slits) {
       const Loop image = image_of_cut(laid, feature.face, slit);
       const Vec2 p = point_at(image[image.size() / 2], 0.5);
-      const bool cut = std::any_of(
-          pattern.slits.begin(), pattern.slits.end(),
-          [&](const Curve2& c) { return nearest(c, p).distance <= kSame; });
+      const bool cut = std::ranges::any_of(
+          pattern.slits, [&](const Curve2& c) { return nearest(c, p).distance <= kSame; });
       if (!cut) missing.push_back(p);
     }
   }

@@ -54,7 +54,7 @@ std::vector<int> spanning_joints(const Sheet& sheet, const Topology& topology) {
   std::vector<std::pair<double, int>> joints;
   for (int j = 0; j < std::ssize(sheet.joints); ++j)
     joints.emplace_back(-ends_apart(sheet, sheet.joints[j].a).norm(), j);
-  std::sort(joints.begin(), joints.end());
+  std::ranges::sort(joints);
   UnionFind parts(topology.node_count());
   std::vector<int> spanning;
   for (const auto& [length, j] : joints)

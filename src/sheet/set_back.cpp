@@ -85,9 +85,9 @@ bool outward(const Sheet& sheet, const Joint& joint) {
 }  // namespace
 
 bool needs_setback(const Sheet& sheet) {
-  return sheet.reference_depth == 0.0 &&
-         std::any_of(sheet.joints.begin(), sheet.joints.end(),
-                     [&](const Joint& joint) { return outward(sheet, joint); });
+  return sheet.reference_depth == 0.0 && std::ranges::any_of(sheet.joints, [&](const Joint& joint) {
+           return outward(sheet, joint);
+         });
 }
 
 Result<Sheet> with_setback(const Sheet& sheet) {

@@ -189,7 +189,7 @@ std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots
       for (const Vec2& hole : slot.holes())
         cut(inside_disc(line, hole, slot.end_radius()));
   }
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   const auto at = [&](double t) -> Vec2 {
     return t <= 0.0 ? line.a : t >= 1.0 ? line.b : Vec2(line.a + t * (line.b - line.a));
   };

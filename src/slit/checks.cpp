@@ -194,8 +194,7 @@ Result<void> check_scan(const SlitDesign& design, int index) {
   if (points.empty())
     return fail(refuse::empty_scan,
                 {{"strip", place::strip(strip)}, {"field", field(where, "/points")}});
-  const auto bad = std::find_if(points.begin(), points.end(),
-                                [](const Vec3& p) { return !in_range(p); });
+  const auto bad = std::ranges::find_if(points, [](const Vec3& p) { return !in_range(p); });
   if (bad != points.end())
     return fail(refuse::bad_scan_point,
                 {{"strip", place::strip(strip)},

@@ -223,8 +223,7 @@ Frame base_frame(double height, const Vec3& up) {
 /// The facet of a panel at which a strip ends, as a quad before or behind its own.
 std::optional<WholeStrip> facet_below(const std::vector<PanelFacet>& panel, int strip,
                                       const Setting& setting) {
-  const auto facet = std::ranges::find_if(panel,
-                                          [&](const PanelFacet& f) { return f.strip == strip; });
+  const auto facet = std::ranges::find(panel, strip, &PanelFacet::strip);
   if (facet == panel.end()) return std::nullopt;
   const Vec3 normal = setting.sign * facet->frame.z;
   if (std::abs(normal.dot(setting.up)) <= kUprightPanel) return std::nullopt;

@@ -74,7 +74,7 @@ std::vector<Vec2> band(const Standing& panel, const Frame& plan, double from, do
     far.push_back(plan.local2(panel.free_edge[i] + to * step));
   }
   near.insert(near.end(), far.rbegin(), far.rend());
-  if (ring_area(near) < 0.0) std::reverse(near.begin(), near.end());
+  if (ring_area(near) < 0.0) std::ranges::reverse(near);
   return near;
 }
 
@@ -193,7 +193,7 @@ bool divide(Triangles& triangles, const std::vector<int>& line) {
       const bool forwards = from == line.front() && to == line.back();
       if (!forwards && !(from == line.back() && to == line.front())) continue;
       std::vector<int> run = line;
-      if (!forwards) std::reverse(run.begin(), run.end());
+      if (!forwards) std::ranges::reverse(run);
       triangles[i] = {run[0], run[1], opposite};
       for (std::size_t k = 1; k + 1 < run.size(); ++k)
         triangles.push_back({run[k], run[k + 1], opposite});

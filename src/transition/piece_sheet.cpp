@@ -40,7 +40,7 @@ Bend bend_of(const RuledPatch& patch, const PartFace& face, const TransitionSpec
       0.0, patch.smallest_radii(range.from, range.to).middle - spec.k_factor * spec.thickness);
   for (const RuledPatch::Press& press : presses)
     bend.press_lines.push_back({part.u(press.at), Angle::radians(press.turn)});
-  if (part.u1 < part.u0) std::reverse(bend.press_lines.begin(), bend.press_lines.end());
+  if (part.u1 < part.u0) std::ranges::reverse(bend.press_lines);
   return bend;
 }
 

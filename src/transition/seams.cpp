@@ -253,7 +253,7 @@ class Cutter {
       whole += ring_.patch(i).turn(0.0, 1.0);
     if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
     // Standing patches in order, which may wrap past the ring's end.
-    std::sort(standing.begin(), standing.end(), [&](int a, int b) {
+    std::ranges::sort(standing, [&](int a, int b) {
       return (a - after + ring_.count()) % ring_.count() <
              (b - after + ring_.count()) % ring_.count();
     });
@@ -299,7 +299,7 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
   }
   for (Cut& cut : cuts)
     cut = cutter.settled(cut);
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
 }

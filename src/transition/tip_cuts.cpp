@@ -133,8 +133,7 @@ void TipCuts::add_fans(const Ring& ring, const PieceParts& pieces, double inside
   const std::vector<Tip> cones = tips_;
   for (const PanelCorner& corner : corners) {
     const auto here = [&](const Tip& tip) { return same_corner(tip, corner, near_); };
-    const auto ending = std::count_if(folds.begin(), folds.end(), here) +
-                        std::count_if(cones.begin(), cones.end(), here);
+    const auto ending = std::ranges::count_if(folds, here) + std::ranges::count_if(cones, here);
     if (ending > 1) tips_.push_back({corner.side, corner.at, cut_of(corner, inside, radius)});
   }
   for (const PanelCorner& corner : corners)

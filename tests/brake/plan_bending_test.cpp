@@ -253,7 +253,7 @@ TEST_F(PlanInvariants, MirroredToolsOnlyTurnTheSheetRound) {
     Case mirrored = asked;
     for (ToolProfile* profile :
          {&mirrored.tools.punches[0].profile, &mirrored.tools.dies[0].profile}) {
-      std::reverse(profile->begin(), profile->end());
+      std::ranges::reverse(*profile);
       for (Vec2& p : *profile)
         p.x() = -p.x();
     }

@@ -67,7 +67,7 @@ TEST(IsReadable, WantsEdgesThatFollowEachOtherForwardsOrBackwards) {
   EXPECT_TRUE(is_readable(relooped(side, {edges})));
   std::rotate(edges.begin(), edges.begin() + 1, edges.end());
   EXPECT_TRUE(is_readable(relooped(side, {edges})));
-  std::reverse(edges.begin(), edges.end());
+  std::ranges::reverse(edges);
   EXPECT_TRUE(is_readable(relooped(side, {edges}))) << "written the other way round";
   std::swap(edges[0], edges[1]);
   EXPECT_FALSE(is_readable(relooped(side, {edges})));

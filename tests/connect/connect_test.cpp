@@ -271,12 +271,12 @@ TEST(Connect, DoesNotDependOnPlaceHandScaleOrOrder) {
     EXPECT_NEAR(flat(joined(mirrored(s))).area, area, 1e-9 * area);
     EXPECT_NEAR(flat(joined(scaled(s, 10.0))).area, 100 * area, 1e-7 * area);
     PlateStructure turned = s;
-    std::reverse(turned.plates.begin(), turned.plates.end());
+    std::ranges::reverse(turned.plates);
     for (Plate& plate : turned.plates)
       std::rotate(plate.outline.begin(), plate.outline.begin() + 1, plate.outline.end());
     EXPECT_NEAR(flat(joined(turned)).area, area, 1e-9 * area);
     for (Plate& plate : turned.plates)
-      std::reverse(plate.outline.begin(), plate.outline.end());
+      std::ranges::reverse(plate.outline);
     EXPECT_NEAR(flat(joined(turned)).area, area, 1e-9 * area);
   }
 }

@@ -20,15 +20,14 @@ bool is_ear(const std::vector<Vec2>& ring, std::size_t i) {
   const std::size_t n = ring.size();
   const Vec2 &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
   if (turn(a, b, c) <= 0.0) return false;
-  return std::none_of(ring.begin(), ring.end(), [&](const Vec2& p) {
-    return p != a && p != b && p != c && in_triangle(p, a, b, c);
-  });
+  return std::ranges::none_of(
+      ring, [&](const Vec2& p) { return p != a && p != b && p != c && in_triangle(p, a, b, c); });
 }
 
 }  // namespace
 
 std::vector<Vec2> ring_triangles(std::vector<Vec2> ring) {
-  if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+  if (ring_area(ring) < 0.0) std::ranges::reverse(ring);
   std::vector<Vec2> triangles;
   while (ring.size() >= 3) {
     std::size_t ear = 0;

@@ -212,8 +212,8 @@ void add_bend_lines(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
 }
 
 void add_overlaps(Shape& shape, const job::Report& report) {
-  const bool known = std::any_of(report.findings.begin(), report.findings.end(),
-                                 [](const Finding& f) { return f.code == "overlap"; });
+  const bool known = std::ranges::any_of(report.findings,
+                                         [](const Finding& f) { return f.code == "overlap"; });
   if (!known) return;
   std::vector<float> points;
   for (const Vec2& p : overlap_triangles(report.layout, report.flat.thickness))
