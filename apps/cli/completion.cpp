@@ -163,9 +163,8 @@ std::string zsh_action(const TableOption& option) {
   if (option.folder) return "_files -/";
   if (option.file && option.suffixes.empty()) return "_files";
   if (option.file) {
-    std::vector<std::string> ends;
-    for (const std::string& suffix : option.suffixes)
-      ends.push_back(suffix.substr(1));
+    const auto ends = mapped(option.suffixes,
+                             [&](const std::string& suffix) { return suffix.substr(1); });
     // One in parentheses at the end would be taken for a qualifier.
     const std::string any = fmt::format("{}", fmt::join(ends, "|"));
     return fmt::format("_files -g \"*.(#i){}\"", ends.size() == 1 ? any : "(" + any + ")");

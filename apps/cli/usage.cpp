@@ -35,9 +35,8 @@ std::string no_such_option(const CLI::App& command, const CLI::App& app, const s
 
 std::string too_much(const CLI::App& command, const CLI::App& app, const std::string& word) {
   if (&command == &app) {
-    std::vector<std::string> names;
-    for (const CLI::App* one : commands_of(app))
-      names.push_back(one->get_name());
+    const auto names = mapped(commands_of(app),
+                              [&](const CLI::App* one) { return one->get_name(); });
     return fmt::format("there is no command \"{}\"; there are {}", word, listed(names));
   }
   const auto inputs = command.get_options(

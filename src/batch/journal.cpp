@@ -66,11 +66,7 @@ std::string Journal::key_of(const std::string& name) const {
 }
 
 std::vector<std::string> Journal::names() const {
-  std::vector<std::string> names;
-  names.reserve(places_.size());
-  for (const auto& [name, place] : places_)
-    names.push_back(name);
-  return names;
+  return mapped(places_, [&](const auto& row) { return row.first; });
 }
 
 tl::unexpected<Error> Journal::unwritten() {

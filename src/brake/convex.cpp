@@ -3,6 +3,7 @@
 // which for polygons are normals of their sides.
 #include "convex.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
 
@@ -63,10 +64,7 @@ class Joining {
     return at->second;
   }
   Convex corners(const std::vector<int>& polygon) const {
-    Convex result;
-    for (const int i : polygon)
-      result.push_back(points_[i]);
-    return result;
+    return mapped(polygon, [&](int i) { return points_[i]; });
   }
   void add(std::vector<int> polygon) {
     if (ring_area(corners(polygon)) < 0.0) std::ranges::reverse(polygon);

@@ -58,9 +58,7 @@ Vec2 point_of(const BrakeLine& line, double at) { return line.origin + at * line
 int Cutting::count_nodes() {
   int count = static_cast<int>(sheet_.faces.size());
   for (const Bend& bend : sheet_.bends) {
-    std::vector<double> at;
-    for (const PressLine& press : bend.press_lines)
-      at.push_back(press.u);
+    auto at = mapped(bend.press_lines, &PressLine::u);
     if (at.empty() && !bend.faces.empty() && !is_rolled(bend, sheet_.thickness)) {
       const Interval range = u_range(sheet_, bend);
       at.push_back(0.5 * (range.lo + range.hi));

@@ -32,9 +32,8 @@ PartId add_part(SheetBuilder& builder, const Group& group) {
 
 /// Adds flanges, bends and their faces, group by group.
 SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
-  std::vector<PartId> parts;
-  for (const Group& group : of.groups.rows)
-    parts.push_back(add_part(builder, group));
+  const auto parts = mapped(of.groups.rows,
+                            [&](const Group& group) { return add_part(builder, group); });
   SheetMap map;
   for (size_t g = 0; g < parts.size(); ++g)
     for (const int f : of.groups.rows[g].faces) {

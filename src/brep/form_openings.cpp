@@ -40,12 +40,7 @@ struct Section {
   double perimeter = 0.0;
 };
 
-Loop curves_of(const BorderLoop& borders) {
-  Loop loop;
-  for (const Border& border : borders)
-    loop.push_back(border.curve);
-  return loop;
-}
+Loop curves_of(const BorderLoop& borders) { return mapped(borders, &Border::curve); }
 
 Section section_of(const Recognition& of, const std::vector<CoEdge>& chain, const Frame& plane) {
   Section section;
@@ -125,17 +120,13 @@ Loop shrunk(const Section& section, double area, double chord) {
   const Vec2 centre = section.loop.size() == 1 && std::holds_alternative<Arc>(section.loop.front())
                           ? std::get<Arc>(section.loop.front()).center
                           : centroid(sampled(section.loop, chord));
-  Loop loop;
-  for (const Curve2& curve : section.loop)
-    loop.push_back(scaled_about(curve, centre, std::sqrt(area / section.area)));
-  return loop;
+  return mapped(section.loop, [&](const Curve2& curve) {
+    return scaled_about(curve, centre, std::sqrt(area / section.area));
+  });
 }
 
 BorderLoop as_borders(const Loop& loop) {
-  BorderLoop borders;
-  for (const Curve2& curve : loop)
-    borders.push_back({curve});
-  return borders;
+  return mapped(loop, [&](const Curve2& curve) { return Border{curve}; });
 }
 
 /// Mean width of the form between its hole and its outline on the side from which it was drawn.

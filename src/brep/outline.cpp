@@ -1,5 +1,6 @@
 #include "outline.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 
 #include <algorithm>
@@ -173,10 +174,7 @@ int outer_loop(const Outline& outline) {
 }
 
 std::vector<Outline> outlines_of(const SolidModel& model) {
-  std::vector<Outline> outlines;
-  for (const SolidFace& face : model.faces)
-    outlines.push_back(outline_of(model, face));
-  return outlines;
+  return mapped(model.faces, [&](const SolidFace& face) { return outline_of(model, face); });
 }
 
 std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,

@@ -61,9 +61,8 @@ struct Reading {
 /// larger than its skins, and then the first readings take them for the sheet.
 std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outline>& outlines,
                                  double tolerance) {
-  std::vector<Reading> readings;
-  for (const double thickness : likely_thicknesses(model, outlines, tolerance))
-    readings.push_back({thickness});
+  auto readings = mapped(likely_thicknesses(model, outlines, tolerance),
+                         [&](double thickness) { return Reading{thickness}; });
   if (const auto thickness = plate_thickness(model, outlines))
     readings.push_back({*thickness, SkinStart::largest_plane});
   return readings;

@@ -4,6 +4,8 @@
 #include "model_places.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -19,10 +21,7 @@ namespace {
 /// Faces with enough material of the sheet's thickness below them to be skin.
 std::vector<bool> covered_faces(const FacePairs& pairs) {
   constexpr double kCovered = 0.3;  // of the face
-  std::vector<bool> covered;
-  for (const double share : pairs.covered)
-    covered.push_back(share >= kCovered);
-  return covered;
+  return mapped(pairs.covered, [&](double share) { return share >= kCovered; });
 }
 
 /// Candidates connected over smooth and sharply bent edges.

@@ -226,9 +226,8 @@ double extent_of(const FitTask& task) {
 }
 
 Facts about(const FitTask& task, Facts facts) {
-  Facts all;
-  for (const std::string& id : task.request.between)
-    all.emplace_back("plate", place::plate(id));
+  Facts all = mapped(task.request.between,
+                     [&](const std::string& id) { return Fact("plate", place::plate(id)); });
   all.insert(all.end(), std::make_move_iterator(facts.begin()),
              std::make_move_iterator(facts.end()));
   return all;

@@ -117,10 +117,8 @@ std::vector<Vec2> side_outline(const PlacedPlate& plate, const BendFrame& frame,
 }
 
 std::vector<Vec2> side_ring(const PlacedPlate& plate, int ring, const BendFrame& frame, int side) {
-  std::vector<Vec2> corners;
-  for (const Vec2& p : plate.ring(ring))
-    corners.push_back(frame.local(side, plate.frame.point(p)));
-  return corners;
+  return mapped(plate.ring(ring),
+                [&](const Vec2& p) { return frame.local(side, plate.frame.point(p)); });
 }
 
 std::vector<Chain> side_chains(const PlacedPlate& plate, const BendFrame& frame, int side) {

@@ -28,10 +28,7 @@ namespace {
 constexpr double kOnOutline = 1e-7;
 
 std::vector<Vec2> corners_of(const BorderLoop& loop) {
-  std::vector<Vec2> corners;
-  for (const Border& border : loop)
-    corners.push_back(point_at(border.curve, 0.0));
-  return corners;
+  return mapped(loop, [&](const Border& border) { return point_at(border.curve, 0.0); });
 }
 
 bool is_edge(const std::vector<Vec2>& ring, const Vec2& a, const Vec2& b) {
@@ -78,9 +75,9 @@ std::optional<Vec2> cut_place(const PlacedPlate& plate, const std::vector<Vec2>&
 
 Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
   const BendFrame& frame = parts.fits[bend].report.frame;
-  Facts facts;
-  for (const int plate : parts.fits[bend].report.plates)
-    facts.emplace_back("plate", place::at(place::plate(parts.ids[plate]), meet.at));
+  Facts facts = mapped(parts.fits[bend].report.plates, [&](int plate) {
+    return Fact("plate", place::at(place::plate(parts.ids[plate]), meet.at));
+  });
   facts.emplace_back("at", place::point(meet.at));
   facts.emplace_back("thickness", parts.thickness, unit::mm);
   facts.emplace_back(
@@ -148,9 +145,9 @@ Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
     return fail(std::move(error));
   }
   const double clearance = std::max(kContact * parts.thickness, 2.0 * options.curve_tolerance);
-  std::vector<Polygon> faces;
-  for (const FaceId face : made->sheet.faces.ids())
-    faces.push_back(polygon_of(layout->region(face), 0.25 * clearance));
+  const auto faces = mapped(made->sheet.faces.ids(), [&](FaceId face) {
+    return polygon_of(layout->region(face), 0.25 * clearance);
+  });
   const auto twice = overlaps(faces, clearance, clearance * clearance);
   if (twice.empty()) return {};
   Facts facts = plates_of(parts, bend);

@@ -38,10 +38,9 @@ std::vector<Edge> seen_from_outside(std::vector<Edge> edges, int sense) {
 }
 
 BorderLoop border_loop(const std::vector<Edge>& edges) {
-  BorderLoop loop;
-  for (const Edge& edge : edges)
-    loop.push_back({.curve = Segment{edge.a, edge.b}, .edge_length = (edge.b - edge.a).norm()});
-  return loop;
+  return mapped(edges, [&](const Edge& edge) {
+    return Border{.curve = Segment{edge.a, edge.b}, .edge_length = (edge.b - edge.a).norm()};
+  });
 }
 
 }  // namespace

@@ -25,10 +25,8 @@ constexpr double kSame = tolerance::kComputed;
 
 // Corners of the run in (v, h), in the order of the outline.
 std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
-  std::vector<Vec2> corners;
-  for (const Vec2& p : run_points(plate, fit.runs[side]))
-    corners.push_back(fit.surface.local(side, plate.frame.point(p)));
-  return corners;
+  return mapped(run_points(plate, fit.runs[side]),
+                [&](const Vec2& p) { return fit.surface.local(side, plate.frame.point(p)); });
 }
 
 // v of the lateral boundary at the run's first end in the outline, and at the other.
@@ -150,9 +148,9 @@ void with_runs_joined(ExtendedOutline& outline, bool on_too, double same) {
 void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
   if (on.fit->fold) return append_fold(outline, plate, on);
   const Path path = path_of(*on.fit, on.side, plate);
-  std::vector<Vec2> points;
-  for (const Vec2& vh : path.points)
-    points.push_back(plate.frame.local2(on.fit->surface.point(on.side, vh)));
+  auto points = mapped(path.points, [&](const Vec2& vh) {
+    return plate.frame.local2(on.fit->surface.point(on.side, vh));
+  });
   // The ends are exactly corners of the plate.
   const std::vector<Vec2> run = run_points(plate, on.fit->runs[on.side]);
   points.front() = run.front();
@@ -202,9 +200,7 @@ std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
 
 Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate,
                           const std::string& id, int number) {
-  std::vector<Vec2> ring;
-  for (const Edge& edge : outline.edges)
-    ring.push_back(edge.a);
+  const auto ring = mapped(outline.edges, &Edge::a);
   const auto crossings = self_crossings(ring);
   if (crossings.empty() && (number == 0 ? 1.0 : -1.0) * ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))

@@ -67,9 +67,7 @@ std::optional<Vec3> crossing(const PlacedPlate& a, const PlacedPlate& b, const B
 std::optional<Vec3> common_area(const PlacedPlate& a, const PlacedPlate& b) {
   Polygon first{a.outline, a.holes}, second;
   for (int r = 0; r < b.ring_count(); ++r) {
-    std::vector<Vec2> ring;
-    for (const Vec2& p : b.ring(r))
-      ring.push_back(a.frame.local2(b.frame.point(p)));
+    auto ring = mapped(b.ring(r), [&](const Vec2& p) { return a.frame.local2(b.frame.point(p)); });
     if ((ring_area(ring) < 0.0) == (r == 0)) std::ranges::reverse(ring);
     if (r == 0)
       second.outer = std::move(ring);

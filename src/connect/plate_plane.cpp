@@ -2,6 +2,7 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
@@ -150,10 +151,7 @@ Result<void> check_simple(const PlateRing& polygon, const std::vector<Vec2>& rin
 }
 
 std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
-  std::vector<Vec2> corners;
-  for (const Vec3& p : ring)
-    corners.push_back(frame.local2(p));
-  return corners;
+  return mapped(ring, [&](const Vec3& p) { return frame.local2(p); });
 }
 
 // A place where the borders of two polygons cross, or come within `same`.

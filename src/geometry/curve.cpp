@@ -1,5 +1,7 @@
 #include "planar.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <numbers>
 
@@ -219,11 +221,7 @@ Curve2 transformed(const Curve2& curve, const Isometry2& motion) {
 }
 
 Loop transformed(const Loop& loop, const Isometry2& motion) {
-  Loop moved;
-  moved.reserve(loop.size());
-  for (const Curve2& curve : loop)
-    moved.push_back(transformed(curve, motion));
-  return moved;
+  return mapped(loop, [&](const Curve2& curve) { return transformed(curve, motion); });
 }
 
 std::vector<Vec2> sampled(const Curve2& curve, double chord) {

@@ -6,6 +6,7 @@
 #include "planar.hpp"
 #include "recognition.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
 
@@ -317,9 +318,8 @@ MergedLoop merged(const Loop& loop, double tolerance) {
     items.push_back(
         {spline ? recognized(*spline, tolerance) : curve, static_cast<int>(items.size())});
   }
-  std::vector<Station> joints;
-  for (const Item& item : items)
-    joints.push_back({start_of(item.curve)});
+  const auto joints = mapped(items,
+                             [&](const Item& item) { return Station{start_of(item.curve)}; });
   const double noise = joints.empty() ? 0.0 : kSamePoint * size_of(joints);
   // Rounding alone must not preserve a curve of no length, or split a line in two.
   tolerance = std::max(tolerance, noise);

@@ -55,9 +55,7 @@ std::vector<Cover> joined_places(std::vector<Cover> places, double reach) {
 DoubleCover cover_of(const Cover& place) {
   const EnclosingRectangle box = smallest_rectangle(place.points);
   DoubleCover cover;
-  std::vector<std::string> names;
-  for (const Place& part : place.parts)
-    names.push_back(text_of(part));
+  const auto names = mapped(place.parts, [&](const Place& part) { return text_of(part); });
   cover.who = listed(names);
   cover.area = place.area;
   cover.size = box.size;

@@ -119,9 +119,7 @@ struct Neighbour {
 /// The neighbour of each opening that is nearer than `limit` through material.
 std::vector<Neighbour> nearest_neighbours(const Workpiece& workpiece, double limit) {
   const auto& openings = workpiece.openings;
-  std::vector<Box2> boxes;
-  for (const Opening& opening : openings)
-    boxes.push_back(opening.boxed.box);
+  auto boxes = mapped(openings, [&](const Opening& opening) { return opening.boxed.box; });
   const BoxTree2 index(std::move(boxes));
   std::vector<Neighbour> nearest(openings.size());
   for (size_t i = 0; i < openings.size(); ++i) {

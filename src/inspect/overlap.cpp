@@ -159,9 +159,8 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
   for (auto it = by_parts.begin(); it != by_parts.end(); ++it)
     order.push_back(it);
   std::ranges::stable_sort(order, [](auto a, auto b) { return a->second.area > b->second.area; });
-  std::vector<Finding> findings;
-  for (const auto& it : order)
-    findings.push_back(overlap_finding(pattern, it->first, it->second));
+  auto findings = mapped(
+      order, [&](const auto& it) { return overlap_finding(pattern, it->first, it->second); });
 
   add_crossings(pattern, clearance, chord, findings);
   return findings;

@@ -182,10 +182,7 @@ void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
 }
 
 std::vector<std::vector<Vec2>> slit_rings(const FlatPattern& pattern) {
-  std::vector<std::vector<Vec2>> rings;
-  for (const Curve2& slit : pattern.slits)
-    rings.push_back(sampled(slit, 0.1 * kDrawn));
-  return rings;
+  return mapped(pattern.slits, [&](const Curve2& slit) { return sampled(slit, 0.1 * kDrawn); });
 }
 
 }  // namespace

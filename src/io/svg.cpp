@@ -170,9 +170,9 @@ std::vector<std::vector<Vec2>> rings(const FlatPattern& pattern, double chord) {
 std::vector<PlacedLabel> point_labels(const FlatPattern& pattern, double font) {
   constexpr double kSmaller = 0.75;  // than the bends' labels
   if (pattern.labels.empty()) return {};
-  std::vector<PointRequest> requests;
-  for (const FlatLabel& label : pattern.labels)
-    requests.push_back({label.text, label.at});
+  const auto requests = mapped(pattern.labels, [&](const FlatLabel& label) {
+    return PointRequest{label.text, label.at};
+  });
   return place_point_labels(requests, rings(pattern, 0.1 * font), obstacles(pattern, font),
                             kSmaller * font);
 }

@@ -33,10 +33,7 @@ const FittedBend* fitted(const ConnectReport& report, BendId id) {
 }
 
 std::vector<std::string> plate_ids(const FittedBend& bend, const PlateStructure& structure) {
-  std::vector<std::string> ids;
-  for (const int plate : bend.plates)
-    ids.push_back(structure.plates[plate].id);
-  return ids;
+  return mapped(bend.plates, [&](int plate) { return structure.plates[plate].id; });
 }
 
 Json edges_json(const FittedBend& bend, const PlateStructure& structure) {
@@ -88,10 +85,9 @@ Json alternative_json(const BendAlternative& alternative, const Units& units) {
 
 Json radii_json(const FittedBend& bend, const Units& units) {
   const bool even = bend.kind == BendKind::cylinder;
-  Json json = Json::array();
-  for (const double radius : bend.inside_radii)
-    json.push_back(number_json(units.length(even ? bend.inside_radius : radius)));
-  return json;
+  return json_array(bend.inside_radii, [&](double radius) {
+    return number_json(units.length(even ? bend.inside_radius : radius));
+  });
 }
 
 void add_fit(Json& json, const FittedBend& bend, const PlateStructure& structure,

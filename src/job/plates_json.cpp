@@ -100,10 +100,7 @@ Schema make_plates_schema() {
 }
 
 std::vector<Vec3> polygon_at(const JsonPlace& place) {
-  std::vector<Vec3> corners;
-  for (const JsonPlace& corner : place.items())
-    corners.push_back(corner.point());
-  return corners;
+  return mapped(place.items(), [&](const JsonPlace& corner) { return corner.point(); });
 }
 
 Plate plate_at(const JsonPlace& place) {
@@ -130,9 +127,7 @@ std::vector<Plate> plates_at(const JsonPlace& place) {
 }
 
 std::vector<std::string> ids_at(const JsonPlace& place) {
-  std::vector<std::string> ids;
-  for (const JsonPlace& item : place.items())
-    ids.push_back(item.text());
+  auto ids = mapped(place.items(), [&](const JsonPlace& item) { return item.text(); });
   if (ids.size() > 2) {
     place.mistake(refuse::many_plates_of_bend, {{"count", ids.size()}});
   } else if (ids.size() == 2 && ids[0] == ids[1]) {

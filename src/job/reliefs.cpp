@@ -28,10 +28,8 @@ double largest_radius(const FlatPattern& pattern) {
 
 /// The parts that cover each other, each where they do.
 Facts parts_of(const DoubleCover& cover) {
-  Facts facts;
-  for (const Place& part : cover.parts)
-    facts.emplace_back("part", place::at(part, cover.middle));
-  return facts;
+  return mapped(cover.parts,
+                [&](const Place& part) { return Fact("part", place::at(part, cover.middle)); });
 }
 
 /// Whether a place is small enough that a shop would mend it without asking: a corner, and not a
@@ -221,9 +219,7 @@ std::vector<PlacedRelief> cut_missing(Relieved& relieved, const Sheet& sheet, co
 }
 
 Finding cut_beside(const std::vector<PlacedRelief>& reliefs, Relief shape) {
-  std::vector<Vec2> at;
-  for (const PlacedRelief& relief : reliefs)
-    at.push_back(relief.place.corner);
+  auto at = mapped(reliefs, [&](const PlacedRelief& relief) { return relief.place.corner; });
   const Vec2 size = 2 * reliefs.front().cutout.half;
   const int count = static_cast<int>(reliefs.size());
   Facts facts{{"shape", name_of(shape)},

@@ -4,6 +4,7 @@
 #include "plan_report.hpp"
 #include "report_json.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/unfold.hpp>
 #include <planish/schema/printable.hpp>
 #include <planish/schema/table.hpp>

@@ -1,6 +1,7 @@
 #include "facts.hpp"
 #include "report_json.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/unfold.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/printable.hpp>

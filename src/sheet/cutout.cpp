@@ -229,9 +229,9 @@ std::vector<Segment> outside(const Segment& line, const Cutout& cutout) {
 
 /// Whether the middle of a cutout that no contour enters lies in the material.
 bool in_material(const std::vector<Contour>& contours, const Cutout& cutout) {
-  std::vector<std::vector<Vec2>> rings;
-  for (const Contour& contour : contours)
-    rings.push_back(sampled(contour.loop, cutout.half.minCoeff() / 2));
+  const auto rings = mapped(contours, [&](const Contour& contour) {
+    return sampled(contour.loop, cutout.half.minCoeff() / 2);
+  });
   return inside(rings, cutout.middle);
 }
 

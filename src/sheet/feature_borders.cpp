@@ -5,10 +5,8 @@
 namespace planish::sheet_detail {
 
 Loop placed(const BorderLoop& borders, const Isometry2& placement) {
-  Loop loop;
-  for (const Border& border : borders)
-    loop.push_back(transformed(border.curve, placement));
-  return loop;
+  return mapped(borders,
+                [&](const Border& border) { return transformed(border.curve, placement); });
 }
 
 std::optional<FeatureId> outlined_form(const Face& face, int loop,

@@ -45,9 +45,7 @@ void add_corners(Block& block, const Face& face, const Vec2& uv, const Skins& sk
 }
 
 std::vector<Vec2> ring_of(const BorderLoop& loop, double chord) {
-  Loop curves;
-  for (const Border& border : loop)
-    curves.push_back(border.curve);
+  Loop curves = mapped(loop, &Border::curve);
   return sampled(curves, chord);
 }
 

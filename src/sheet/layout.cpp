@@ -79,11 +79,9 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
                             const FlattenOptions& options) {
   static const std::optional<Development> kPlane;
   const auto* bend = std::get_if<BendId>(&sheet[id].part_of);
-  std::vector<Loop> images;
-  for (const BorderLoop& loop : sheet[id].loops)
-    images.push_back(
-        image_of(loop, bend ? layout.development[*bend] : kPlane, layout.placement[id], options));
-  return images;
+  return mapped(sheet[id].loops, [&](const BorderLoop& loop) {
+    return image_of(loop, bend ? layout.development[*bend] : kPlane, layout.placement[id], options);
+  });
 }
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {

@@ -185,10 +185,8 @@ std::vector<const BorderLoop*> cuts_of(const FormedFeature& feature) {
 }
 
 Loop image_of_cut(const Relaid& laid, FaceId face, const BorderLoop& cut) {
-  Loop image;
-  for (const Border& border : cut)
-    image.push_back(transformed(border.curve, laid.placement[face]));
-  return image;
+  return mapped(
+      cut, [&](const Border& border) { return transformed(border.curve, laid.placement[face]); });
 }
 
 double area_cut_in_forms(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid) {

@@ -108,9 +108,7 @@ std::vector<Mark> marks_of(const FlatPattern& pattern) {
 /// Whether each of `a` has one of `b` of its own that is the same.
 template <typename T, typename Same>
 bool one_to_one(const std::vector<T>& a, const std::vector<T>& b, Same same) {
-  std::vector<const T*> others;
-  for (const T& one : b)
-    others.push_back(&one);
+  auto others = mapped(b, [&](const T& one) { return &one; });
   return a.size() == b.size() && std::ranges::all_of(a, [&](const T& one) {
            const auto other = std::ranges::find_if(others,
                                                    [&](const T* row) { return same(one, *row); });
@@ -204,10 +202,7 @@ class Comparison {
 
   bool same_openings() const {
     const auto loops = [](const std::vector<Contour>& contours, auto moving) {
-      std::vector<Loop> there;
-      for (const Contour& contour : contours)
-        there.push_back(moving(contour.loop));
-      return there;
+      return mapped(contours, [&](const Contour& contour) { return moving(contour.loop); });
     };
     return same_loops(loops(a_.openings, [](const Loop& loop) { return loop; }),
                       loops(b_.openings, [&](const Loop& loop) { return moved(loop); }));
@@ -265,9 +260,7 @@ class Comparison {
   }
 
   bool same_feature(const FlatFeature& a, const FlatFeature& b) const {
-    std::vector<Loop> outlines;
-    for (const Loop& outline : b.outlines)
-      outlines.push_back(moved(outline));
+    const auto outlines = mapped(b.outlines, [&](const Loop& outline) { return moved(outline); });
     std::vector<Vec2> pilots;
     for (const Vec2& pilot : b.pilots)
       pilots.push_back(motion_ * pilot);

@@ -1,5 +1,6 @@
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/shop/rates.hpp>
 
 #include <fmt/format.h>
@@ -38,9 +39,7 @@ Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer
     const std::string at = pointer + "/" + escaped_token(key);
     const auto found = std::ranges::find(kRateKeys, key, &RateKey::name);
     if (found == kRateKeys.end()) {
-      std::vector<std::string_view> known;
-      for (const RateKey& one : kRateKeys)
-        known.push_back(one.name);
+      const auto known = mapped(kRateKeys, &RateKey::name);
       return wrong_rates(file, at, refuse::unknown_rate,
                          {{"known", fmt::format("{}", fmt::join(known, ", "))}});
     }
@@ -91,9 +90,7 @@ Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
 Result<double> Rates::cost_of(const PricedPart& part) const {
   const auto row = rows_.find(part.material);
   if (row == rows_.end()) {
-    std::vector<std::string> known;
-    for (const auto& [material, rates] : rows_)
-      known.push_back(material);
+    const auto known = mapped(rows_, [&](const auto& row) { return row.first; });
     return fail(refuse::no_rates_of,
                 {{"file", name_},
                  {"material", part.material},

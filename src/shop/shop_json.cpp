@@ -272,9 +272,7 @@ std::vector<Tool> tools_named(const JsonPlace& place, const std::vector<Tool>& k
       tools.push_back(*found);
       continue;
     }
-    std::vector<std::string> ids;
-    for (const Tool& tool : known)
-      ids.push_back(tool.id);
+    const auto ids = mapped(known, &Tool::id);
     item.mistake(refuse::no_built_in_tool,
                  {{"name", item.text()}, {"known", fmt::format("{}", fmt::join(ids, ", "))}});
   }

@@ -249,9 +249,9 @@ void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
 Sheet sheet_of(const FoldedSlitSheet& folded) {
   require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
-  std::vector<double> folds;
-  for (const SharedBorder& border : joined.shared)
-    folds.push_back(fold_between(joined.all[border.a], border.border_a, joined.all[border.b]));
+  const auto folds = mapped(joined.shared, [&](const SharedBorder& border) {
+    return fold_between(joined.all[border.a], border.border_a, joined.all[border.b]);
+  });
   UnionFind planes = planes_of(joined.all.size(), joined.shared, folds);
   SheetBuilder builder(folded.thickness, 0.5 * folded.thickness);
   add_faces(builder, joined, planes);

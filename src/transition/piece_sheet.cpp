@@ -126,9 +126,8 @@ void add_labels(SheetBuilder& sheet, const Ring& ring, const std::vector<PartFac
 
 Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
                           const std::vector<PatchPart>& parts, int piece, RulingNames& names) {
-  std::vector<PartFace> faces;
-  for (const PatchPart& part : parts)
-    faces.push_back(face_of(ring, part, spec.pressing, {}));
+  const auto faces = mapped(
+      parts, [&](const PatchPart& part) { return face_of(ring, part, spec.pressing, {}); });
   SheetBuilder sheet = assembled(ring, spec, faces);
   add_labels(sheet, ring, faces, piece, names);
   return std::move(sheet).build();
@@ -136,10 +135,9 @@ Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
 
 Result<Sheet> cut_sheet(const Ring& ring, const TransitionSpec& spec,
                         const std::vector<PatchPart>& parts, const TipCuts& cuts) {
-  std::vector<PartFace> faces;
-  for (const PatchPart& part : parts)
-    faces.push_back(
-        face_of(ring, part, spec.pressing, cuts.of(ring.patch(part.patch), part.from, part.to)));
+  const auto faces = mapped(parts, [&](const PatchPart& part) {
+    return face_of(ring, part, spec.pressing, cuts.of(ring.patch(part.patch), part.from, part.to));
+  });
   return assembled(ring, spec, faces).build();
 }
 

@@ -7,6 +7,7 @@
 #include "profile_check.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -113,9 +114,7 @@ struct Shaper {
     const std::string place = pointer + "/polygon";
     const auto polygon = convex(given, place);
     if (!polygon) return pass_on(polygon);
-    std::vector<Vec2> turning;
-    for (const int i : polygon->turns)
-      turning.push_back(polygon->corners[i]);
+    const auto turning = mapped(polygon->turns, [&](int i) { return polygon->corners[i]; });
     const std::vector<Vec2> moved = mitred(turning, outwards);
     std::vector<PlaneElement> plane_elements;
     for (std::size_t k = 0; k < turning.size(); ++k) {

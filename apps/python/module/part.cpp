@@ -113,10 +113,8 @@ Result<std::string> Part::bend_pages(bool svg) {
 }
 
 std::vector<std::string> Part::artifacts(const job::Catalogue& catalogue) const {
-  std::vector<std::string> names;
-  for (const job::Artifact* artifact : catalogue.written_by(*made_.maker))
-    names.emplace_back(artifact->name);
-  return names;
+  return mapped(catalogue.written_by(*made_.maker),
+                [&](const job::Artifact* artifact) { return std::string(artifact->name); });
 }
 
 }  // namespace planish::python

@@ -45,9 +45,8 @@ std::vector<Vec2> ring_triangles(std::vector<Vec2> ring) {
 
 std::vector<Vec2> overlap_triangles(const Layout& layout, double thickness) {
   constexpr double kChord = 0.05;  // mm
-  std::vector<Polygon> polygons;
-  for (const FaceId face : layout.images.ids())
-    polygons.push_back(polygon_of(layout.region(face), kChord));
+  const auto polygons = mapped(
+      layout.images.ids(), [&](FaceId face) { return polygon_of(layout.region(face), kChord); });
   const double clearance = std::max(kContactShare * thickness, kChord);
   std::vector<Vec2> triangles;
   for (const Overlap& overlap : overlaps(polygons, clearance, clearance * clearance))

@@ -76,9 +76,8 @@ void add_space(Shape& shape, const MeshOfFaces& solid) {
       triangles.push_back(static_cast<std::uint32_t>(corner));
   shape.add("space_points", points);
   shape.add("space_triangles", triangles);
-  std::vector<std::uint32_t> faces;
-  for (const int face : solid.face)
-    faces.push_back(static_cast<std::uint32_t>(face + 1));
+  const auto faces = mapped(solid.face,
+                            [&](int face) { return static_cast<std::uint32_t>(face + 1); });
   shape.add("space_faces", faces);
 }
 
