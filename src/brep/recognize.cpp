@@ -37,9 +37,7 @@ Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& 
   for (const Skin skin : {Skin::first, Skin::second}) {
     const Groups groups = group_faces(model, outlines, skins, skin);
     const std::vector<int> faces = closed_forms(model, outlines, groups);
-    double area = 0.0;
-    for (const int f : faces)
-      area += outlines[f].area;
+    const double area = sum_of(faces, [&](int f) { return outlines[f].area; });
     const double whole = skin == Skin::first ? skins.area_first : skins.area_second;
     if (area > kLargestShare * whole) continue;
     for (const int f : faces) {

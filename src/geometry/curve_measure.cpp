@@ -5,6 +5,8 @@
 
 #include "planar.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <numbers>
 
 // Lengths, areas, boxes and nearest points. Areas are exact: Green's integral of products of poles,
@@ -243,10 +245,7 @@ double length(const Curve2& curve) {
 }
 
 double length(const Loop& loop) {
-  double sum = 0.0;
-  for (const Curve2& curve : loop)
-    sum += length(curve);
-  return sum;
+  return sum_of(loop, [&](const Curve2& curve) { return length(curve); });
 }
 
 double green_area(const Curve2& curve) { return green_area_about(curve, Vec2::Zero()); }
@@ -256,10 +255,7 @@ double signed_area(const Loop& loop) {
   // About a point of the loop: far from the origin, rounding of the products would swamp a small
   // area.
   const Vec2 o = start_of(loop.front());
-  double sum = 0.0;
-  for (const Curve2& curve : loop)
-    sum += green_area_about(curve, o);
-  return sum;
+  return sum_of(loop, [&](const Curve2& curve) { return green_area_about(curve, o); });
 }
 
 Box2 bounds(const Curve2& curve) {

@@ -1,3 +1,4 @@
+#include <planish/base/id_vector.hpp>
 #include <planish/geometry/interval.hpp>
 
 #include <algorithm>
@@ -20,11 +21,6 @@ double distance(const Interval& a, const Interval& b) {
   return std::max({0.0, a.lo - b.hi, b.lo - a.hi});
 }
 
-double total(const std::vector<Interval>& intervals) {
-  double sum = 0.0;
-  for (const Interval& interval : intervals)
-    sum += interval.size();
-  return sum;
-}
+double total(const std::vector<Interval>& intervals) { return sum_of(intervals, &Interval::size); }
 
 }  // namespace planish

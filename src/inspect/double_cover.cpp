@@ -126,10 +126,9 @@ double SheetArea::within(const Loop& loop, const std::vector<Loop>& without) con
   for (const Loop& other : without)
     if (bounds(other).overlaps(box)) others.push_back(polygon_of({other, {}}, chord_));
   if (others.empty()) return within(polygon, box);
-  double sum = 0.0;
-  for (const auto& corners : inset_triangles(polygon, 0.0, others))
-    sum += within(Polygon{{corners.begin(), corners.end()}, {}}, box);
-  return sum;
+  return sum_of(inset_triangles(polygon, 0.0, others), [&](const auto& corners) {
+    return within(Polygon{{corners.begin(), corners.end()}, {}}, box);
+  });
 }
 
 }  // namespace planish

@@ -83,9 +83,9 @@ constexpr double kMeets = 10.0 * kDrawnOnce;
 /// Whether the cutout has parted what was one piece, across slits that have no width.
 bool parts(const FlatPattern& before, const FlatPattern& after, const Cutout& cutout) {
   const auto ends_here = [&](const Vec2& p) { return std::abs(cutout.distance(p)) <= kMeets; };
-  int ends = 0;
-  for (const Curve2& slit : after.slits)
-    ends += ends_here(start_of(slit)) + ends_here(end_of(slit));
+  const int ends = sum_of(after.slits, [&](const Curve2& slit) {
+    return ends_here(start_of(slit)) + ends_here(end_of(slit));
+  });
   const bool apart = after.openings.size() == before.openings.size() + 1;  // from all contours
   if (ends == 0 || (ends == 1 && apart)) return false;
   return !is_one_piece(after, kMeets) && is_one_piece(before, kMeets);

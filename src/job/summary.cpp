@@ -36,10 +36,7 @@ LengthUnit unit_of(const std::vector<UnfoldReport>& reports) {
 }
 
 int pieces(const std::vector<UnfoldReport>& reports) {
-  int sum = 0;
-  for (const UnfoldReport& report : reports)
-    sum += report.quantity;
-  return sum;
+  return sum_of(reports, &UnfoldReport::quantity);
 }
 
 std::string plain(double value) {

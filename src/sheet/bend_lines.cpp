@@ -133,10 +133,8 @@ void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
 
 /// Total length of the bend lines; for press lines, which lie side by side, their mean.
 double length_of(const Bend& bend, const std::vector<Segment>& lines) {
-  double sum = 0.0;
-  for (const Segment& line : lines)
-    sum += (line.b - line.a).norm();
-  return sum / std::max<double>(1.0, static_cast<double>(bend.press_lines.size()));
+  return sum_of(lines, [&](const Segment& line) { return (line.b - line.a).norm(); }) /
+         std::max<double>(1.0, static_cast<double>(bend.press_lines.size()));
 }
 
 }  // namespace

@@ -32,10 +32,8 @@ Contour as_opening(Loop loop) {
 bool is_smaller(const FormedOpening& opening) {
   constexpr double kSmaller = 1.0 - tolerance::kAside;
   const auto area = [](const BorderLoop& borders) {
-    double sum = 0.0;
-    for (const Border& border : borders)
-      sum += green_area(border.curve);
-    return std::abs(sum);
+    return std::abs(
+        sum_of(borders, [&](const Border& border) { return green_area(border.curve); }));
   };
   return area(opening.pilot) < kSmaller * area(opening.through);
 }

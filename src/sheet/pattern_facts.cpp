@@ -22,10 +22,8 @@ std::string_view direction_name(BendDirection direction) {
 double outer_cutting_length(const FlatPattern& flat) { return length(flat.outer.loop); }
 
 double inner_cutting_length(const FlatPattern& flat) {
-  double sum = 0.0;
-  for (const Contour& opening : flat.openings)
-    sum += length(opening.loop);
-  return sum + length(flat.slits);
+  return sum_of(flat.openings, [&](const Contour& opening) { return length(opening.loop); }) +
+         length(flat.slits);
 }
 
 std::optional<Segment> longest_line(const FlatBend& bend) {

@@ -171,9 +171,7 @@ Result<void> check_seat_curve(const SlitDesign& design) {
     return fail(refuse::seat_curve_without_symmetry, {{"field", field("/seat_curve")}});
   if (auto sound = check_curve(*design.seat_curve, "The seat curve", "/seat_curve"); !sound)
     return sound;
-  double width = 0.0;
-  for (const SlitStrip& strip : design.sheet.strips)
-    width += strip.width;
+  const double width = sum_of(design.sheet.strips, &SlitStrip::width);
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
     return fail(refuse::seat_curve_too_short, {{"length", long_is, unit::mm},
                                                {"width", width, unit::mm},

@@ -105,10 +105,7 @@ class Cutter {
   }
 
   double perimeter() const {
-    double whole = 0.0;
-    for (const Element& element : boundary_.elements)
-      whole += length_of(element);
-    return whole;
+    return sum_of(boundary_.elements, [&](const Element& element) { return length_of(element); });
   }
 
   /// One between every two edges: at corners, or in the middle of the round part between them.
@@ -248,9 +245,7 @@ class Cutter {
       else
         standing.push_back(i);
     }
-    double whole = 0.0;
-    for (const int i : standing)
-      whole += ring_.patch(i).turn(0.0, 1.0);
+    const double whole = sum_of(standing, [&](int i) { return ring_.patch(i).turn(0.0, 1.0); });
     if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
     // Standing patches in order, which may wrap past the ring's end.
     std::ranges::sort(standing, [&](int a, int b) {

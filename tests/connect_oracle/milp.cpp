@@ -3,6 +3,8 @@
 #include "connect_oracle/line_bounds.hpp"
 #include "connect_oracle/line_fit.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>

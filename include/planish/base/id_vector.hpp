@@ -81,4 +81,14 @@ auto mapped(Range&& range, const Function& function) {
   return made;
 }
 
+/// The sum of what `function` makes of each, in their order; 0 of none.
+template <typename Range, typename Function>
+auto sum_of(Range&& range, const Function& function) {
+  std::remove_cvref_t<std::invoke_result_t<const Function&, std::ranges::range_reference_t<Range>>>
+      sum{};
+  for (auto&& one : range)
+    sum += std::invoke(function, one);
+  return sum;
+}
+
 }  // namespace planish
