@@ -105,7 +105,8 @@ Result<SolidCheck> check_step_solid(const std::string& text) {
     const auto lock = exchange_lock();
     STEPControl_Reader reader;
     std::istringstream stream(text);
-    if (reader.ReadStream("check", stream) != IFSelect_RetDone) return fail(code::not_step, "the text is not a STEP file");
+    if (reader.ReadStream("check", stream) != IFSelect_RetDone)
+      return fail(code::not_step, "the text is not a STEP file");
     reader.TransferRoots();
     SolidCheck check = checked(reader.OneShape());
     check.product = product_name(reader.StepModel());
