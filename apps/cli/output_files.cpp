@@ -62,14 +62,6 @@ Result<void> check_folder(const fs::path& folder) {
               folder.string());
 }
 
-std::optional<Error> make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) return std::nullopt;
-  return error_of(refuse::folder_not_made, {{"file", folder.string()}, {"reason", error.message()}},
-                  folder.string());
-}
-
 std::optional<Error> write_all(const std::vector<OutputFile>& files,
                                const std::vector<fs::path>& inputs) {
   for (const OutputFile& file : files) {

@@ -18,7 +18,6 @@ constexpr Refusal no_such_name{code::bad_option,
                                "There is no {what} \"{name}\"; there are {known}."};
 constexpr Refusal folder_not_writable{code::cannot_write,
                                       "Cannot write into the folder {file}: {there} {reason}."};
-constexpr Refusal folder_not_made{code::cannot_write, "Cannot make the folder {file}: {reason}."};
 constexpr Refusal no_standard_output{code::cannot_write, "Cannot write to standard output."};
 constexpr Refusal no_studio{code::internal,
                             "The studio cannot be started, {reason} ({program}): it belongs beside "

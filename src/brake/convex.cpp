@@ -138,28 +138,6 @@ std::vector<Convex> convex_pieces(const Polygon& polygon, double inset) {
   return Joining(inset_triangles(polygon, inset)).joined();
 }
 
-Convex hull_of(std::vector<Vec2> points) {
-  std::ranges::sort(points, [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Convex hull;
-  const auto chain = [&](auto first, auto last) {
-    const size_t begin = hull.size();
-    for (auto at = first; at != last; ++at) {
-      while (hull.size() >= begin + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *at - hull.back()) <= 0.0)
-        hull.pop_back();
-      hull.push_back(*at);
-    }
-    hull.pop_back();
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
-}
-
 Convex clipped(const Convex& polygon, const Vec2& normal, double offset) {
   Convex result;
   for (size_t i = 0; i < polygon.size(); ++i) {

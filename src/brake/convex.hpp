@@ -13,8 +13,6 @@ using Convex = std::vector<Vec2>;
 /// in sides and corners.
 std::vector<Convex> convex_pieces(const Polygon& polygon, double inset = 0.0);
 
-Convex hull_of(std::vector<Vec2> points);
-
 /// The part where normal·p ≤ offset; empty if nothing remains.
 Convex clipped(const Convex& polygon, const Vec2& normal, double offset);
 

@@ -59,11 +59,6 @@ std::pair<BorderRef, BorderRef> borders_of(const SheetMap& map, const SolidModel
           map.borders.at({edge.faces[1], e, edge.forward[1]})};
 }
 
-double middle_u(const Face& face) {
-  const Box2 box = parameter_box(face);
-  return (box.lo.x() + box.hi.x()) / 2;
-}
-
 /// Moves a face by the number of whole turns nearest to this shift of u.
 void turn_face(SheetBuilder& builder, FaceId id, double by) {
   builder[id] = turned_by(std::move(builder[id]), by);
@@ -126,14 +121,6 @@ Result<void> straighten(SheetBuilder& builder, const SolidModel& model, int e, c
   for (const BorderRef& ref : {a, b})
     builder[ref].curve = as_ruling(builder[ref.face], builder[ref].curve);
   return {};
-}
-
-Bend sharp_bend(double angle) {
-  Bend bend;
-  bend.kind = BendKind::sharp;
-  bend.angle = Angle::radians(std::abs(angle));
-  bend.reference_inside = angle < 0;
-  return bend;
 }
 
 /// A mitred corner holds more than the arc of material that bends to it: per length

@@ -28,10 +28,6 @@ Angle turn_of(double between, double along) {
   return Angle::radians(along <= std::numbers::pi ? between : 2 * std::numbers::pi - between);
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 Bend measured(Bend bend, const Cylinder& cylinder, double turn, double skin_to_inside) {
   bend.kind = BendKind::cylinder;
   bend.angle = Angle::radians(turn);

@@ -1,10 +1,9 @@
 #include "face_volume.hpp"
 
-#include "quadrature.hpp"
-
 #include <planish/base/assert.hpp>
 #include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/quadrature.hpp>
 
 #include <cmath>
 

@@ -9,6 +9,8 @@
 #include "refusals.hpp"
 #include "slanted_cuts.hpp"
 
+#include <planish/geometry/mesh.hpp>
+
 #include <algorithm>
 
 // What the flat pattern only outlines: forms, bosses, pockets, countersinks, chamfers. A part of
@@ -63,20 +65,12 @@ Error recess_at_rim(const SolidModel& model, const RimPart& part) {
 }
 
 /// A part's box in space, enlarged by the thickness.
-struct Box3 {
-  Vec3 lo, hi;
-  bool meets(const Box3& other) const {
-    return (lo.array() <= other.hi.array()).all() && (other.lo.array() <= hi.array()).all();
-  }
-};
 Box3 box_of(const Recognition& of, const RimPart& part) {
-  const Outline& first = of.outlines[part.faces.front()];
-  Box3 box{first.lo, first.hi};
-  for (const int f : part.faces) {
-    box.lo = box.lo.cwiseMin(of.outlines[f].lo);
-    box.hi = box.hi.cwiseMax(of.outlines[f].hi);
-  }
-  return {box.lo.array() - of.skins.thickness, box.hi.array() + of.skins.thickness};
+  Box3 box;
+  for (const int f : part.faces)
+    box.extend(of.outlines[f].lo).extend(of.outlines[f].hi);
+  const Vec3 by = Vec3::Constant(of.skins.thickness);
+  return {box.min() - by, box.max() + by};
 }
 
 /// Whether a form that leaves the sheet also appears on the reference skin (an emboss has two
@@ -85,7 +79,7 @@ bool formed_here(const Recognition& of, const RimPart& part) {
   const Box3 box = box_of(of, part);
   return std::ranges::any_of(of.rim.parts, [&](const RimPart& other) {
     return &other != &part && !other.within && !loops_here(of, other).empty() &&
-           box.meets(box_of(of, other));
+           box.intersects(box_of(of, other));
   });
 }
 

@@ -145,16 +145,6 @@ double depth_below(const SolidFace& face, const Outline& outline, const Vec3& po
   return project(face, outline, point, outline.u_middle).depth;
 }
 
-double ring_area(const std::vector<Vec2>& ring) {
-  double sum = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2& a = ring[i];
-    const Vec2& b = ring[(i + 1) % ring.size()];
-    sum += a.x() * b.y() - a.y() * b.x();
-  }
-  return sum / 2;
-}
-
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;
   const auto& surface = std::get<Developable>(face.surface);

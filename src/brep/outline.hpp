@@ -2,7 +2,7 @@
 
 #include "solid_model.hpp"
 
-#include <planish/geometry/curve.hpp>
+#include <planish/geometry/region.hpp>
 
 namespace planish::brep {
 
@@ -43,8 +43,5 @@ Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);
 
 /// Index of a face's outer loop: the one with the largest area.
 int outer_loop(const Outline& outline);
-
-/// Area inside a closed polygon, positive when it runs counter-clockwise.
-double ring_area(const std::vector<Vec2>& ring);
 
 }  // namespace planish::brep

@@ -1,8 +1,7 @@
 #include "passages.hpp"
 
-#include "quadrature.hpp"
-
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/quadrature.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "patch_volume.hpp"
 
-#include "quadrature.hpp"
+#include <planish/geometry/quadrature.hpp>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>

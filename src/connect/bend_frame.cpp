@@ -23,9 +23,7 @@ constexpr double kSameDirection = tolerance::kComputed;
 // crossing it.
 constexpr double kOnLine = tolerance::kComputed;
 
-Angle between(const Vec3& a, const Vec3& b) {
-  return Angle::radians(std::atan2(a.cross(b).norm(), a.dot(b)));
-}
+Angle between(const Vec3& a, const Vec3& b) { return Angle::radians(angle_between(a, b)); }
 
 Vec3 nearest_on_line(const PlacedPlate& a, const PlacedPlate& b, const Vec3& d) {
   // The point p of both planes nearest to the middle m: p = m + s·n_a + t·n_b.

@@ -116,7 +116,7 @@ Curve2 BendSurface::at_level(double level, double tolerance) const {
 
 Angle BendSurface::turned() const {
   const Vec3 a = normal_on(mid, 0.0), b = normal_on(mid, sweep);
-  const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double between = angle_between(a, b);
   // Beyond half a turn about a cylinder's or cone's axis the angle between the normals shrinks
   // again.
   if (kind == BendKind::cylinder) return Angle::radians(sweep);

@@ -27,8 +27,6 @@ constexpr double kCurveTolerance = 1e-10;
 // plates are not near each other.
 constexpr double kLeaning = 1.0;
 
-Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
-
 // The bend and the ends of the plates laid flat at the neutral surface.
 class Flat {
  public:

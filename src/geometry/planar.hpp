@@ -19,10 +19,7 @@ namespace planish::geometry_detail {
 
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// v turned by +90°.
-inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
 inline Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
-inline double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 /// Angle from a to b in (−π, π].
 inline double turn(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
 inline double largest(const Vec2& v) { return v.cwiseAbs().maxCoeff(); }

@@ -60,7 +60,7 @@ DoubleCover cover_of(const Cover& place) {
   cover.area = place.area;
   cover.size = box.size;
   cover.along = {std::cos(box.angle), std::sin(box.angle)};
-  const Vec2 across(-cover.along.y(), cover.along.x());
+  const Vec2 across = perpendicular(cover.along);
   Box2 extent;
   for (const Vec2& p : place.points)
     extent.add(Vec2(p.dot(cover.along), p.dot(across)));

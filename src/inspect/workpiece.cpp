@@ -30,8 +30,6 @@ namespace {
 constexpr double kMeasuredShare = 1e-3;
 constexpr double kCoarseShare = 2e-2;
 
-Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
-
 double chord_of(const FlatPattern& pattern, double share) {
   return std::max(share * pattern.thickness, FlattenOptions{}.curve_tolerance);
 }

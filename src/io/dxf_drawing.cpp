@@ -3,6 +3,8 @@
 #include "bend_text.hpp"
 #include "room_for_text.hpp"
 
+#include <planish/sheet/pattern_facts.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -125,7 +127,7 @@ void Drawing::add_bend(const FlatBend& bend) {
 void Drawing::add_text(const FlatBend& bend) {
   constexpr double kHighest = 3.0;  // mm
   if (!options_.bend_text || bend.lines.empty()) return;
-  const Segment& line = longest_line(bend);
+  const Segment line = *longest_line(bend);
   const std::string text = bend_text(bend);
   Vec2 along = line.b - line.a;
   const double length = along.norm();
@@ -134,7 +136,7 @@ void Drawing::add_text(const FlatBend& bend) {
   if (along.x() < -kShortestMark || (along.x() < kShortestMark && along.y() < 0.0)) along = -along;
   const double height = std::min(kHighest,
                                  length / (kLetterWidth * static_cast<double>(text.size())));
-  const Vec2 above = height / length * Vec2(-along.y(), along.x());
+  const Vec2 above = height / length * perpendicular(along);
   entities_.push_back(
       {styles_.text, DxfText{(0.5 * (line.a + line.b) + above) * scale_, height * scale_,
                              Angle::radians(std::atan2(along.y(), along.x())), text}});

@@ -2,6 +2,8 @@
 #include "svg_labels.hpp"
 #include "svg_shapes.hpp"
 
+#include <planish/sheet/pattern_facts.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -151,7 +153,7 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
 /// Half the width of the bend zone.
 double half_width(const FlatBend& bend, const Segment& line) {
   const Vec2 along = (line.b - line.a).normalized();
-  const Vec2 across(-along.y(), along.x());
+  const Vec2 across = perpendicular(along);
   double width = 0.0;
   for (const Segment& tangent : bend.tangent_lines) {
     width = std::max(width, std::abs(across.dot(0.5 * (tangent.a + tangent.b) - line.a)));
@@ -183,7 +185,7 @@ std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font,
   std::vector<BendDirection> directions;
   for (const FlatBend& bend : pattern.bends) {
     if (bend.lines.empty()) continue;
-    const Segment& line = longest_line(bend);
+    const Segment line = *longest_line(bend);
     requests.push_back({bend_text(bend), line, half_width(bend, line)});
     directions.push_back(bend.direction);
   }

@@ -53,7 +53,7 @@ struct Limit {
 };
 
 Limit limit_of(const Segment& tangent, const Vec2& origin, const Vec2& along) {
-  const Vec2 left(-along.y(), along.x());
+  const Vec2 left = perpendicular(along);
   Limit limit{along.dot(tangent.a - origin), along.dot(tangent.b - origin),
               left.dot(0.5 * (tangent.a + tangent.b) - origin), tangent.a, tangent.b};
   if (limit.from > limit.to) {
@@ -87,8 +87,8 @@ std::string svg_number(double value, int decimals) {
 }
 
 std::string xml_escaped(std::string_view text) {
-  std::string escaped = replaced(
-      text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+  std::string escaped = replaced(text,
+                                 {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
   std::erase_if(escaped, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   return escaped;
 }

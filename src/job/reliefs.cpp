@@ -163,7 +163,7 @@ Cutout cutout_beside(const MissingRelief& place, double web, double thickness, R
   cutout.along = place.beyond;
   cutout.half = {half, (top - bottom) / 2};
   cutout.corner_radius = radius;
-  const Vec2 across(-place.beyond.y(), place.beyond.x());
+  const Vec2 across = perpendicular(place.beyond);
   if (!place.on_both_sides) cutout.sharp_corner = across.dot(place.into_flange) > 0.0 ? 2 : 1;
   return cutout;
 }

@@ -31,10 +31,6 @@ Box2 range_of(const Sheet& sheet, BendId bend) {
   return box;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 }  // namespace
 
 BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,

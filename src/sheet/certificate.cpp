@@ -165,7 +165,7 @@ IdVector<FaceId, std::vector<CutStrip>> cut_strips(const Sheet& sheet) {
     for (const BorderRef& ref : {joint.a, joint.b}) {
       const Vec2 from = start_of(sheet[ref].curve);
       const Vec2 along = (end_of(sheet[ref].curve) - from).normalized();
-      strips[ref.face].push_back({ref.loop, from, Vec2(-along.y(), along.x()), setback});
+      strips[ref.face].push_back({ref.loop, from, perpendicular(along), setback});
     }
   }
   return strips;

@@ -262,7 +262,7 @@ double Cutout::distance(const Vec2& p) const {
 }
 
 Loop Cutout::outline() const {
-  const Vec2 across(-along.y(), along.x());
+  const Vec2 across = perpendicular(along);
   const double turned = std::atan2(along.y(), along.x());
   Loop loop;
   for (int corner = 0; corner < 4; ++corner) {

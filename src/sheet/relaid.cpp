@@ -24,11 +24,6 @@ namespace {
 
 using Stated = IdVector<BendId, BendAllowance>;
 
-double middle_u(const Face& face) {
-  const Box2 box = parameter_box(face);
-  return 0.5 * (box.lo.x() + box.hi.x());
-}
-
 /// The neutral surface of a bend's face, developed.
 Development neutral_development(const Sheet& sheet, const Face& face, double k) {
   const Bend& bend = sheet[std::get<BendId>(face.part_of)];

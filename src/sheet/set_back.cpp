@@ -29,7 +29,7 @@ struct MovedLine {
 MovedLine moved_line(const Curve2& border, double distance) {
   const Vec2 start = start_of(border);
   const Vec2 direction = (end_of(border) - start).normalized();
-  const Vec2 inwards(-direction.y(), direction.x());
+  const Vec2 inwards = perpendicular(direction);
   return {start + distance * inwards, direction, inwards};
 }
 

@@ -33,6 +33,14 @@ FormSide other_side(FormSide side) {
 
 std::string_view side_name(FormSide side) { return word_of(side, {"both", "up", "down"}); }
 
+Bend sharp_bend(double angle) {
+  Bend bend;
+  bend.kind = BendKind::sharp;
+  bend.angle = Angle::radians(std::abs(angle));
+  bend.reference_inside = angle < 0.0;
+  return bend;
+}
+
 Vec3 outward_normal(const Face& face, const Vec2& uv) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;
   return face.sense * normal_on(std::get<Developable>(face.surface), uv.x());

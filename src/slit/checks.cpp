@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 // What a slit design must hold before anything is solved: numbers in their range, curves no tighter
@@ -228,23 +229,16 @@ Result<void> check_far_side(const SlitDesign& design) {
 
 Result<void> check_sheet(const SlitDesign& design) {
   const SlitSheet& sheet = design.sheet;
-  if (auto sound = check_length(sheet.thickness, {"The thickness"}, "/thickness"); !sound)
-    return sound;
-  if (auto sound = check_length(sheet.panel_height, {"The height of the panel"},
-                                "/sheet/panel_height");
-      !sound)
-    return sound;
-  if (auto sound = check_length(sheet.half_length, {"The half-length"}, "/sheet/half_length");
-      !sound)
-    return sound;
-  if (auto sound = check_from_zero({sheet.margin, unit::mm}, kLargest, {"The margin"},
-                                   "/sheet/margin");
-      !sound)
-    return sound;
-  if (auto sound = check_from_zero({sheet.min_inside_radius, unit::mm}, kLargest,
-                                   {"The smallest inside radius"}, "/min_inside_radius");
-      !sound)
-    return sound;
+  for (const auto& [value, name, key] :
+       {std::tuple{sheet.thickness, "The thickness", "/thickness"},
+        std::tuple{sheet.panel_height, "The height of the panel", "/sheet/panel_height"},
+        std::tuple{sheet.half_length, "The half-length", "/sheet/half_length"}})
+    if (auto sound = check_length(value, {name}, key); !sound) return sound;
+  for (const auto& [value, name, key] :
+       {std::tuple{sheet.margin, "The margin", "/sheet/margin"},
+        std::tuple{sheet.min_inside_radius, "The smallest inside radius", "/min_inside_radius"}})
+    if (auto sound = check_from_zero({value, unit::mm}, kLargest, {name}, key); !sound)
+      return sound;
   const int count = static_cast<int>(sheet.strips.size());
   if (count < 1 || count > kMostStrips)
     return fail(refuse::bad_number_of_strips,

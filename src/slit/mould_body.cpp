@@ -36,7 +36,6 @@ struct Standing {
 };
 
 Vec3 itself(const Vec3& v) { return v; }
-Vec3 image(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 /// The panel, or its mirror image.
 Standing standing(const std::vector<PanelFacet>& panel, const WallSetting& setting,
@@ -65,11 +64,8 @@ bool is_upright(const Standing& panel, const Vec3& up) {
 /// The strip between two offsets from the panel.
 std::vector<Vec2> band(const Standing& panel, const Frame& plan, double from, double to) {
   std::vector<Vec2> near, far;
-  const auto& normals = panel.towards_mould;
   for (std::size_t i = 0; i < panel.free_edge.size(); ++i) {
-    const Vec3 step = i == 0                ? normals.front()
-                      : i == normals.size() ? normals.back()
-                                            : mitre(normals[i - 1], normals[i]);
+    const Vec3 step = mitre(panel.towards_mould, i);
     near.push_back(plan.local2(panel.free_edge[i] + from * step));
     far.push_back(plan.local2(panel.free_edge[i] + to * step));
   }
@@ -94,15 +90,6 @@ Result<MouldWall> wall_behind(const Standing& panel, const WallSetting& setting)
 std::vector<Vec2> seen(const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far,
                        const Frame& plan) {
   return {plan.local2(near[0]), plan.local2(far[0]), plan.local2(far[1]), plan.local2(near[1])};
-}
-
-/// A ridge on the skin towards the mould.
-std::array<Vec3, 2> skin_ridge(const WholeStrip& strip, std::size_t at, double offset) {
-  const auto& normals = strip.towards_mould;
-  const Vec3 step = offset * (at == 0                ? normals.front()
-                              : at == normals.size() ? normals.back()
-                                                     : mitre(normals[at - 1], normals[at]));
-  return {strip.ridges[at][0] + step, strip.ridges[at][1] + step};
 }
 
 /// The lowest that the skin of a quad comes over a footprint.
@@ -257,7 +244,8 @@ Result<std::vector<MouldWall>> walls_of(const FoldedSlitSheet& folded, const Wal
   std::vector<Standing> panels;
   for (const auto* panel : {&folded.panel, &folded.second_panel})
     if (!panel->empty()) panels.push_back(standing(*panel, setting, itself));
-  if (folded.symmetric && !panels.empty()) panels.push_back(standing(folded.panel, setting, image));
+  if (folded.symmetric && !panels.empty())
+    panels.push_back(standing(folded.panel, setting, mirrored));
   std::vector<MouldWall> walls;
   for (const Standing& panel : panels) {
     if (!is_upright(panel, setting.plan.z)) continue;
@@ -302,7 +290,7 @@ double lowest_of_panels(const FoldedSlitSheet& folded, const Vec3& up) {
     for (const PanelFacet& facet : *panel)
       for (const Vec2& corner : facet.corners) {
         const Vec3 p = facet.frame.point(corner);
-        lowest = std::min({lowest, p.dot(up), folded.symmetric ? image(p).dot(up) : p.dot(up)});
+        lowest = std::min({lowest, p.dot(up), folded.symmetric ? mirrored(p).dot(up) : p.dot(up)});
       }
   return lowest;
 }

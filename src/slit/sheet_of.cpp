@@ -220,13 +220,7 @@ void add_joints(SheetBuilder& builder, const JoinedRegions& joined,
   for (std::size_t s = 0; s < joined.shared.size(); ++s) {
     const SharedBorder& border = joined.shared[s];
     std::optional<BendId> sharp;
-    if (!planes.same(border.a, border.b)) {
-      Bend bend;
-      bend.kind = BendKind::sharp;
-      bend.angle = Angle::radians(std::abs(folds[s]));
-      bend.reference_inside = folds[s] < 0.0;
-      sharp = builder.add_bend(std::move(bend));
-    }
+    if (!planes.same(border.a, border.b)) sharp = builder.add_bend(sharp_bend(folds[s]));
     builder.join({static_cast<FaceId>(border.a), 0, border.border_a},
                  {static_cast<FaceId>(border.b), 0, border.border_b}, sharp);
   }

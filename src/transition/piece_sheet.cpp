@@ -44,13 +44,6 @@ Bend bend_of(const RuledPatch& patch, const PartFace& face, const TransitionSpec
   return bend;
 }
 
-Bend sharp_bend(double angle) {
-  Bend bend;
-  bend.kind = BendKind::sharp;
-  bend.angle = Angle::radians(angle);
-  return bend;
-}
-
 /// Joins the faces in order; face i of the sheet is that of part i.
 SheetBuilder assembled(const Ring& ring, const TransitionSpec& spec,
                        const std::vector<PartFace>& faces) {

@@ -7,6 +7,8 @@
 #include "refusals.hpp"
 #include "roots.hpp"
 
+#include <planish/geometry/minimum.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,8 +22,6 @@ constexpr double kAsLong = tolerance::kComputed;
 /// profile's length.
 constexpr double kAtCorner = tolerance::kComputed;
 constexpr double kSliver = tolerance::kComputed;
-/// Accuracy with which the shortest ruling of a patch is sought, in rulings.
-constexpr double kShortestFound = 1e-6;
 
 double length_of(const RuledPatch& patch, double at) {
   const auto [p, q] = patch.ruling(at);
@@ -145,23 +145,11 @@ class Cutter {
   }
 
  private:
-  /// Among some rulings of a patch, then by golden section about the shortest.
   Cut shortest_in(int number) const {
     const RuledPatch& patch = ring_.patch(number);
-    constexpr int kSamples = 32;
-    int least = 0;
-    for (int i = 1; i < kSamples; ++i)
-      if (length_of(patch, i / double(kSamples)) < length_of(patch, least / double(kSamples)))
-        least = i;
-    double low = std::max(0.0, (least - 1) / double(kSamples)),
-           high = (least + 1) / double(kSamples);
-    constexpr double kGolden = 0.6180339887498949;
-    while (high - low > kShortestFound) {
-      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      const bool left = length_of(patch, a) < length_of(patch, b);
-      (left ? high : low) = left ? b : a;
-    }
-    return {number, 0.5 * (low + high)};
+    constexpr int kSamples = 32, kSteps = 24;  // a millionth of the patch
+    const auto length = [&](double at) { return length_of(patch, at); };
+    return {number, least_at(length, 0.0, 1.0, kSamples, kSteps)};
   }
 
   Cut at_share(int element, double share) const {

@@ -33,10 +33,6 @@ bool same_corner(const auto& a, const auto& b, double near) {
   return a.side == b.side && (a.at - b.at).norm() <= near;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /// A corner of a plane part, and the folds along the two borders that meet there (0: none).
 struct PanelCorner {
   int side = 0;

@@ -3,6 +3,7 @@
 #include <planish/geometry/curve.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 // Vectors, segments and boxes of the plane. Everything is exact up to rounding and takes constant
@@ -12,6 +13,8 @@ namespace planish {
 
 /// |a| |b| sin of the angle from a to b: above 0 if b points to the left of a.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+inline double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 /// Where the point of a segment nearest to p lies: 0 at its start, 1 at its end. 0 of a segment
 /// without length.
@@ -38,5 +41,8 @@ double distance(const Segment& a, const Segment& b);
 
 /// The smallest box that holds the points.
 Box2 box_of(const std::vector<Vec2>& points);
+
+/// Convex hull, counter-clockwise, without points on its edges (Andrew's chains).
+std::vector<Vec2> hull_of(std::vector<Vec2> points);
 
 }  // namespace planish

@@ -98,6 +98,9 @@ struct Bend {
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
+/// A fold along a line, of no radius, by an angle in radians; below 0 towards the reference skin.
+Bend sharp_bend(double angle);
+
 /// A hole through a formed feature (an extruded hole, a hole in an emboss), in the (u, v) of the
 /// feature's face; both loops run clockwise (math.md#pilot-holes).
 struct FormedOpening {
@@ -185,6 +188,11 @@ Vec3 outward_normal(const Face& face, const Vec2& uv);
 Vec3 skin_point(const Face& face, const Vec2& uv);
 /// Box of the outer loop in (u, v).
 Box2 parameter_box(const Face& face);
+/// The middle of that box.
+inline double middle_u(const Face& face) {
+  const Box2 box = parameter_box(face);
+  return 0.5 * (box.lo.x() + box.hi.x());
+}
 
 /// Checks what all functions of a sheet rely on: sizes are numbers in range, frames are
 /// right-handed, every id exists, faces and their parts refer to each other, planes belong to
