@@ -28,9 +28,7 @@ bool is_rolled(const Bend& bend, double thickness) {
 
 /// Range of u over the faces of a bend.
 Interval u_range(const Sheet& sheet, const Bend& bend) {
-  Box2 box;
-  for (const FaceId face : bend.faces)
-    box.add(parameter_box(sheet[face]));
+  const Box2 box = parameter_box(sheet, bend);
   return {box.lo.x(), box.hi.x()};
 }
 

@@ -15,13 +15,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-Box2 box_of(const Sheet& sheet, const Bend& bend) {
-  Box2 box;
-  for (const FaceId id : bend.faces)
-    box.add(parameter_box(sheet[id]));
-  return box;
-}
-
 /// The turn between two directions at the angle `between`, if the path from one to the other turns
 /// by `along`: the long way around if that is beyond a half-turn.
 Angle turn_of(double between, double along) {
@@ -115,7 +108,7 @@ Bend measured_by_steps(Bend bend, const Face& face, const Box2& box, double thic
 Bend measured_bend(const Sheet& sheet, BendId id) {
   Bend bend = sheet[id];
   const Face& face = sheet[bend.faces.front()];
-  const Box2 box = box_of(sheet, bend);
+  const Box2 box = parameter_box(sheet, bend);
   const auto& surface = std::get<Developable>(face.surface);
   bend.reference_inside = face.sense < 0;
   const double skin_to_inside = bend.reference_inside ? 0.0 : sheet.thickness;

@@ -68,9 +68,8 @@ Error recess_at_rim(const SolidModel& model, const RimPart& part) {
 Box3 box_of(const Recognition& of, const RimPart& part) {
   Box3 box;
   for (const int f : part.faces)
-    box.extend(of.outlines[f].lo).extend(of.outlines[f].hi);
-  const Vec3 by = Vec3::Constant(of.skins.thickness);
-  return {box.min() - by, box.max() + by};
+    box.extend(of.outlines[f].space);
+  return enlarged(box, of.skins.thickness);
 }
 
 /// Whether a form that leaves the sheet also appears on the reference skin (an emboss has two
@@ -101,9 +100,9 @@ std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point
   const double reach = 2.0 * of.skins.thickness;
   for (const int partner : of.skins.partners[face]) {
     const Outline& outline = of.outlines[partner];
-    const bool near = ((outline.lo.array() - reach) <= point.array()).all() &&
-                      (point.array() <= (outline.hi.array() + reach)).all();
-    if (near && of.skins.skin_of[partner] == of.skin && is_plane(of, partner)) return partner;
+    if (enlarged(outline.space, reach).contains(point) && of.skins.skin_of[partner] == of.skin &&
+        is_plane(of, partner))
+      return partner;
   }
   return {};
 }
@@ -121,18 +120,11 @@ void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recogniti
   builder.add_feature(std::move(feature));
 }
 
-Box2 box_of_loop(const BorderLoop& borders) {
-  Box2 box;
-  for (const Border& border : borders)
-    box.add(bounds(border.curve));
-  return box;
-}
-
 /// Whether two outlines of a cut are offset from each other, as by a slope over the thickness.
 bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
   constexpr double kSlope = 0.05;  // 3°: more than draft and rounding cause
-  const Box2 first = box_of_loop(a);
-  const Box2 second = box_of_loop(b);
+  const Box2 first = bounds(a);
+  const Box2 second = bounds(b);
   return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) >
          kSlope * thickness;
 }

@@ -53,12 +53,9 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
       add_points(model.edges[use.edge].curve, use.forward, ring);
   }
   if (outline.rings.empty() || outline.rings.front().empty()) return {};
-  outline.lo = outline.hi = outline.rings.front().front();
   for (const auto& ring : outline.rings)
-    for (const Vec3& p : ring) {
-      outline.lo = outline.lo.cwiseMin(p);
-      outline.hi = outline.hi.cwiseMax(p);
-    }
+    for (const Vec3& p : ring)
+      outline.space.extend(p);
   if (std::holds_alternative<DoublyCurved>(face.surface)) return outline;
   outline.u_scale = scale_of(face, outline.rings.front().front());
   double u_near = 0.0;

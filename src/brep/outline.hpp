@@ -2,6 +2,7 @@
 
 #include "solid_model.hpp"
 
+#include <planish/geometry/mesh.hpp>
 #include <planish/geometry/region.hpp>
 
 namespace planish::brep {
@@ -14,12 +15,17 @@ struct Outline {
   double u_scale = 1.0;                  ///< |∂x/∂u| at the middle of the face
   double u_middle = 0.0;
   double area = 0.0;
-  Box2 box;                                   ///< of `flat`
-  int outer = 0;                              ///< the loop with the largest area
-  Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  ///< box in space
-  Vec3 inner_point = Vec3::Zero();            ///< a border point, and the outward normal there
+  Box2 box;                         ///< of `flat`
+  int outer = 0;                    ///< the loop with the largest area
+  Box3 space;                       ///< box in space
+  Vec3 inner_point = Vec3::Zero();  ///< a border point, and the outward normal there
   Vec3 inner_normal = Vec3::UnitZ();
 };
+
+/// A box and what is at most `by` away along the axes.
+inline Box3 enlarged(const Box3& box, double by) {
+  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
+}
 
 std::vector<Outline> outlines_of(const SolidModel& model);
 

@@ -79,9 +79,7 @@ bool between(const SolidModel& model, const std::vector<Outline>& outlines, cons
   const double slack = kTouching * t + skins.spread;
   return std::ranges::any_of(skin_faces, [&](int f) {
     const Outline& outline = outlines[f];
-    const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() &&
-                      (p.array() <= (outline.hi.array() + 2 * t)).all();
-    if (!near) return false;
+    if (!enlarged(outline.space, 2 * t).contains(p)) return false;
     const double depth = depth_below(model.faces[f], outline, p);
     return depth >= -slack && depth <= t + slack;
   });

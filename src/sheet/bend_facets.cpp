@@ -24,13 +24,6 @@ namespace {
 
 using tolerance::kComputed;
 
-Box2 range_of(const Sheet& sheet, BendId bend) {
-  Box2 box;
-  for (const FaceId face : sheet[bend].faces)
-    box.add(parameter_box(sheet[face]));
-  return box;
-}
-
 }  // namespace
 
 BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
@@ -40,7 +33,7 @@ BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
       development_(*layout.development[bend]),
       placement_(layout.placement[sheet[bend].faces.front()]),
       chord_(options.chord) {
-  const Box2 range = range_of(sheet, bend);
+  const Box2 range = parameter_box(sheet, sheet[bend]);
   lo_ = range.lo.x();
   hi_ = range.hi.x();
   v_lo_ = range.lo.y();

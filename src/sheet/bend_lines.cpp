@@ -24,14 +24,8 @@ namespace {
 using Intervals = std::vector<Interval>;
 
 Interval u_range(const Sheet& sheet, const Bend& bend) {
-  Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const FaceId id : bend.faces)
-    for (const Border& border : sheet[id].loops.front()) {
-      const Box2 box = bounds(border.curve);
-      range.lo = std::min(range.lo, box.lo.x());
-      range.hi = std::max(range.hi, box.hi.x());
-    }
-  return range;
+  const Box2 box = parameter_box(sheet, bend);
+  return {box.lo.x(), box.hi.x()};
 }
 
 /// v-intervals of material along the ruling u of a face, by even-odd crossing of its loops.

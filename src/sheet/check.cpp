@@ -183,9 +183,7 @@ Fault fault_of_borders(const Sheet& sheet, FaceId id) {
 
 bool are_press_lines_of(const Sheet& sheet, const Bend& bend) {
   if (bend.press_lines.empty()) return true;
-  Box2 box;
-  for (const FaceId id : bend.faces)
-    box.add(parameter_box(sheet[id]));
+  const Box2 box = parameter_box(sheet, bend);
   const double slack = tolerance::kWrittenDigits * (1.0 + box.size().x());
   const auto falls = [](const PressLine& a, const PressLine& b) { return !(a.u < b.u); };
   return std::ranges::all_of(bend.press_lines,

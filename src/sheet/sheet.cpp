@@ -51,10 +51,19 @@ Vec3 skin_point(const Face& face, const Vec2& uv) {
   return point_on(std::get<Developable>(face.surface), uv);
 }
 
-Box2 parameter_box(const Face& face) {
+Box2 bounds(const BorderLoop& loop) {
   Box2 box;
-  for (const Border& border : face.loops.front())
+  for (const Border& border : loop)
     box.add(bounds(border.curve));
+  return box;
+}
+
+Box2 parameter_box(const Face& face) { return bounds(face.loops.front()); }
+
+Box2 parameter_box(const Sheet& sheet, const Bend& bend) {
+  Box2 box;
+  for (const FaceId id : bend.faces)
+    box.add(parameter_box(sheet[id]));
   return box;
 }
 

@@ -3,6 +3,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/mesh_volume.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
@@ -155,17 +156,6 @@ void stand(Mesh& body, const Mesh& part, const Frame& plan, double plate) {
   for (const auto& t : part.triangles)
     if (std::ranges::any_of(t, [&](int corner) { return corner < below; }))
       body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-}
-
-bool is_closed(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> runs;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  return std::ranges::all_of(runs, [&](const auto& run) {
-    const auto back = runs.find({run.first.second, run.first.first});
-    return run.second == 1 && back != runs.end() && back->second == 1;
-  });
 }
 
 using Triangles = std::vector<std::array<int, 3>>;
@@ -354,7 +344,7 @@ Result<Mesh> body_of(const Mould& mould, double plate, double beyond) {
   const auto top_of_plate = triangles_around(rim, standing, corners);
   if (!top_of_plate) return touching();
   body.triangles.insert(body.triangles.end(), top_of_plate->begin(), top_of_plate->end());
-  if (!is_closed(body)) return touching();
+  if (!open_sides(body).empty()) return touching();
   return body;
 }
 

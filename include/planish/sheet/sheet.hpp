@@ -186,8 +186,10 @@ struct Sheet {
 Vec3 outward_normal(const Face& face, const Vec2& uv);
 /// Point of the reference surface at (u, v).
 Vec3 skin_point(const Face& face, const Vec2& uv);
-/// Box of the outer loop in (u, v).
+Box2 bounds(const BorderLoop& loop);
+/// Box of the outer loop in (u, v), and of those of all faces of a bend.
 Box2 parameter_box(const Face& face);
+Box2 parameter_box(const Sheet& sheet, const Bend& bend);
 /// The middle of that box.
 inline double middle_u(const Face& face) {
   const Box2 box = parameter_box(face);
