@@ -156,8 +156,9 @@ WorkDone done_of(job::RunResult made, std::map<std::string, Wanted> wanted) {
     artifacts.push_back(std::move(row));
   }
   Json report = Json::parse(made.report, nullptr, false);
-  done.result = text_of(
-      {{"status", job::status_name(made.status)}, {"report", std::move(report)}, {"artifacts", std::move(artifacts)}});
+  done.result = text_of({{"status", job::status_name(made.status)},
+                         {"report", std::move(report)},
+                         {"artifacts", std::move(artifacts)}});
   return done;
 }
 
