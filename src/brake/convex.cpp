@@ -5,7 +5,6 @@
 
 #include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
-#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -122,8 +121,7 @@ double apart_across(const Convex& a, const Convex& b) {
 double corners_to_sides(const Convex& a, const Convex& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2& p : a)
-    for (size_t i = 0; i < b.size(); ++i)
-      least = std::min(least, distance(p, Segment{b[i], b[(i + 1) % b.size()]}));
+    least = std::min(least, distance_to_ring(b, p));
   return least;
 }
 
@@ -138,26 +136,14 @@ std::vector<Convex> convex_pieces(const Polygon& polygon, double inset) {
   return Joining(inset_triangles(polygon, inset)).joined();
 }
 
-Convex clipped(const Convex& polygon, const Vec2& normal, double offset) {
-  Convex result;
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double da = normal.dot(a) - offset, db = normal.dot(b) - offset;
-    if (da <= 0.0) result.push_back(a);
-    if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0))
-      result.push_back(a + da / (da - db) * (b - a));
-  }
-  return result.size() < 3 ? Convex() : result;
-}
-
 bool is_thin(const Convex& polygon, double width) {
   double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 side = polygon[(i + 1) % polygon.size()] - polygon[i];
+  for (const auto& [a, b] : sides_of(polygon)) {
+    const Vec2 side = b - a;
     if (side.norm() <= tolerance::kTiniest) continue;
     double most = 0.0;
     for (const Vec2& p : polygon)
-      most = std::max(most, std::abs(cross(side.normalized(), p - polygon[i])));
+      most = std::max(most, std::abs(cross(side.normalized(), p - a)));
     least = std::min(least, most);
   }
   return polygon.size() < 3 || least < width;

@@ -5,6 +5,7 @@
 #include "passages.hpp"
 
 #include <planish/geometry/fit.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -67,21 +68,13 @@ std::vector<std::vector<Vec2>> rings_of(const Recognition& of, const std::vector
   return rings;
 }
 
-double distance_of(const std::vector<Vec2>& ring, const Vec2& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < ring.size(); ++i)
-    least = std::min(least,
-                     nearest(Curve2(Segment{ring[i], ring[(i + 1) % ring.size()]}), p).distance);
-  return least;
-}
-
 bool lies_inside(const Loop& loop, const std::vector<std::vector<Vec2>>& outlines,
                  double tolerance) {
   for (const Curve2& curve : loop)
     for (const double t : {0.0, 0.2, 0.5, 0.8}) {
       const Vec2 p = point_at(curve, t);
       const bool near = std::ranges::any_of(outlines, [&](const std::vector<Vec2>& ring) {
-        return distance_of(ring, p) <= tolerance;
+        return distance_to_ring(ring, p) <= tolerance;
       });
       if (!near && !inside(outlines, p)) return false;
     }
@@ -91,12 +84,10 @@ bool lies_inside(const Loop& loop, const std::vector<std::vector<Vec2>>& outline
 Vec2 centroid(const std::vector<Vec2>& ring) {
   Vec2 sum = Vec2::Zero();
   double area = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i] - ring.front();
-    const Vec2 b = ring[(i + 1) % ring.size()] - ring.front();
-    const double cross = a.x() * b.y() - a.y() * b.x();
-    sum += cross * (a + b) / 3;
-    area += cross;
+  for (const auto& [from, to] : sides_of(ring)) {
+    const Vec2 a = from - ring.front(), b = to - ring.front();
+    sum += cross(a, b) * (a + b) / 3;
+    area += cross(a, b);
   }
   return ring.front() + sum / area;
 }

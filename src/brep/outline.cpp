@@ -2,6 +2,7 @@
 
 #include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -81,9 +82,7 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
 std::vector<double> cuts(const std::vector<std::vector<Vec2>>& rings, double v) {
   std::vector<double> us;
   for (const auto& ring : rings)
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
+    for (const auto& [a, b] : sides_of(ring)) {
       if ((a.y() > v) == (b.y() > v)) continue;
       us.push_back(a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }

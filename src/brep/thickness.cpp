@@ -60,9 +60,7 @@ std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>&
 
 /// Merges votes within the tolerance of each other, with their mean depth and total area.
 std::vector<Vote> counted(std::vector<Vote> votes, double tolerance) {
-  std::ranges::sort(votes, [](const Vote& a, const Vote& b) {
-    return std::tie(a.depth, a.area) < std::tie(b.depth, b.area);
-  });
+  std::ranges::sort(votes, {}, [](const Vote& vote) { return std::pair(vote.depth, vote.area); });
   std::vector<Vote> rows;
   for (size_t first = 0; first < votes.size();) {
     double area = 0.0;

@@ -72,8 +72,7 @@ std::vector<RulingJoint> joints_of(const Parts& parts, int bend, int side, int p
   for (int row = 0; row < static_cast<int>(parts.fits.size()); ++row)
     if (row == bend || parts.fits[row].joint_of == std::pair{bend, side})
       joints.push_back({joint_range(parts.fits[row], side, parts.plates[plate]), row});
-  std::ranges::sort(
-      joints, [](const RulingJoint& a, const RulingJoint& b) { return a.range.low < b.range.low; });
+  std::ranges::sort(joints, {}, [](const RulingJoint& joint) { return joint.range.low; });
   return joints;
 }
 

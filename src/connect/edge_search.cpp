@@ -1,6 +1,8 @@
 #include "chain_pair.hpp"
 #include "refusals.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -115,17 +117,11 @@ struct Search {
   }
 };
 
-double lowest(const Chain& chain) {
-  return std::ranges::min_element(chain.corners,
-                                  [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
-      ->y();
-}
-
 std::vector<Candidate> candidates_of(const Search& search) {
   std::array<std::vector<double>, 2> heights;
   for (std::size_t i = 0; i < 2; ++i)
     for (const Chain& chain : search.sides[i])
-      heights[i].push_back(lowest(chain));
+      heights[i].push_back(box_of(chain.corners).lo.y());
   const auto of_height = [&](EdgeKind kind) {
     const auto& chains = search.sides[0];
     if (std::ranges::none_of(chains, [&](const Chain& c) { return c.kind == kind; })) return 0.0;

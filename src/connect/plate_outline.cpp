@@ -32,8 +32,7 @@ std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& p
 // v of the lateral boundary at the run's first end in the outline, and at the other.
 std::pair<double, double> boundary_ends(const BendFit& fit, int side,
                                         const std::vector<Vec2>& corners) {
-  const auto i = static_cast<std::size_t>(side);
-  const double low = fit.boundaries.low.v[i], high = fit.boundaries.high.v[i];
+  const double low = fit.boundaries.low.v[side], high = fit.boundaries.high.v[side];
   return corners.front().x() < corners.back().x() ? std::pair{low, high} : std::pair{high, low};
 }
 
@@ -102,7 +101,7 @@ void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   const double height = fold.reference_inside ? 0.0 : -2.0 * fold.reach;
   const double from = ascending ? fold.low : fold.high, to = ascending ? fold.high : fold.low;
   const int n = plate.edge_count(), edge = on.fit->runs[on.side].first;
-  const auto& at_corner = fold.at_corner[static_cast<std::size_t>(on.side)];
+  const auto& at_corner = fold.at_corner[on.side];
   // On the edge beside a corner of the plate, at the height of the fold; else on the run.
   const auto step = [&](const Vec2& corner, int beyond, bool corner_here, double end) -> Vec2 {
     if (!fold.reference_inside || !corner_here) return {end, corner.y()};
@@ -222,15 +221,14 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id, int ring) {
   std::erase_if(bends, [&](const BendOnPlate& on) { return run_of(on).ring != ring; });
-  std::ranges::sort(bends, [](const BendOnPlate& a, const BendOnPlate& b) {
-    return std::pair{run_of(a).first, run_of(a).start} <
-           std::pair{run_of(b).first, run_of(b).start};
+  std::ranges::sort(bends, {}, [](const BendOnPlate& on) {
+    return std::pair{run_of(on).first, run_of(on).start};
   });
   ExtendedOutline outline;
   const std::vector<Vec2>& corners = plate.ring(ring);
   if (bends.empty())
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      outline.edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    for (const auto& [a, b] : sides_of(corners))
+      outline.edges.push_back({a, b});
   // Once around the ring, from the first bend's run (which may include corner 0).
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const bool last = i + 1 == bends.size();

@@ -72,12 +72,10 @@ Vec3 middle(const Ring& ring) {
 }
 
 double extent_of(const Ring& ring) {
-  Vec3 lo = ring.front(), hi = ring.front();
-  for (const Vec3& p : ring) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  return (hi - lo).norm();
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : ring)
+    box.extend(p);
+  return box.sizes().norm();
 }
 
 Result<void> check_corners(const PlateRing& polygon) {
@@ -157,12 +155,8 @@ std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
 // A place where the borders of two polygons cross, or come within `same`.
 std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second,
                             double same) {
-  const auto next = [](const std::vector<Vec2>& ring, std::size_t i) -> const Vec2& {
-    return ring[(i + 1) % ring.size()];
-  };
-  for (std::size_t i = 0; i < first.size(); ++i)
-    for (std::size_t j = 0; j < second.size(); ++j) {
-      const Vec2 &a = first[i], &b = next(first, i), &c = second[j], &d = next(second, j);
+  for (const auto& [a, b] : sides_of(first))
+    for (const auto& [c, d] : sides_of(second)) {
       if (distance(a, Segment{c, d}) <= same) return a;
       if (distance(c, Segment{a, b}) <= same) return c;
       const double ca = cross(b - a, c - a), da = cross(b - a, d - a), ac = cross(d - c, a - c),

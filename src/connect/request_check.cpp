@@ -2,17 +2,11 @@
 
 #include "refusals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::connect_detail {
 namespace {
-
-Result<int> row_of(const PlateStructure& structure, const std::string& id,
-                   const std::string& pointer) {
-  for (std::size_t p = 0; p < structure.plates.size(); ++p)
-    if (structure.plates[p].id == id) return static_cast<int>(p);
-  return fail(refuse::no_such_plate, of_unknown_plate(structure, id, pointer));
-}
 
 /// What is wrong with a request, and the key at fault.
 struct Fault {
@@ -67,12 +61,14 @@ std::optional<Fault> said_twice(const BendRequest& r) {
 
 }  // namespace
 
-Facts of_unknown_plate(const PlateStructure& structure, const std::string& id,
-                       const std::string& pointer) {
+Result<int> row_of(const PlateStructure& structure, const std::string& id,
+                   const std::string& pointer) {
+  const auto found = std::ranges::find(structure.plates, id, &Plate::id);
+  if (found != structure.plates.end()) return static_cast<int>(found - structure.plates.begin());
   Facts facts{{"id", id}, {"field", place::pointer(pointer)}};
   for (const Plate& plate : structure.plates)
     facts.emplace_back("known", plate.id);
-  return facts;
+  return fail(refuse::no_such_plate, facts);
 }
 
 Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequest& request,

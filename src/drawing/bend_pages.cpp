@@ -4,7 +4,7 @@
 #include <planish/base/text.hpp>
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/drawing/page_parts.hpp>
-#include <planish/geometry/curve.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
@@ -197,17 +197,8 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
   const auto clip = [&](ToolProfile profile) {
     for (const auto& [normal, offset] :
          {std::pair{Vec2(1, 0), box.hi.x()}, std::pair{Vec2(-1, 0), -box.lo.x()},
-          std::pair{Vec2(0, 1), box.hi.y()}, std::pair{Vec2(0, -1), -box.lo.y()}}) {
-      ToolProfile kept;
-      for (std::size_t i = 0; i < profile.size(); ++i) {
-        const Vec2 &a = profile[i], &b = profile[(i + 1) % profile.size()];
-        const double from = normal.dot(a) - offset, to = normal.dot(b) - offset;
-        if (from <= 0.0) kept.push_back(a);
-        if ((from < 0.0) != (to < 0.0) && from != to)
-          kept.push_back(a + from / (from - to) * (b - a));
-      }
-      profile = std::move(kept);
-    }
+          std::pair{Vec2(0, 1), box.hi.y()}, std::pair{Vec2(0, -1), -box.lo.y()}})
+      profile = clipped(profile, normal, offset);
     return fit(std::move(profile));
   };
   const Ink tool{.stroke = kGrey, .fill = kSteel, .width = 0.2};

@@ -24,8 +24,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping_boxes(const std::ve
     order.push_back(i);
   }
   const int axis = !all.empty() && all.size().y() > all.size().x() ? 1 : 0;
-  std::ranges::sort(
-      order, [&](std::size_t i, std::size_t k) { return boxes[i].lo[axis] < boxes[k].lo[axis]; });
+  std::ranges::sort(order, {}, [&](std::size_t i) { return boxes[i].lo[axis]; });
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<std::size_t> open;
   for (const std::size_t i : order) {

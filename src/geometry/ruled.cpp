@@ -379,11 +379,10 @@ Vec2 RuledImage::fold(const Vec2& p) const {
   std::vector<double> us = rising_roots([&](double u) { return passing_of(line_at(u)); }, nodes);
   if (us.empty()) {
     const auto nearest = std::ranges::min_element(
-        nodes, [](auto& a, auto& b) { return std::abs(a.value) < std::abs(b.value); });
+        nodes, {}, [](const auto& node) { return std::abs(node.value); });
     us.push_back(nearest->u);
   }
-  const double u = *std::ranges::min_element(
-      us, [&](double a, double b) { return std::abs(v_at(a)) < std::abs(v_at(b)); });
+  const double u = std::ranges::min(us, {}, [&](double at) { return std::abs(v_at(at)); });
   return {u, v_at(u)};
 }
 

@@ -3,6 +3,7 @@
 #include "bend_text.hpp"
 #include "room_for_text.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
 #include <algorithm>
@@ -59,8 +60,8 @@ void Drawing::add(const FlatPattern& pattern) {
 void Drawing::add_sheet(double length, double width) {
   const std::vector<Vec2> corners{{0.0, 0.0}, {length, 0.0}, {length, width}, {0.0, width}};
   Loop edge;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    edge.emplace_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
+  for (const Segment& side : sides_of(corners))
+    edge.emplace_back(side);
   add_outline({"SHEET", 9}, edge);
 }
 

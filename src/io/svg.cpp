@@ -2,6 +2,7 @@
 #include "svg_labels.hpp"
 #include "svg_shapes.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
@@ -132,8 +133,7 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
   std::vector<Segment> segments;
   const auto add_loop = [&](const Loop& loop) {
     const std::vector<Vec2> corners = sampled(loop, 0.1 * font);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    std::ranges::copy(sides_of(corners), std::back_inserter(segments));
   };
   if (!pattern.outer.loop.empty()) add_loop(pattern.outer.loop);
   for (const Contour& opening : pattern.openings)

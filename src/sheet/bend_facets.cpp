@@ -208,8 +208,7 @@ void BendFacets::close() {
         };
         heights.push_back({at(from), at(to)});
       }
-      std::ranges::sort(heights,
-                        [](const auto& a, const auto& b) { return a[0] + a[1] < b[0] + b[1]; });
+      std::ranges::sort(heights, {}, [](const auto& h) { return h[0] + h[1]; });
       for (size_t k = 0; k + 1 < heights.size(); k += 2) {
         const auto &low = heights[k], &high = heights[k + 1];
         std::vector<Vec2> ring{image({from, low[0]}), image({to, low[1]}), image({to, high[1]}),

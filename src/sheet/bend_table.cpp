@@ -118,8 +118,7 @@ std::optional<Error> contradiction(const BendTable& table, const std::vector<int
   std::vector<size_t> order(table.rows.size());
   for (size_t i = 0; i < order.size(); ++i)
     order[i] = i;
-  std::ranges::stable_sort(
-      order, [&](size_t a, size_t b) { return key(table.rows[a]) < key(table.rows[b]); });
+  std::ranges::stable_sort(order, {}, [&](size_t row) { return key(table.rows[row]); });
   for (size_t i = 0; i + 1 < order.size(); ++i) {
     const BendTable::Row& a = table.rows[order[i]];
     const BendTable::Row& b = table.rows[order[i + 1]];

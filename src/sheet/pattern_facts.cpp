@@ -27,8 +27,8 @@ double inner_cutting_length(const FlatPattern& flat) {
 }
 
 std::optional<Segment> longest_line(const FlatBend& bend) {
-  const auto longest = std::ranges::max_element(
-      bend.lines, [](const Segment& a, const Segment& b) { return length(a) < length(b); });
+  const auto longest = std::ranges::max_element(bend.lines, {},
+                                                [](const Segment& line) { return length(line); });
   if (longest == bend.lines.end()) return std::nullopt;
   return *longest;
 }

@@ -110,10 +110,8 @@ BezierSearch::BezierSearch(BezierCurve curve) : curve_(std::move(curve)) {
 }
 
 BezierSearch::Foot BezierSearch::nearest(const Vec2& p) const {
-  const auto closer = [&](const Vec2& a, const Vec2& b) {
-    return (a - p).squaredNorm() < (b - p).squaredNorm();
-  };
-  const auto best = std::ranges::min_element(samples_, closer) - samples_.begin();
+  const auto away = [&](const Vec2& sample) { return (sample - p).squaredNorm(); };
+  const auto best = std::ranges::min_element(samples_, {}, away) - samples_.begin();
   const double step = 1.0 / (static_cast<double>(samples_.size()) - 1.0);
   const double low = std::max(0.0, (static_cast<double>(best) - 1.0) * step),
                high = std::min(1.0, (static_cast<double>(best) + 1.0) * step);

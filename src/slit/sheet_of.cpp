@@ -197,12 +197,10 @@ Face face_of(const PlaneRegion& region, FlangeId flange) {
   face.surface = region.frame;
   face.part_of = flange;
   BorderLoop& loop = face.loops.emplace_back();
-  for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Vec2 &from = region.corners[i], &to = region.corners[(i + 1) % region.corners.size()];
-    Border border{Segment{from, to}};
-    border.edge_length = (region.frame.point(to) - region.frame.point(from)).norm();
-    loop.push_back(border);
-  }
+  for (const Segment& side : sides_of(region.corners))
+    loop.push_back(
+        {.curve = side,
+         .edge_length = (region.frame.point(side.b) - region.frame.point(side.a)).norm()});
   return face;
 }
 

@@ -67,9 +67,8 @@ bool DocumentStore::make_room() {
   const auto unreadable = std::ranges::find_if(documents_, [&](const auto& row) {
     return row.second->is_unreadable() && row.second->is_idle_since(now);
   });
-  const auto oldest = std::ranges::min_element(documents_, [](const auto& a, const auto& b) {
-    return a.second->last_used() < b.second->last_used();
-  });
+  const auto oldest = std::ranges::min_element(
+      documents_, {}, [](const auto& row) { return row.second->last_used(); });
   if (unreadable != documents_.end())
     documents_.erase(unreadable);
   else if (oldest->second->is_idle_since(now - kUnused))

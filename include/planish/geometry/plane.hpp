@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <ranges>
 #include <vector>
 
 // Vectors, segments and boxes of the plane. Everything is exact up to rounding and takes constant
@@ -41,6 +43,21 @@ double distance(const Segment& a, const Segment& b);
 
 /// The smallest box that holds the points.
 Box2 box_of(const std::vector<Vec2>& points);
+
+/// The sides of a ring, each from a corner to the next: a view, which the ring must outlive.
+inline auto sides_of(const std::vector<Vec2>& ring) {
+  return std::views::iota(std::size_t{0}, ring.size()) |
+         std::views::transform([&ring](std::size_t i) {
+           return Segment{ring[i], ring[(i + 1) % ring.size()]};
+         });
+}
+void sides_of(std::vector<Vec2>&& ring) = delete;
+
+/// Of a point from the nearest side of a ring, inside as outside; infinite without corners.
+double distance_to_ring(const std::vector<Vec2>& ring, const Vec2& p);
+
+/// The part of a convex polygon where normal·p ≤ offset; empty if nothing remains.
+std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const Vec2& normal, double offset);
 
 /// Convex hull, counter-clockwise, without points on its edges (Andrew's chains).
 std::vector<Vec2> hull_of(std::vector<Vec2> points);
