@@ -35,7 +35,7 @@ Vec3 nearest_on_line(const PlacedPlate& a, const PlacedPlate& b, const Vec3& d) 
 }
 
 // On which sides of the line (along +e, −e) a plate has material: signs.
-std::vector<double> sides_of(const PlacedPlate& plate, const Vec3& origin, const Vec3& e) {
+std::vector<double> signs_of(const PlacedPlate& plate, const Vec3& origin, const Vec3& e) {
   double low = 0.0, high = 0.0;
   for (int i = 0; i < plate.edge_count(); ++i) {
     const double y = (plate.corner(i) - origin).dot(e);
@@ -55,8 +55,8 @@ std::vector<BendFrame> crossing_frames(const PlacedPlate& a, const PlacedPlate& 
   const Vec3 origin = nearest_on_line(a, b, raw);
   const Vec3 ea = a.frame.z.cross(d), eb = b.frame.z.cross(d);
   std::vector<BendFrame> frames;
-  for (const double sa : sides_of(a, origin, ea))
-    for (const double sb : sides_of(b, origin, eb)) {
+  for (const double sa : signs_of(a, origin, ea))
+    for (const double sb : signs_of(b, origin, eb)) {
       BendFrame frame{origin, d, {sa * ea, sb * eb}, Vec3::Zero(), {}};
       frame.beta = between(frame.e[0], frame.e[1]);
       frames.push_back(frame);

@@ -181,7 +181,7 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
   return directrix_boundaries(surface, ends, wanted, options);
 }
 
-std::vector<Spread> between(std::vector<double> crossings) {
+std::vector<Spread> material_between(std::vector<double> crossings) {
   std::ranges::sort(crossings);
   std::vector<Spread> material;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
@@ -212,7 +212,7 @@ std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, 
       const double t = std::clamp(a.y() / (a.y() - b.y()), 0.0, 1.0);
       crossings.push_back(a.x() + t * (b.x() - a.x()));
     }
-  return left_free(between(std::move(crossings)), low, high);
+  return left_free(material_between(std::move(crossings)), low, high);
 }
 
 }  // namespace planish::connect_detail

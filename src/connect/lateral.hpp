@@ -48,7 +48,7 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
 Boundary along_directrix(const BendSurface& surface, double level, double extent);
 
 /// Where there is material on a line that crosses the borders of a plate in these places.
-std::vector<Spread> between(std::vector<double> crossings);
+std::vector<Spread> material_between(std::vector<double> crossings);
 
 /// What parts of the range [low, high] leave free of it, ascending.
 std::vector<Spread> left_free(std::vector<Spread> taken, double low, double high);

@@ -45,7 +45,7 @@ std::vector<Spread> section(const Rings& rings, double x) {
     for (const auto& [p, q] : sides_of(ring))
       if ((p.x() <= x) != (q.x() <= x))
         ys.push_back(p.y() + (x - p.x()) / (q.x() - p.x()) * (q.y() - p.y()));
-  return between(std::move(ys));
+  return material_between(std::move(ys));
 }
 
 /// A rectangle across the sheet: from `low` to `high` along `e`, half the thickness to both sides.
