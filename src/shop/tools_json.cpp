@@ -166,7 +166,6 @@ const Schema& tools_schema() {
 
 Result<BrakeTools> parse_tools(const std::string& json, const std::string& name) {
   JsonReading reading(json, "tools file", name, tools_schema());
-  if (reading.error()) return tl::unexpected(*reading.error());
   const JsonPlace file(reading);
   Profiles profiles;
   BrakeTools tools;
