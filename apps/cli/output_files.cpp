@@ -1,7 +1,5 @@
 #include "output_files.hpp"
 
-#include "refusals.hpp"
-
 #include <planish/base/text.hpp>
 #include <planish/io/flat_writers.hpp>
 
@@ -57,9 +55,7 @@ Result<void> check_folder(const fs::path& folder) {
                     : access(there.c_str(), W_OK | X_OK) < 0 ? "may not be written"
                                                              : nullptr;
   if (!why) return {};
-  return fail(refuse::folder_not_writable,
-              {{"file", folder.string()}, {"there", there.string()}, {"reason", why}},
-              folder.string());
+  return cannot_write(folder, fmt::format("{} {}", there.string(), why));
 }
 
 std::optional<Error> write_all(const std::vector<OutputFile>& files,

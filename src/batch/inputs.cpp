@@ -105,8 +105,7 @@ class Collecting {
             {entry->path(), entry->path().lexically_relative(folder).generic_string()});
     }
     if (!failed) return std::nullopt;
-    return error_of(refuse::folder_unread,
-                    {{"file", folder.string()}, {"reason", failed.message()}}, folder.string());
+    return schema::cannot_read("folder", folder, failed.message());
   }
 
   bool is_input(const fs::path& file) const {
