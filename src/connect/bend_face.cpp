@@ -26,9 +26,7 @@ struct TaggedCurve {
 using TaggedLoop = std::vector<TaggedCurve>;
 
 Curve2 shifted(const Curve2& curve, double v) {
-  Isometry2 motion = Isometry2::Identity();
-  motion.translation() = Vec2(0.0, v);
-  return transformed(curve, motion);
+  return transformed(curve, Isometry2(Eigen::Translation2d(0.0, v)));
 }
 
 // Length on the skin by chords in space, extrapolated, independent of any development. A ruling is

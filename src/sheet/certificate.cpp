@@ -133,14 +133,6 @@ Worst worst_length(const Sheet& sheet, const Relaid& laid, double tolerance) {
 }
 
 /// Everything that the pattern draws of the material's borders.
-std::vector<Curve2> written_curves(const FlatPattern& pattern) {
-  std::vector<Curve2> curves = pattern.outer.loop;
-  for (const Contour& opening : pattern.openings)
-    curves.insert(curves.end(), opening.loop.begin(), opening.loop.end());
-  curves.insert(curves.end(), pattern.slits.begin(), pattern.slits.end());
-  return curves;
-}
-
 std::vector<Curve2> drawn_curves(const FlatPattern& pattern) {
   std::vector<Curve2> curves = written_curves(pattern);
   for (const FlatFeature& feature : pattern.features)

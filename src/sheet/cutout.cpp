@@ -9,6 +9,7 @@
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/minimum.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
@@ -45,19 +46,6 @@ double root(const Curve2& curve, const Cutout& cutout, double a, double b) {
   return (a + b) / 2;
 }
 
-/// The parameter between a and b at which the curve is nearest to the cutout's middle parts.
-double deepest(const Curve2& curve, const Cutout& cutout, double a, double b) {
-  constexpr int kThirds = 50;
-  for (int i = 0; i < kThirds; ++i) {
-    const double c = a + (b - a) / 3, d = b - (b - a) / 3;
-    if (cutout.distance(point_at(curve, c)) < cutout.distance(point_at(curve, d)))
-      b = d;
-    else
-      a = c;
-  }
-  return (a + b) / 2;
-}
-
 /// Parameters where the curve crosses the cutout's outline, ascending.
 std::vector<double> crossings_of(const Curve2& curve, const Cutout& cutout) {
   Box2 box = bounds(curve);
@@ -78,7 +66,8 @@ std::vector<double> crossings_of(const Curve2& curve, const Cutout& cutout) {
     if ((last < 0.0) != (next < 0.0)) {
       found.push_back(root(curve, cutout, at(i - 1), at(i)));
     } else if (last >= 0.0 && next >= 0.0) {
-      const double middle = deepest(curve, cutout, at(i - 1), at(i));
+      constexpr int kCuts = 45;
+      const double middle = least_at(off, at(i - 1), at(i), 2, kCuts);
       if (off(middle) < 0.0) {
         found.push_back(root(curve, cutout, at(i - 1), middle));
         found.push_back(root(curve, cutout, middle, at(i)));

@@ -174,9 +174,7 @@ void align(FlatSheet& flat) {
   constexpr double kClearlyHigher = 1.0 + tolerance::kComputed;
   if (const Vec2 size = bounds(pattern.outer.loop).size(); size.y() > size.x() * kClearlyHigher)
     move(flat, turn(0.0, 1.0));
-  Isometry2 shift = Isometry2::Identity();
-  shift.translation() = -bounds(pattern.outer.loop).lo;
-  move(flat, shift);
+  move(flat, Isometry2(Eigen::Translation2d(-bounds(pattern.outer.loop).lo)));
 }
 
 /// The pattern in the coordinates of the layout's root.

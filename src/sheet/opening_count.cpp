@@ -131,11 +131,7 @@ Vec2 middle_of_contour(const Sheet& sheet, const Topology& topology, const Relai
 void add_missing_contours(std::vector<Vec2>& missing, const Sheet& sheet, const Topology& topology,
                           const Relaid& laid, const FlatPattern& pattern,
                           const std::vector<std::vector<BorderId>>& contours) {
-  std::vector<Curve2> written = pattern.outer.loop;
-  for (const Contour& opening : pattern.openings)
-    written.insert(written.end(), opening.loop.begin(), opening.loop.end());
-  written.insert(written.end(), pattern.slits.begin(), pattern.slits.end());
-  const CurveIndex index(std::move(written));
+  const CurveIndex index(written_curves(pattern));
   constexpr double kNear = 0.05;  // mm: setbacks and kerfs are not looked at here
   for (const std::vector<BorderId>& contour : contours) {
     if (std::ranges::any_of(contour,
@@ -172,6 +168,14 @@ void add_missing_in_forms(std::vector<Vec2>& missing, const Sheet& sheet, const 
 }
 
 }  // namespace
+
+std::vector<Curve2> written_curves(const FlatPattern& pattern) {
+  std::vector<Curve2> curves = pattern.outer.loop;
+  for (const Contour& opening : pattern.openings)
+    curves.insert(curves.end(), opening.loop.begin(), opening.loop.end());
+  curves.insert(curves.end(), pattern.slits.begin(), pattern.slits.end());
+  return curves;
+}
 
 std::vector<const BorderLoop*> cuts_of(const FormedFeature& feature) {
   std::vector<const BorderLoop*> cuts;
