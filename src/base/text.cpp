@@ -26,10 +26,9 @@ std::string shortened(std::string_view text, std::size_t most) {
 
 std::string trimmed_number(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') == std::string::npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
+  if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
-  return text;
+  return text == "-0" ? "0" : text;
 }
 
 std::string counted(double count, std::string_view noun) {

@@ -81,10 +81,7 @@ std::array<Vec2, 4> zone_between(const Limit& l, const Limit& r, bool whole) {
 
 }  // namespace
 
-std::string svg_number(double value, int decimals) {
-  std::string text = trimmed_number(value, decimals);
-  return text == "-0" ? "0" : text;
-}
+std::string svg_number(double value, int decimals) { return trimmed_number(value, decimals); }
 
 std::string xml_escaped(std::string_view text) {
   std::string escaped = replaced(text,

@@ -90,7 +90,7 @@ Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
 Result<double> Rates::cost_of(const PricedPart& part) const {
   const auto row = rows_.find(part.material);
   if (row == rows_.end()) {
-    const auto known = mapped(rows_, [&](const auto& row) { return row.first; });
+    const auto known = mapped(rows_, [](const auto& entry) { return entry.first; });
     return fail(refuse::no_rates_of,
                 {{"file", name_},
                  {"material", part.material},
