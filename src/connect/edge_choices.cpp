@@ -1,3 +1,4 @@
+#include "outline_run.hpp"
 #include "pair_search.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "svg_shapes.hpp"
 
 #include <planish/geometry/plane.hpp>
+#include <planish/io/flat_writers.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>

@@ -9,6 +9,7 @@
 #include <planish/schema/printable.hpp>
 #include <planish/schema/table.hpp>
 #include <planish/schema/units.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include <planish/schema/table.hpp>
 #include <planish/schema/units.hpp>
 #include <planish/sheet/csv.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -5,6 +5,7 @@
 #include "sentences.hpp"
 
 #include <planish/sheet/codes.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
