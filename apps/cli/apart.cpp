@@ -62,7 +62,7 @@ std::string name_of(const std::string& input) {
 std::optional<Error> write_products(const Outcome& outcome) {
   for (const OutputFile& file : outcome.files)
     if (file.path.has_parent_path())
-      if (auto error = make_folder(file.path.parent_path())) return error;
+      if (auto made = make_folder(file.path.parent_path()); !made) return made.error();
   return write_all(outcome.files, outcome.inputs);
 }
 

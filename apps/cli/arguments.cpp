@@ -94,12 +94,12 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
                              suffixes(written)))
       ->type_name("PATH")
       ->group("Output");
-  std::vector<std::string> words;
-  for (const job::Artifact* artifact : written)
-    words.emplace_back(artifact->suffix.substr(1));
+  const auto words = mapped(written, [&](const job::Artifact* artifact) {
+    return std::string(artifact->suffix.substr(1));
+  });
   const auto check = [words](const std::string& text) -> std::string {
     for (const std::string& word : between_commas(text))
-      if (std::find(words.begin(), words.end(), word) == words.end())
+      if (std::ranges::find(words, word) == words.end())
         return fmt::format("must be one of {}, not \"{}\"{}", fmt::join(words, ", "), word,
                            word == text ? "" : fmt::format(", in \"{}\"", text));
     return {};

@@ -1,5 +1,7 @@
 #include "completion.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -153,10 +155,7 @@ std::string bash_command(const TableCommand& command) {
 // zsh
 
 std::string zsh_quoted(const std::string& text) {
-  std::string made = "'";
-  for (const char c : text)
-    made += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return made + "'";
+  return "'" + replaced(text, {{'\'', "'\\''"}}) + "'";
 }
 
 std::string zsh_action(const TableOption& option) {
@@ -164,9 +163,8 @@ std::string zsh_action(const TableOption& option) {
   if (option.folder) return "_files -/";
   if (option.file && option.suffixes.empty()) return "_files";
   if (option.file) {
-    std::vector<std::string> ends;
-    for (const std::string& suffix : option.suffixes)
-      ends.push_back(suffix.substr(1));
+    const auto ends = mapped(option.suffixes,
+                             [&](const std::string& suffix) { return suffix.substr(1); });
     // One in parentheses at the end would be taken for a qualifier.
     const std::string any = fmt::format("{}", fmt::join(ends, "|"));
     return fmt::format("_files -g \"*.(#i){}\"", ends.size() == 1 ? any : "(" + any + ")");

@@ -55,7 +55,7 @@ std::vector<Contradiction> of_formats(const Arguments& a) {
 std::vector<Contradiction> of_several_bodies(const job::Catalogue& catalogue, const Arguments& a) {
   const auto& outputs = a.outputs.at(job::Role::flat);
   if (!a.all) {
-    const bool folder = outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_folder);
+    const bool folder = outputs.empty() || std::ranges::any_of(outputs, is_folder);
     return {
         {!folder && !a.formats.empty(),
          "--format goes with a folder or without -o: the name of a file already sets its format"}};
@@ -68,8 +68,8 @@ std::vector<Contradiction> of_several_bodies(const job::Catalogue& catalogue, co
       {faces, "--root and --up cannot name a face with --all: every body numbers its own faces"},
       {outputs.empty() && !a.check,
        "--all writes several files: name their folder with -o FOLDER/"},
-      {std::any_of(outputs.begin(), outputs.end(),
-                   [&](const auto& name) { return names_a_file(catalogue, a, name); }),
+      {std::ranges::any_of(outputs,
+                           [&](const auto& name) { return names_a_file(catalogue, a, name); }),
        "--all writes several files: -o must be a folder, not a file"},
       {outputs.size() > 1, "--all writes into one folder: give -o once"},
   };

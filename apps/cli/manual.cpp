@@ -1,5 +1,7 @@
 #include "manual.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,28 +42,12 @@ std::string roff(std::string_view text) {
   for (const char c : text) {
     const bool at_start = made.empty() || made.back() == '\n';
     if (at_start && (c == '.' || c == '\'')) made += "\\&";
-    switch (c) {
-      case '\\':
-        made += "\\e";
-        break;
-      case '-':
-        made += "\\-";
-        break;
-      case '\'':
-        made += "\\(aq";
-        break;
-      case '`':
-        made += "\\(ga";
-        break;
-      case '^':
-        made += "\\(ha";
-        break;
-      case '~':
-        made += "\\(ti";
-        break;
-      default:
-        made += c;
-    }
+    made += replaced({&c, 1}, {{'\\', "\\e"},
+                               {'-', "\\-"},
+                               {'\'', "\\(aq"},
+                               {'`', "\\(ga"},
+                               {'^', "\\(ha"},
+                               {'~', "\\(ti"}});
   }
   return made;
 }
@@ -89,8 +75,7 @@ std::string sentence_of(const std::string& text) {
   if (made.empty()) return made;
   const std::string first = text.substr(0, text.find_first_of(" ,"));
   const bool is_word = std::ranges::all_of(first, [](unsigned char c) { return std::isalpha(c); });
-  if (is_word)
-    made.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(made.front())));
+  if (is_word) made = capitalized(std::move(made));
   return made.ends_with('.') ? made : made + ".";
 }
 

@@ -3,15 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 namespace planish::cli {
-
-std::string flag_of(std::string_view option) {
-  std::string flag = "--" + std::string(option);
-  std::replace(flag.begin(), flag.end(), '_', '-');
-  return flag;
-}
 
 std::string spelled(const Error& error) {
   std::string text;
@@ -90,12 +82,6 @@ std::vector<std::string> between_commas(const std::string& text) {
     else
       words.back() += c;
   return words;
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  if (words.size() < 2) return words.empty() ? "" : words.front();
-  const std::vector<std::string> but_last(words.begin(), words.end() - 1);
-  return fmt::format("{} and {}", fmt::join(but_last, ", "), words.back());
 }
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,

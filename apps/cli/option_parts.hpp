@@ -5,13 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace planish::cli {
-
-/// How an option of a request is spelled on the command line: "--k-table" for "k_table".
-std::string flag_of(std::string_view option);
 
 /// A message of the library with the options that it names spelled as on the command line.
 std::string spelled(const Error& error);
@@ -30,9 +26,6 @@ std::string type_name(const job::Option& option);
 
 /// "dxf", "" and "svg" of "dxf,,svg".
 std::vector<std::string> between_commas(const std::string& text);
-
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& words);
 
 /// An option whose value may be any text but the empty one; `type` stands for it in the help.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,

@@ -1,15 +1,10 @@
 #include "output_files.hpp"
 
-#include "refusals.hpp"
-
+#include <planish/base/text.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/io/mesh_writers.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cctype>
 
 namespace planish::cli {
 
@@ -17,12 +12,7 @@ namespace fs = std::filesystem;
 
 Error bad_option(std::string message) { return {code::bad_option, std::move(message), {}}; }
 
-std::string suffix_of(const fs::path& path) {
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
+std::string suffix_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 bool is_folder(const std::string& output) {
   std::error_code ignored;
@@ -65,17 +55,7 @@ Result<void> check_folder(const fs::path& folder) {
                     : access(there.c_str(), W_OK | X_OK) < 0 ? "may not be written"
                                                              : nullptr;
   if (!why) return {};
-  return fail(refuse::folder_not_writable,
-              {{"file", folder.string()}, {"there", there.string()}, {"reason", why}},
-              folder.string());
-}
-
-std::optional<Error> make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) return std::nullopt;
-  return error_of(refuse::folder_not_made, {{"file", folder.string()}, {"reason", error.message()}},
-                  folder.string());
+  return cannot_write(folder, fmt::format("{} {}", there.string(), why));
 }
 
 std::optional<Error> write_all(const std::vector<OutputFile>& files,

@@ -39,8 +39,6 @@ Result<void> check_output(const std::filesystem::path& output, const std::string
 /// `cannot_write` where a folder is not there and cannot be made, or takes no files.
 Result<void> check_folder(const std::filesystem::path& folder);
 
-std::optional<Error> make_folder(const std::filesystem::path& folder);
-
 /// Writes all of them or none, none over one of `inputs`.
 std::optional<Error> write_all(const std::vector<OutputFile>& files,
                                const std::vector<std::filesystem::path>& inputs);

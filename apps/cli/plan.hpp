@@ -5,7 +5,6 @@
 #include <planish/base/result.hpp>
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace planish::cli {

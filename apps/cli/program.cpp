@@ -107,9 +107,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   CLI::App app("Planish lays sheet metal flat and shows that the flat shape is right.", "planish");
   set_up(app, catalogue);
   const Program program{app, catalogue};
-  std::vector<Defined> commands;
-  for (const job::Maker& maker : catalogue.makers)
-    commands.push_back(defined_maker(program, maker));
+  auto commands = mapped(catalogue.makers,
+                         [&](const job::Maker& maker) { return defined_maker(program, maker); });
   for (const Row& row : kCommands)
     commands.push_back(row.define(program));
   try {

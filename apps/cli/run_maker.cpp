@@ -202,7 +202,7 @@ class AllParts : public MakerCommand {
 
   /// Why none of them has a pattern: the first reason; the table shows them all.
   static std::optional<Error> reason_of(const std::vector<UnfoldReport>& reports) {
-    if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
+    if (std::ranges::any_of(reports, [](const auto& r) { return r.has_pattern(); }))
       return std::nullopt;
     Error none = *reports.front().refusal;
     if (reports.size() > 1)

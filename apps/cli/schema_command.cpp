@@ -19,9 +19,8 @@ constexpr auto kSchemaExamples = R"(Examples:
 They are in docs/schema/ too.)";
 
 std::string names_of(const std::vector<const job::Artifact*>& artifacts) {
-  std::vector<std::string_view> names;
-  for (const job::Artifact* artifact : artifacts)
-    names.push_back(artifact->name);
+  const auto names = mapped(artifacts,
+                            [&](const job::Artifact* artifact) { return artifact->name; });
   return fmt::format("{}", fmt::join(names, " "));
 }
 

@@ -55,10 +55,7 @@ std::string quoted(const std::string& word) {
   constexpr auto
       kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word)
-    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  return "'" + replaced(word, {{'\'', "'\\''"}}) + "'";
 }
 
 /// The words that this program was called with, as the system keeps them.

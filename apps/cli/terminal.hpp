@@ -4,7 +4,6 @@
 #include <planish/base/result.hpp>
 
 #include <chrono>
-#include <string>
 #include <string_view>
 
 namespace planish::cli {

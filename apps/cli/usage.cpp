@@ -35,9 +35,8 @@ std::string no_such_option(const CLI::App& command, const CLI::App& app, const s
 
 std::string too_much(const CLI::App& command, const CLI::App& app, const std::string& word) {
   if (&command == &app) {
-    std::vector<std::string> names;
-    for (const CLI::App* one : commands_of(app))
-      names.push_back(one->get_name());
+    const auto names = mapped(commands_of(app),
+                              [&](const CLI::App* one) { return one->get_name(); });
     return fmt::format("there is no command \"{}\"; there are {}", word, listed(names));
   }
   const auto inputs = command.get_options(
@@ -50,7 +49,7 @@ std::string too_much(const CLI::App& command, const CLI::App& app, const std::st
 std::string left_over(const CLI::App& command, const CLI::App& app) {
   const auto words = command.remaining();
   if (words.empty()) return {};
-  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  const auto option = std::ranges::find_if(words, is_option);
   // A command that is not known has options that are not known either.
   if (option == words.end() || (&command == &app && !is_option(words.front())))
     return too_much(command, app, words.front());

@@ -7,7 +7,6 @@ namespace planish::refuse {
 
 // Its server.
 constexpr Refusal no_random_numbers{code::internal, "The system supplies no random numbers."};
-constexpr Refusal folder_not_made{code::cannot_write, "Cannot make the folder {folder}: {reason}."};
 constexpr Refusal file_too_large{code::cannot_read, "{file} is larger than {most}."};
 constexpr Refusal file_is_device{code::cannot_read, "{file} is a device, not a file."};
 constexpr Refusal not_read{code::cannot_read, "{file} is not read: it has no plain name."};

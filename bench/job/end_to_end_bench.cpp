@@ -147,7 +147,7 @@ std::vector<fs::path> real_parts() {
   if (fs::exists(folder))
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().extension() == ".step") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

@@ -29,7 +29,7 @@ std::vector<fs::path> parts() {
   if (fs::exists(kParts))
     for (const auto& entry : fs::directory_iterator(kParts))
       if (entry.path().extension() == ".step") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -38,7 +38,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values.empty()
              ? 0.0
              : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];

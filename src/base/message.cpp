@@ -3,6 +3,7 @@
 
 #include <planish/base/message.hpp>
 #include <planish/base/result.hpp>
+#include <planish/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -32,14 +33,6 @@ Slot slot_of(std::string_view inside) {
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string counted(double count, std::string_view noun) {
-  const std::size_t slash = noun.find('/');
-  const std::string one(noun.substr(0, slash));
-  const std::string many = slash == std::string_view::npos ? one + "s"
-                                                           : std::string(noun.substr(slash + 1));
-  return fmt::format("{} {}", number_text(count, 12), count == 1.0 ? one : many);
-}
 
 std::string quantity_text(const Quantity& quantity, std::string_view format) {
   constexpr int kDigits = 4;
@@ -89,18 +82,23 @@ const Place* one_place(std::string_view name, const Facts& facts) {
 }
 
 /// A template with its slots filled, and what it names.
+struct Filled {
+  std::string text;
+  std::vector<Named> named;
+};
+
 class Filling {
  public:
-  Filling(std::string_view pattern, const Facts& facts) : facts_(facts) {
+  explicit Filling(const Facts& facts) : facts_(facts) {}
+
+  Filled fill(std::string_view pattern) && {
     for (std::size_t at = 0; at < pattern.size();) {
       const std::size_t mark = std::min(pattern.find_first_of("{`", at), pattern.size());
       text_.append(pattern.substr(at, mark - at));
       at = mark == pattern.size() ? mark : pattern[mark] == '`' ? tick(mark) : slot(pattern, mark);
     }
+    return {std::move(text_), std::move(named_)};
   }
-
-  std::string text_;
-  std::vector<Named> named_;
 
  private:
   /// A backtick opens the name of an option or closes it.
@@ -130,11 +128,13 @@ class Filling {
   }
 
   const Facts& facts_;
+  std::string text_;
+  std::vector<Named> named_;
   std::optional<std::size_t> open_;  // backtick
 };
 
-std::string filled(std::string_view pattern, const Facts& facts) {
-  return Filling(pattern, facts).text_;
+Filled filled(std::string_view pattern, const Facts& facts) {
+  return Filling(facts).fill(pattern);
 }
 
 /// With the names in it moved to behind `before`.
@@ -147,9 +147,7 @@ void append_named(std::vector<Named>& to, const std::vector<Named>& named, std::
 
 /// A sentence begins with a capital, whatever its first place is.
 std::string sentence(std::string text, std::string_view pattern) {
-  if (pattern.starts_with("{@") && !text.empty() && text.front() >= 'a' && text.front() <= 'z')
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text;
+  return pattern.starts_with("{@") ? capitalized(std::move(text)) : text;
 }
 
 std::string where_of(const std::vector<Place>& places) {
@@ -163,9 +161,15 @@ std::string where_of(const std::vector<Place>& places) {
 
 }  // namespace
 
+std::string flag_of(std::string_view option) {
+  std::string flag = fmt::format("--{}", option);
+  std::ranges::replace(flag, '_', '-');
+  return flag;
+}
+
 Told tell(std::string_view pattern, const Facts& facts) {
-  Filling filling(pattern, facts);
-  Told told{sentence(std::move(filling.text_), pattern), {}, {}, std::move(filling.named_)};
+  Filled filling = filled(pattern, facts);
+  Told told{sentence(std::move(filling.text), pattern), {}, {}, std::move(filling.named)};
   for (Named& named : told.named)
     named.text = told.sentence.substr(named.at, named.text.size());
   for (const Fact& fact : facts) {
@@ -202,14 +206,14 @@ Error error_of(const Refusal& refusal, const Facts& facts, std::string where) {
               std::move(told.places), std::move(told.numbers),  {},
               std::move(told.named)};
   if (error.where.empty()) error.where = where_of(error.places);
-  const Filling more(refusal.change, facts);
-  const std::string& change = more.text_;
+  const auto [change, named] = filled(refusal.change, facts);
   if (!change.empty()) {
-    append_named(error.named, more.named_, error.message.size() + 1);
+    append_named(error.named, named, error.message.size() + 1);
     error.message += " " + change;
   }
   if (!change.empty() || !refusal.option.empty())
-    error.remedies.push_back({std::string(refusal.option), filled(refusal.value, facts), change});
+    error.remedies.push_back(
+        {std::string(refusal.option), filled(refusal.value, facts).text, change});
   return error;
 }
 
@@ -238,6 +242,19 @@ void say_before(Error& error, std::string_view text) {
   error.message.insert(0, text);
   for (Named& named : error.named)
     named.at += text.size();
+}
+
+void rename_place(Error& error, const Place& from, const Place& to) {
+  std::size_t grown = 0;  // of the sentence so far
+  for (Named& named : error.named) {
+    named.at += grown;
+    if (!named.option.empty() || named.place != from) continue;
+    const std::string name = text_of(to);
+    error.message.replace(named.at, named.text.size(), name);
+    grown += name.size() - named.text.size();  // may wrap, and back again
+    named.text = name;
+    named.place = to;
+  }
 }
 
 void say_after(Error& error, const Error& more) {

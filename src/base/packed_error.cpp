@@ -9,13 +9,12 @@
 #include <cstdlib>
 #include <mutex>
 #include <set>
-#include <type_traits>
 
 namespace planish {
 namespace {
 
 constexpr std::string_view kMark = "error";
-constexpr long long kMostWhole = 2147483647;
+constexpr long long kMostWhole = 2147483647, kMostStatus = 4;
 
 /// The string of a set that never loses one.
 std::string_view kept(std::string_view text) {
@@ -25,28 +24,27 @@ std::string_view kept(std::string_view text) {
   return *texts.emplace(text).first;
 }
 
+/// Writes fields as texts.
 class Packing {
  public:
   void text(std::string_view value) { texts_.emplace_back(value); }
-  void whole(long long value) { texts_.push_back(std::to_string(value)); }
+  void unit(std::string_view value) { text(value); }
+  template <typename Whole>
+  void whole(Whole value, long long, long long) {
+    texts_.push_back(std::to_string(static_cast<long long>(value)));
+  }
   void number(double value) { texts_.push_back(fmt::format("{:a}", value)); }
-
-  void id(const Place::Id& id) {
-    whole(static_cast<long long>(id.index()));
-    if (const int* number = std::get_if<int>(&id)) whole(*number);
+  template <typename List, typename Each>
+  void list(List& list, const Each& each) {
+    whole(list.size(), 0, kMostWhole);
+    for (auto& one : list)
+      each(one);
+  }
+  void id(Place::Id& id) {
+    whole(id.index(), 0, 2);
+    if (const int* number = std::get_if<int>(&id)) whole(*number, -kMostWhole, kMostWhole);
     if (const std::string* name = std::get_if<std::string>(&id)) text(*name);
   }
-  void place(const Place& place) {
-    whole(static_cast<int>(place.kind));
-    id(place.id);
-    whole(std::ssize(place.at));
-    for (const double x : place.at)
-      number(x);
-    whole(std::ssize(place.faces));
-    for (const int face : place.faces)
-      whole(face);
-  }
-
   std::vector<std::string> take() { return std::move(texts_); }
 
  private:
@@ -58,55 +56,80 @@ class Unpacking {
  public:
   explicit Unpacking(std::span<const std::string> texts) : texts_(texts) {}
 
-  std::string text() {
-    if (at_ < texts_.size()) return texts_[at_++];
-    fine_ = false;
-    return {};
-  }
-  long long whole(long long least, long long most) {
-    const std::string word = text();
+  void text(std::string& value) { value = next(); }
+  void unit(std::string_view& value) { value = kept(next()); }
+  template <typename Whole>
+  void whole(Whole& value, long long least, long long most) {
+    const std::string word = next();
     char* end = nullptr;
-    const long long value = std::strtoll(word.c_str(), &end, 10);
-    fine_ = fine_ && !word.empty() && *end == '\0' && value >= least && value <= most;
-    return fine_ ? value : least;
+    const long long read = std::strtoll(word.c_str(), &end, 10);
+    fine_ = fine_ && !word.empty() && *end == '\0' && read >= least && read <= most;
+    value = static_cast<Whole>(fine_ ? read : least);
   }
-  long long count() { return whole(0, std::ssize(texts_)); }
-  double number() {
-    const std::string word = text();
+  void number(double& value) {
+    const std::string word = next();
     char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
+    value = std::strtod(word.c_str(), &end);
     fine_ = fine_ && !word.empty() && *end == '\0';
-    return value;
   }
-  Place::Id id() {
-    switch (whole(0, 2)) {
-      case 1:
-        return static_cast<int>(whole(-kMostWhole, kMostWhole));
-      case 2:
-        return text();
-      default:
-        return {};
-    }
+  template <typename List, typename Each>
+  void list(List& list, const Each& each) {
+    long long left = 0;
+    for (whole(left, 0, std::ssize(texts_)); left > 0 && fine_; --left)
+      each(list.emplace_back());
   }
-  Place place() {
-    Place place;
-    place.kind = static_cast<PlaceKind>(whole(0, static_cast<int>(PlaceKind::line)));
-    place.id = id();
-    for (long long left = count(); left > 0 && fine_; --left)
-      place.at.push_back(number());
-    for (long long left = count(); left > 0 && fine_; --left)
-      place.faces.push_back(static_cast<int>(whole(0, kMostWhole)));
-    return place;
+  void id(Place::Id& id) {
+    int kind = 0;
+    whole(kind, 0, 2);
+    if (kind == 1) whole(id.emplace<int>(), -kMostWhole, kMostWhole);
+    if (kind == 2) text(id.emplace<std::string>());
   }
-
   bool fine() const { return fine_; }
   bool at_end() const { return at_ == texts_.size(); }
 
  private:
+  std::string next() {
+    if (at_ < texts_.size()) return texts_[at_++];
+    fine_ = false;
+    return {};
+  }
+
   std::span<const std::string> texts_;
   std::size_t at_ = 0;
   bool fine_ = true;
 };
+
+// What a place and an error consist of, for both ways.
+
+template <typename Way>
+void pass(Way& way, Place& place) {
+  way.whole(place.kind, 0, static_cast<int>(PlaceKind::line));
+  way.id(place.id);
+  way.list(place.at, [&](double& x) { way.number(x); });
+  way.list(place.faces, [&](int& face) { way.whole(face, 0, kMostWhole); });
+}
+
+template <typename Way>
+void pass(Way& way, Error& error) {
+  way.text(error.message);
+  way.text(error.where);
+  way.list(error.places, [&](Place& place) { pass(way, place); });
+  way.list(error.numbers, [&](NamedQuantity& number) {
+    way.text(number.name);
+    way.number(number.quantity.value);
+    way.unit(number.quantity.unit);
+  });
+  way.list(error.remedies, [&](Remedy& remedy) {
+    for (std::string* text : {&remedy.option, &remedy.value, &remedy.change})
+      way.text(*text);
+  });
+  way.list(error.named, [&](Named& named) {
+    way.whole(named.at, 0, kMostWhole);
+    way.text(named.text);
+    way.text(named.option);
+    pass(way, named.place);
+  });
+}
 
 }  // namespace
 
@@ -116,59 +139,22 @@ std::vector<std::string> packed(const Error& error) {
   Packing out;
   out.text(kMark);
   out.text(error.code.name);
-  out.whole(exit_status(error.code));
-  out.text(error.message);
-  out.text(error.where);
-  out.whole(std::ssize(error.places));
-  for (const Place& place : error.places)
-    out.place(place);
-  out.whole(std::ssize(error.numbers));
-  for (const NamedQuantity& number : error.numbers) {
-    out.text(number.name);
-    out.number(number.quantity.value);
-    out.text(number.quantity.unit);
-  }
-  out.whole(std::ssize(error.remedies));
-  for (const Remedy& remedy : error.remedies) {
-    out.text(remedy.option);
-    out.text(remedy.value);
-    out.text(remedy.change);
-  }
-  out.whole(std::ssize(error.named));
-  for (const Named& named : error.named) {
-    out.whole(static_cast<long long>(named.at));
-    out.text(named.text);
-    out.text(named.option);
-    out.place(named.place);
-  }
+  out.whole(error.code.status, 0, kMostStatus);
+  Error copy = error;
+  pass(out, copy);
   return out.take();
 }
 
 std::optional<Error> unpacked(std::span<const std::string> texts) {
-  Unpacking in(texts);
-  if (in.text() != kMark) return std::nullopt;
+  if (texts.empty() || texts.front() != kMark) return std::nullopt;
+  Unpacking in(texts.subspan(1));
+  std::string name;
+  ExitStatus status{};
+  in.text(name);
+  in.whole(status, 0, kMostStatus);
   Error error;
-  const std::string name = in.text();
-  error.code = received_code(name, static_cast<ExitStatus>(in.whole(0, 4)));
-  error.message = in.text();
-  error.where = in.text();
-  for (long long left = in.count(); left > 0 && in.fine(); --left)
-    error.places.push_back(in.place());
-  for (long long left = in.count(); left > 0 && in.fine(); --left) {
-    NamedQuantity number{in.text(), {in.number()}};
-    number.quantity.unit = kept(in.text());
-    error.numbers.push_back(std::move(number));
-  }
-  for (long long left = in.count(); left > 0 && in.fine(); --left) {
-    Remedy remedy{in.text(), in.text(), in.text()};
-    error.remedies.push_back(std::move(remedy));
-  }
-  for (long long left = in.count(); left > 0 && in.fine(); --left) {
-    const auto at = static_cast<unsigned>(in.whole(0, kMostWhole));
-    Named named{at, in.text(), in.text()};
-    named.place = in.place();
-    error.named.push_back(std::move(named));
-  }
+  error.code = received_code(name, status);
+  pass(in, error);
   if (!in.fine() || !in.at_end()) return std::nullopt;
   return error;
 }

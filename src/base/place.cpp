@@ -46,6 +46,10 @@ std::string id_text(const Place& place) {
   return place.kind == PlaceKind::plate ? fmt::format("\"{}\"", *name) : *name;
 }
 
+std::string escaped_token(std::string_view key) {
+  return replaced(key, {{'~', "~0"}, {'/', "~1"}});
+}
+
 std::string text_of(const Place& place) {
   if (place.kind == PlaceKind::pointer || std::holds_alternative<std::monostate>(place.id))
     return id_text(place);

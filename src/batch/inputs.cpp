@@ -1,7 +1,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/text.hpp>
-#include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -17,13 +16,6 @@ namespace planish::batch {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower_suffix(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::ranges::transform(suffix, suffix.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
 
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
@@ -113,12 +105,11 @@ class Collecting {
             {entry->path(), entry->path().lexically_relative(folder).generic_string()});
     }
     if (!failed) return std::nullopt;
-    return error_of(refuse::folder_unread,
-                    {{"file", folder.string()}, {"reason", failed.message()}}, folder.string());
+    return schema::cannot_read("folder", folder, failed.message());
   }
 
   bool is_input(const fs::path& file) const {
-    const std::string suffix = lower_suffix(file);
+    const std::string suffix = lower_case(file.extension().string());
     if (suffix == ".step" || suffix == ".stp") return true;
     if (suffix != ".json") return false;
     const auto input = job::read_input_file(file, "input file");

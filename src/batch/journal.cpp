@@ -2,6 +2,9 @@
 
 #include "refusals.hpp"
 
+#include <planish/io/flat_writers.hpp>
+#include <planish/schema/text_file.hpp>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -17,8 +20,8 @@ using Json = nlohmann::ordered_json;
 // Between the head of a line, {"name": ..., "key": ...}, and its parts.
 constexpr char kBehindHead = '\t';
 
-tl::unexpected<Error> broken(const Refusal& refusal, const std::filesystem::path& file) {
-  return fail(refusal, {{"file", file.string()}, {"reason", std::strerror(errno)}}, file.string());
+tl::unexpected<Error> unread(const std::filesystem::path& file) {
+  return fail(schema::cannot_read("journal", file, std::strerror(errno)));
 }
 
 std::string json_text(const std::string& text) { return Json(text).dump(); }
@@ -41,7 +44,7 @@ Result<Journal> Journal::read(const std::filesystem::path& file) {
   Journal journal;
   journal.file_ = file;
   journal.stream_.open(file, std::ios::in | std::ios::binary);
-  if (!journal.stream_) return broken(refuse::batch_unread, file);
+  if (!journal.stream_) return unread(file);
   journal.look_through();
   return journal;
 }
@@ -52,7 +55,7 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   std::error_code none;
   if (!std::filesystem::exists(file, none)) std::ofstream(file, std::ios::binary);
   journal.stream_.open(file, std::ios::in | std::ios::out | std::ios::binary);
-  if (!journal.stream_) return broken(refuse::batch_unwritten, file);
+  if (!journal.stream_) return cannot_write(file, std::strerror(errno));
   journal.look_through();
   if (const auto size = std::filesystem::file_size(file, none);
       !none && size > static_cast<std::uintmax_t>(journal.end_))
@@ -66,15 +69,11 @@ std::string Journal::key_of(const std::string& name) const {
 }
 
 std::vector<std::string> Journal::names() const {
-  std::vector<std::string> names;
-  names.reserve(places_.size());
-  for (const auto& [name, place] : places_)
-    names.push_back(name);
-  return names;
+  return mapped(places_, [&](const auto& row) { return row.first; });
 }
 
 tl::unexpected<Error> Journal::unwritten() {
-  const auto error = broken(refuse::batch_unwritten, file_);
+  const auto error = cannot_write(file_, std::strerror(errno));
   stream_.clear();
   return error;
 }
@@ -117,7 +116,7 @@ Result<std::string> Journal::line_at(const Place& place) {
   stream_.seekg(place.at);
   stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (stream_) return line;
-  const auto error = broken(refuse::batch_unread, file_);
+  const auto error = unread(file_);
   stream_.clear();
   return error;
 }

@@ -1,6 +1,9 @@
 #include "refusals.hpp"
 #include "results.hpp"
 
+#include <planish/io/flat_writers.hpp>
+#include <planish/schema/text_file.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,9 +28,7 @@ Result<std::vector<fs::path>> batches_in(const std::vector<fs::path>& folders) {
     auto entry = fs::directory_iterator(folder, failed);
     for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
       if (is_shard(entry->path())) batches.push_back(entry->path());
-    if (failed)
-      return fail(refuse::folder_unread, {{"file", folder.string()}, {"reason", failed.message()}},
-                  folder.string());
+    if (failed) return fail(schema::cannot_read("folder", folder, failed.message()));
     if (batches.size() > before) continue;
     if (!is_batch(folder))
       return fail(refuse::no_batch, {{"folder", folder.string()}}, folder.string());
@@ -75,19 +76,14 @@ Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
 
 /// Puts a part's files of one batch in place in another.
 Result<void> take_over(const PartRecord& part, const fs::path& from, const fs::path& to) {
-  const auto failed = [&](const fs::path& what, const std::error_code& why) {
-    return fail(refuse::batch_unwritten, {{"file", what.string()}, {"reason", why.message()}},
-                what.string());
-  };
-  std::error_code error;
-  if (!part.files.empty()) fs::create_directories(to, error);
-  if (error) return failed(to, error);
+  if (!part.files.empty())
+    if (auto made = make_folder(to); !made) return made;
   for (const std::string& file : part.files) {
-    std::error_code none;
+    std::error_code error, none;
     fs::remove(to / file, none);
     fs::create_hard_link(from / file, to / file, error);
     if (error) fs::copy_file(from / file, to / file, error);
-    if (error) return failed(to / file, error);
+    if (error) return cannot_write(to / file, error.message());
   }
   return {};
 }

@@ -2,11 +2,12 @@
 
 #include "page_text.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string_view>
@@ -48,10 +49,7 @@ std::string in_address(const std::string& path) {
 
 /// JSON that may stand in a script element: nothing in it may end the element.
 std::string in_script(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-    text.replace(at, 1, "\\u003c");
-  return text;
+  return replaced(json.dump(-1, ' ', false, Json::error_handler_t::replace), {{'<', "\\u003c"}});
 }
 
 }  // namespace

@@ -110,9 +110,7 @@ void unfold(const FileTask& task, const job::Maker& maker, const job::Request& r
 
 PartDone part_done(std::string folder, std::string report, std::vector<std::string> shapes,
                    std::vector<PartFile> files, int body) {
-  std::vector<std::string> names;
-  for (const PartFile& file : files)
-    names.push_back(file.name);
+  auto names = mapped(files, &PartFile::name);
   return {part_record(std::move(folder), std::move(report), std::move(shapes), std::move(names)),
           std::move(files), body};
 }

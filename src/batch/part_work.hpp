@@ -6,7 +6,6 @@
 #include <planish/process/child_process.hpp>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

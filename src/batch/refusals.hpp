@@ -25,11 +25,8 @@ constexpr Refusal list_in_itself{code::cannot_read, "The list {file} names itsel
 constexpr Refusal output_in_input{
     code::bad_option, "The results would go into {output}, which is in the input folder {folder}.",
     "Name a folder outside with -o."};
-constexpr Refusal folder_unread{code::cannot_read, "Cannot read the folder {file}: {reason}."};
 
 // Results of this batch and of others.
-constexpr Refusal batch_unread{code::cannot_read, "Cannot read {file}: {reason}."};
-constexpr Refusal batch_unwritten{code::cannot_write, "Cannot write {file}: {reason}."};
 constexpr Refusal batch_unfinished{code::cannot_read, "The batch in {folder} is not finished.",
                                    "Run it again to go on."};
 constexpr Refusal journal_damaged{code::cannot_read, "{file} is damaged at {name}.",

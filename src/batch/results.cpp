@@ -2,7 +2,6 @@
 
 #include "identical.hpp"
 #include "page.hpp"
-#include "refusals.hpp"
 #include "summary_csv.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -46,9 +45,7 @@ class Growing {
     if (whole && !failed) return {};
     std::error_code none;
     fs::remove(draft_, none);
-    return fail(refuse::batch_unwritten,
-                {{"file", target_.string()}, {"reason", failed ? failed.message() : why}},
-                target_.string());
+    return cannot_write(target_, failed ? failed.message() : why);
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "summary_csv.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
@@ -49,16 +50,12 @@ std::vector<std::pair<std::string, std::string>> row_of(const PartRecord& part,
 }  // namespace
 
 std::string csv_titles() {
-  std::vector<std::string> titles;
-  for (const auto& [title, text] : row_of({}, {}))
-    titles.push_back(title);
+  const auto titles = mapped(row_of({}, {}), [&](const auto& row) { return row.first; });
   return csv_row(titles);
 }
 
 std::string csv_of(const PartRecord& part, const std::string& same_as) {
-  std::vector<std::string> cells;
-  for (const auto& [title, text] : row_of(part, same_as))
-    cells.push_back(text);
+  const auto cells = mapped(row_of(part, same_as), [&](const auto& row) { return row.second; });
   return csv_row(cells);
 }
 

@@ -3,7 +3,6 @@
 #include "workpiece.hpp"
 
 #include <array>
-#include <optional>
 
 namespace planish::brake_detail {
 

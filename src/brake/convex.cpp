@@ -3,13 +3,12 @@
 // which for polygons are normals of their sides.
 #include "convex.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
-#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace planish::brake_detail {
 namespace {
@@ -43,7 +42,7 @@ class Joining {
     std::vector<std::pair<int, int>> sides;
     for (const auto& [side, polygon] : at_side_)
       if (side.first < side.second) sides.push_back(side);
-    std::sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+    std::ranges::sort(sides, [&](const auto& a, const auto& b) {
       return length(a) > length(b);  // long ones first: what is left over is not thin
     });
     for (const auto& side : sides)
@@ -64,13 +63,10 @@ class Joining {
     return at->second;
   }
   Convex corners(const std::vector<int>& polygon) const {
-    Convex result;
-    for (const int i : polygon)
-      result.push_back(points_[i]);
-    return result;
+    return mapped(polygon, [&](int i) { return points_[i]; });
   }
   void add(std::vector<int> polygon) {
-    if (ring_area(corners(polygon)) < 0.0) std::reverse(polygon.begin(), polygon.end());
+    if (ring_area(corners(polygon)) < 0.0) std::ranges::reverse(polygon);
     const int id = static_cast<int>(polygons_.size());
     for (size_t i = 0; i < polygon.size(); ++i)
       at_side_[{polygon[i], polygon[(i + 1) % polygon.size()]}] = id;
@@ -78,7 +74,7 @@ class Joining {
   }
   /// The corners from the end of a side round to its start.
   static std::vector<int> behind(std::vector<int> polygon, int start, int end) {
-    const auto at = std::find(polygon.begin(), polygon.end(), end);
+    const auto at = std::ranges::find(polygon, end);
     std::rotate(polygon.begin(), at, polygon.end());
     return polygon.back() == start ? polygon : std::vector<int>();
   }
@@ -125,8 +121,7 @@ double apart_across(const Convex& a, const Convex& b) {
 double corners_to_sides(const Convex& a, const Convex& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2& p : a)
-    for (size_t i = 0; i < b.size(); ++i)
-      least = std::min(least, distance(p, Segment{b[i], b[(i + 1) % b.size()]}));
+    least = std::min(least, distance_to_ring(b, p));
   return least;
 }
 
@@ -135,54 +130,20 @@ double corners_to_sides(const Convex& a, const Convex& b) {
 std::vector<Convex> convex_pieces(const Polygon& polygon, double inset) {
   if (inset == 0.0 && polygon.holes.empty()) {
     Convex ring = polygon.outer;
-    if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+    if (ring_area(ring) < 0.0) std::ranges::reverse(ring);
     if (ring.size() >= 3 && is_convex(ring)) return {ring};
   }
   return Joining(inset_triangles(polygon, inset)).joined();
 }
 
-Convex hull_of(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  Convex hull;
-  const auto chain = [&](auto first, auto last) {
-    const size_t begin = hull.size();
-    for (auto at = first; at != last; ++at) {
-      while (hull.size() >= begin + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *at - hull.back()) <= 0.0)
-        hull.pop_back();
-      hull.push_back(*at);
-    }
-    hull.pop_back();
-  };
-  chain(points.begin(), points.end());
-  chain(points.rbegin(), points.rend());
-  return hull;
-}
-
-Convex clipped(const Convex& polygon, const Vec2& normal, double offset) {
-  Convex result;
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double da = normal.dot(a) - offset, db = normal.dot(b) - offset;
-    if (da <= 0.0) result.push_back(a);
-    if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0))
-      result.push_back(a + da / (da - db) * (b - a));
-  }
-  return result.size() < 3 ? Convex() : result;
-}
-
 bool is_thin(const Convex& polygon, double width) {
   double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 side = polygon[(i + 1) % polygon.size()] - polygon[i];
+  for (const auto& [a, b] : sides_of(polygon)) {
+    const Vec2 side = b - a;
     if (side.norm() <= tolerance::kTiniest) continue;
     double most = 0.0;
     for (const Vec2& p : polygon)
-      most = std::max(most, std::abs(cross(side.normalized(), p - polygon[i])));
+      most = std::max(most, std::abs(cross(side.normalized(), p - a)));
     least = std::min(least, most);
   }
   return polygon.size() < 3 || least < width;

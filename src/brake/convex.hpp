@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <vector>
@@ -12,11 +13,6 @@ using Convex = std::vector<Vec2>;
 /// Convex polygons that together cover the polygon shrunk by `inset`, and nothing else; they meet
 /// in sides and corners.
 std::vector<Convex> convex_pieces(const Polygon& polygon, double inset = 0.0);
-
-Convex hull_of(std::vector<Vec2> points);
-
-/// The part where normal·p ≤ offset; empty if nothing remains.
-Convex clipped(const Convex& polygon, const Vec2& normal, double offset);
 
 /// Whether the polygon is narrower than that, or nothing.
 bool is_thin(const Convex& polygon, double width);

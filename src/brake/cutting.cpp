@@ -7,7 +7,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/brake/codes.hpp>
 #include <planish/geometry/plane.hpp>
 
 #include <fmt/format.h>
@@ -29,9 +28,7 @@ bool is_rolled(const Bend& bend, double thickness) {
 
 /// Range of u over the faces of a bend.
 Interval u_range(const Sheet& sheet, const Bend& bend) {
-  Box2 box;
-  for (const FaceId face : bend.faces)
-    box.add(parameter_box(sheet[face]));
+  const Box2 box = parameter_box(sheet, bend);
   return {box.lo.x(), box.hi.x()};
 }
 
@@ -59,9 +56,7 @@ Vec2 point_of(const BrakeLine& line, double at) { return line.origin + at * line
 int Cutting::count_nodes() {
   int count = static_cast<int>(sheet_.faces.size());
   for (const Bend& bend : sheet_.bends) {
-    std::vector<double> at;
-    for (const PressLine& press : bend.press_lines)
-      at.push_back(press.u);
+    auto at = mapped(bend.press_lines, &PressLine::u);
     if (at.empty() && !bend.faces.empty() && !is_rolled(bend, sheet_.thickness)) {
       const Interval range = u_range(sheet_, bend);
       at.push_back(0.5 * (range.lo + range.hi));
@@ -75,7 +70,7 @@ int Cutting::count_nodes() {
 
 int Cutting::region_of(BendId bend, double u) const {
   const std::vector<double>& at = lines_at_[bend];
-  const auto behind = std::lower_bound(at.begin(), at.end(), u);
+  const auto behind = std::ranges::lower_bound(at, u);
   return first_region_[bend] + static_cast<int>(behind - at.begin());
 }
 

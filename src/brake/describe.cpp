@@ -19,10 +19,10 @@ constexpr double kNewtons = 1000.0;  // in a kN
 /// Rows as the operator sees them: with the gauge behind the line, x runs to the right.
 std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interval& line,
                                   bool from_left) {
-  std::vector<SegmentRow> seen;
-  for (const ToolRow& row : rows)
-    seen.push_back(
-        {from_left ? row.from - line.lo : line.hi - (row.from + row.length()), row.segments});
+  auto seen = mapped(rows, [&](const ToolRow& row) {
+    return SegmentRow{from_left ? row.from - line.lo : line.hi - (row.from + row.length()),
+                      row.segments};
+  });
   if (from_left) return seen;
   std::ranges::reverse(seen);
   for (SegmentRow& row : seen)

@@ -9,8 +9,7 @@ constexpr double kOutlineChord = 0.01;  // mm: a fifth of what may be penetrated
 
 /// An outline within which a form goes on: no opening.
 bool is_form(const BorderLoop& loop) {
-  return std::any_of(loop.begin(), loop.end(),
-                     [](const Border& border) { return border.feature.has_value(); });
+  return std::ranges::any_of(loop, [](const Border& border) { return border.feature.has_value(); });
 }
 
 }  // namespace

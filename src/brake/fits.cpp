@@ -28,13 +28,12 @@ std::string_view no_tool_pattern(const BrakeLine& line, const BrakeTools& tools,
   if (is_hem(line.angle) && !line.closed_by) return say::no_flat_tools;
   if (most <= 0.0) return say::has_to_be_rolled;
   const auto sharp = [&](const auto& tool) { return tool.angle.radians() <= most; };
-  if (punches && std::none_of(tools.punches.begin(), tools.punches.end(), sharp))
-    return say::no_sharp_punch;
+  if (punches && std::ranges::none_of(tools.punches, sharp)) return say::no_sharp_punch;
   const bool fine = std::ranges::any_of(tools.punches, [&](const Punch& punch) {
     return sharp(punch) && punch.tip_radius <= line.inside_radius + kWritten;
   });
   if (punches) return fine ? say::no_strong_punch : say::no_fine_punch;
-  if (std::none_of(tools.dies.begin(), tools.dies.end(), sharp)) return say::no_sharp_die;
+  if (std::ranges::none_of(tools.dies, sharp)) return say::no_sharp_die;
   return say::no_strong_die;
 }
 
@@ -77,8 +76,7 @@ Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options) 
     return angle;
   };
   const auto flat = [](const auto& tool) { return flattens(tool.angle); };
-  if (std::none_of(tools.punches.begin(), tools.punches.end(), flat) ||
-      std::none_of(tools.dies.begin(), tools.dies.end(), flat))
+  if (std::ranges::none_of(tools.punches, flat) || std::ranges::none_of(tools.dies, flat))
     return {};
   return Angle::radians(std::numbers::pi) -
          std::max(sharpest(tools.punches), sharpest(tools.dies)) - options.springback;

@@ -39,7 +39,7 @@ void add_gauge_edges(const std::vector<FreeEdge>& edges, const Eigen::Isometry3d
 
 /// Neighbouring edges on one line as one.
 std::vector<GaugeEdge> joined_edges(std::vector<GaugeEdge> edges) {
-  std::sort(edges.begin(), edges.end(), [](const GaugeEdge& a, const GaugeEdge& b) {
+  std::ranges::sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
     if (std::abs(a.away - b.away) > kOneEdge) return a.away < b.away;
     return a.along.lo < b.along.lo;
   });
@@ -88,7 +88,7 @@ std::vector<GaugeEdge> edges_in_reach(StageCache& cache, const Setting& stroke,
     return edge.away < gauge.from || edge.away > gauge.to || edge.away <= 0.0 ||
            edge.along.hi - edge.along.lo < gauge.finger_width;
   });
-  std::stable_sort(edges.begin(), edges.end(), [](const GaugeEdge& a, const GaugeEdge& b) {
+  std::ranges::stable_sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
     return a.along.hi - a.along.lo > b.along.hi - b.along.lo + kOneEdge;
   });
   return edges;

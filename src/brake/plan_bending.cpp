@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace planish {
@@ -91,7 +90,7 @@ void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_poin
   const std::vector<BrakeLine>& lines = cache.inputs().work.lines;
   for (const int line : search.blocked) {
     const auto& closes = lines[line].closes;
-    if (closes && std::count(search.blocked.begin(), search.blocked.end(), *closes)) continue;
+    if (closes && std::ranges::count(search.blocked, *closes)) continue;
     BlockedBend blocked = brake_detail::blocked(cache, search.furthest, line, until);
     for (const BendId bend : lines[line].bends) {
       blocked.bend = bend;
@@ -101,8 +100,7 @@ void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_poin
   for (int i = 0; i < std::ssize(lines); ++i)
     if (!holds(search.furthest, i)) {
       for (const BendId bend : lines[i].bends)
-        if (!std::count(plan.unformed.begin(), plan.unformed.end(), bend))
-          plan.unformed.push_back(bend);
+        if (!std::ranges::count(plan.unformed, bend)) plan.unformed.push_back(bend);
     }
   if (search.blocked.empty()) note_furthest(cache, search.furthest, until, plan);
 }

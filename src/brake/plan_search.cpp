@@ -26,7 +26,7 @@ StrokeProblem problem_of(StageCache& cache) {
   for (const BendId bend : inputs.options.begin_with)
     for (int i = 0; i < problem.lines; ++i) {
       const auto& bends = inputs.work.lines[i].bends;
-      if (std::count(bends.begin(), bends.end(), bend)) problem.begin_with.push_back(i);
+      if (std::ranges::count(bends, bend)) problem.begin_with.push_back(i);
     }
   return problem;
 }

@@ -73,9 +73,8 @@ double measured_reach(StageCache& cache, const Setting& stroke, bool left) {
   std::vector<const PlacedPart*> flat;
   for (const PlacedPart* part : cache.parts(stroke))
     if (part->flat) flat.push_back(part);
-  std::vector<double> reaches;
-  for (const double x : looks_along(pressed_pieces(cache, stroke)))
-    reaches.push_back(reach_at(flat, left, x));
+  auto reaches = mapped(looks_along(pressed_pieces(cache, stroke)),
+                        [&](double x) { return reach_at(flat, left, x); });
   const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2);
   std::nth_element(reaches.begin(), middle, reaches.end());
   return *middle;

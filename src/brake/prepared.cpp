@@ -2,8 +2,6 @@
 
 #include "refusals.hpp"
 
-#include <planish/brake/codes.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "press_motion.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>

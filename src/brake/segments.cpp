@@ -73,8 +73,7 @@ bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches, Segmen
   const double least = stretch.pressed.hi - stretch.pressed.lo - 0.5 * kSameLength,
                most = stretch.room.hi - stretch.room.lo + 0.5 * kSameLength;
   const auto& sums = left.sums();
-  auto at = std::lower_bound(sums.begin(), sums.end(), least,
-                             [](const auto& sum, double length) { return sum.length < length; });
+  auto at = std::ranges::lower_bound(sums, least, {}, &SegmentSums::Sum::length);
   for (; at != sums.end() && at->length <= most; ++at) {
     rows.push_back({start_of_row(stretch, at->length), left.chosen(at->chosen)});
     if (rows.size() == stretches.size()) return true;
@@ -90,7 +89,7 @@ bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches, Segmen
 double ToolRow::length() const { return std::accumulate(segments.begin(), segments.end(), 0.0); }
 
 SegmentSums::SegmentSums(const std::vector<double>& segments, Chosen used) : segments_(segments) {
-  std::stable_sort(segments_.begin(), segments_.end(), std::greater<>());
+  std::ranges::stable_sort(segments_, std::greater<>());
   segments_.resize(std::min(segments_.size(), kMostSegments));
   std::map<long long, Chosen> ways{{0, 0}};  // by rounded length
   for (size_t i = 0; i < segments_.size() && ways.size() < kMostSums; ++i) {

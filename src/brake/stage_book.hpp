@@ -4,7 +4,6 @@
 
 #include <planish/brake/stroke_search.hpp>
 
-#include <array>
 #include <map>
 #include <optional>
 #include <set>

@@ -93,9 +93,7 @@ StrokePicture picture_of_closing(const Workpiece& work, const BrakeTools& tools,
   const bool gauge_left = stroke.gauge_direction.dot(line.across()) > 0.0;
   const LineSet none = no_lines(static_cast<int>(work.lines.size()));
   const std::vector<PlacedPart> lying = placed_parts(tree, formed, none);
-  std::vector<const PlacedPart*> open;
-  for (const PlacedPart& part : lying)
-    open.push_back(&part);
+  const auto open = mapped(lying, [&](const PlacedPart& part) { return &part; });
   const ClosedHem hem = closed_hem(work, tree, line, open);
   StrokePicture picture;
   picture.bent = sections_of(hem.parts, gauge_left);

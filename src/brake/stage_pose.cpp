@@ -4,7 +4,7 @@
 // the lines of its path alone (math.md#stages, math.md#machine-frame).
 #include "stage_pose.hpp"
 
-#include <planish/base/assert.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>

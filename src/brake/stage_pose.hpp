@@ -3,8 +3,6 @@
 #include "line_set.hpp"
 #include "workpiece.hpp"
 
-#include <memory>
-
 namespace planish::brake_detail {
 
 /// A convex piece of the workpiece at θ = 0, between two rings of corners that belong together:

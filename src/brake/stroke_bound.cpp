@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace planish::brake_detail {
 namespace {
@@ -106,7 +105,7 @@ void StrokeBound::merge_tools(std::vector<Costs>& lines) {
   for (auto& [pair, number] : tools_) {
     while (column[number] != number)
       number = column[number];
-    number = std::lower_bound(kept.begin(), kept.end(), number) - kept.begin();
+    number = std::ranges::lower_bound(kept, number) - kept.begin();
   }
   size_[2] = kept.size();
 }

@@ -8,7 +8,6 @@
 #include <planish/geometry/plane.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace planish::brake_detail {
 namespace {

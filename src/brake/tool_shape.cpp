@@ -55,9 +55,8 @@ std::vector<Vec2> rounded_outline(const ToolProfile& profile,
                                   const std::vector<std::optional<Rounded>>& corners) {
   std::vector<Vec2> outline;
   for (size_t i = 0; i < profile.size(); ++i) {
-    const auto at = std::find_if(corners.begin(), corners.end(), [&](const auto& rounded) {
-      return rounded && rounded->corner == i;
-    });
+    const auto at = std::ranges::find_if(
+        corners, [&](const auto& rounded) { return rounded && rounded->corner == i; });
     if (at == corners.end()) {
       outline.push_back(profile[i]);
       continue;
@@ -65,13 +64,13 @@ std::vector<Vec2> rounded_outline(const ToolProfile& profile,
     const std::vector<Vec2> arc = arc_points(**at);
     outline.insert(outline.end(), arc.begin(), arc.end());
   }
-  if (ring_area(outline) < 0.0) std::reverse(outline.begin(), outline.end());
+  if (ring_area(outline) < 0.0) std::ranges::reverse(outline);
   return outline;
 }
 
 /// Profiles are counter-clockwise for `rounding`.
 ToolProfile oriented(ToolProfile profile) {
-  if (ring_area(profile) < 0.0) std::reverse(profile.begin(), profile.end());
+  if (ring_area(profile) < 0.0) std::ranges::reverse(profile);
   return profile;
 }
 
@@ -182,8 +181,8 @@ Obstacle moved(Obstacle obstacle, const Vec2& by) {
 }
 
 bool is_symmetric(const ToolSection& section) {
-  return std::all_of(section.outline.begin(), section.outline.end(), [&](const Vec2& p) {
-    return std::any_of(section.outline.begin(), section.outline.end(), [&](const Vec2& q) {
+  return std::ranges::all_of(section.outline, [&](const Vec2& p) {
+    return std::ranges::any_of(section.outline, [&](const Vec2& q) {
       return std::abs(p.x() + q.x()) < kAtCorner && std::abs(p.y() - q.y()) < kAtCorner;
     });
   });

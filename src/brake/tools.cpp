@@ -1,12 +1,11 @@
 #include "profile_check.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
-#include <planish/brake/codes.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -32,8 +31,7 @@ class ToolCheck {
              Facts facts = {}) {
     if (error_) return;
     std::string subject = what.empty() ? name_ : "the " + what + " of " + name_;
-    subject.front() = static_cast<char>(std::toupper(subject.front()));
-    facts.emplace_back("subject", std::move(subject));
+    facts.emplace_back("subject", capitalized(std::move(subject)));
     facts.emplace_back("field", place::pointer(pointer_ + key));
     error_ = error_of(refusal, facts);
   }

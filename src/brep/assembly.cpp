@@ -32,9 +32,8 @@ PartId add_part(SheetBuilder& builder, const Group& group) {
 
 /// Adds flanges, bends and their faces, group by group.
 SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
-  std::vector<PartId> parts;
-  for (const Group& group : of.groups.rows)
-    parts.push_back(add_part(builder, group));
+  const auto parts = mapped(of.groups.rows,
+                            [&](const Group& group) { return add_part(builder, group); });
   SheetMap map;
   for (size_t g = 0; g < parts.size(); ++g)
     for (const int f : of.groups.rows[g].faces) {
@@ -58,11 +57,6 @@ std::pair<BorderRef, BorderRef> borders_of(const SheetMap& map, const SolidModel
   const SolidEdge& edge = model.edges[e];
   return {map.borders.at({edge.faces[0], e, edge.forward[0]}),
           map.borders.at({edge.faces[1], e, edge.forward[1]})};
-}
-
-double middle_u(const Face& face) {
-  const Box2 box = parameter_box(face);
-  return (box.lo.x() + box.hi.x()) / 2;
 }
 
 /// Moves a face by the number of whole turns nearest to this shift of u.
@@ -129,20 +123,11 @@ Result<void> straighten(SheetBuilder& builder, const SolidModel& model, int e, c
   return {};
 }
 
-Bend sharp_bend(double angle) {
-  Bend bend;
-  bend.kind = BendKind::sharp;
-  bend.angle = Angle::radians(std::abs(angle));
-  bend.reference_inside = angle < 0;
-  return bend;
-}
-
 /// A mitred corner holds more than the arc of material that bends to it: per length
 /// T² (tan α/2 − α/2).
 double mitre_volume(const Recognition& of, int e) {
-  const bool rounded = std::any_of(
-      of.skins.sharp.begin(), of.skins.sharp.end(),
-      [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
+  const bool rounded = std::ranges::any_of(
+      of.skins.sharp, [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
   if (rounded) return 0.0;
   const double half = std::abs(*dihedral(of.model, e)) / 2;
   const double t = of.skins.thickness;

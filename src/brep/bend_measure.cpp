@@ -15,21 +15,10 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-Box2 box_of(const Sheet& sheet, const Bend& bend) {
-  Box2 box;
-  for (const FaceId id : bend.faces)
-    box.add(parameter_box(sheet[id]));
-  return box;
-}
-
 /// The turn between two directions at the angle `between`, if the path from one to the other turns
 /// by `along`: the long way around if that is beyond a half-turn.
 Angle turn_of(double between, double along) {
   return Angle::radians(along <= std::numbers::pi ? between : 2 * std::numbers::pi - between);
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 Bend measured(Bend bend, const Cylinder& cylinder, double turn, double skin_to_inside) {
@@ -83,7 +72,7 @@ Step step_between(const Face& face, double u0, double u1, double v) {
 /// Smallest of radii taken in the middles of equal steps, the ends of the first and the last step
 /// included: extrapolated there by the parabola through the three nearest.
 double smallest_of(const std::vector<double>& radii) {
-  double smallest = *std::min_element(radii.begin(), radii.end());
+  double smallest = *std::ranges::min_element(radii);
   const auto end_beyond = [](auto first) {
     return (15 * first[0] - 10 * first[1] + 3 * first[2]) / 8;
   };
@@ -119,7 +108,7 @@ Bend measured_by_steps(Bend bend, const Face& face, const Box2& box, double thic
 Bend measured_bend(const Sheet& sheet, BendId id) {
   Bend bend = sheet[id];
   const Face& face = sheet[bend.faces.front()];
-  const Box2 box = box_of(sheet, bend);
+  const Box2 box = parameter_box(sheet, bend);
   const auto& surface = std::get<Developable>(face.surface);
   bend.reference_inside = face.sense < 0;
   const double skin_to_inside = bend.reference_inside ? 0.0 : sheet.thickness;

@@ -1,39 +1,18 @@
 #include "body.hpp"
 #include "guarded.hpp"
-#include "kernel_points.hpp"
 #include "mend.hpp"
 #include "refusals.hpp"
 #include "triangulate.hpp"
 
 #include <planish/brep/step.hpp>
 
-#include <BRep_Tool.hxx>
-#include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Face.hxx>
 
 #include <utility>
 
 namespace planish {
 namespace {
-
-/// Leaves out a face of which the kernel makes no triangles.
-void add_face(MeshOfFaces& result, const TopoDS_Face& face, int number) {
-  TopLoc_Location place;
-  const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
-  if (own.IsNull()) return;
-  const int first = static_cast<int>(result.mesh.points.size());
-  for (int i = 1; i <= own->NbNodes(); ++i)
-    result.mesh.points.push_back(brep::vector_of(own->Node(i).Transformed(place)));
-  for (int i = 1; i <= own->NbTriangles(); ++i) {
-    int a, b, c;
-    own->Triangle(i).Get(a, b, c);
-    if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
-    result.mesh.triangles.push_back({first + a - 1, first + b - 1, first + c - 1});
-    result.face.push_back(number);
-  }
-}
 
 MeshOfFaces triangles_of(const TopoDS_Shape& solid, double chord) {
   // The kernel stores triangles in the shape itself, so mesh a copy.
@@ -42,7 +21,7 @@ MeshOfFaces triangles_of(const TopoDS_Shape& solid, double chord) {
   MeshOfFaces result;
   int number = 0;
   for (TopExp_Explorer each(copy, TopAbs_FACE); each.More(); each.Next())
-    add_face(result, TopoDS::Face(each.Current()), number++);
+    brep::append_triangles(result, TopoDS::Face(each.Current()), number++);
   return result;
 }
 

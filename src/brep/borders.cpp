@@ -160,9 +160,7 @@ double turns_to(const Developable& surface, double u, double u_near) {
 }  // namespace
 
 Curve2 shifted_u(const Curve2& curve, double by) {
-  Isometry2 shift = Isometry2::Identity();
-  shift.translation() = Vec2(by, 0.0);
-  return transformed(curve, shift);
+  return transformed(curve, Isometry2(Eigen::Translation2d(by, 0.0)));
 }
 
 BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop,

@@ -20,7 +20,7 @@ std::optional<double> dihedral(const SolidModel& model, int index) {
   const Vec3 n_g = outward_normal_at(g, point);
   // With f on the left of its run x, the direction into f is n × x.
   const Vec3 x = edge.forward[0] ? edge.curve.tangent(t) : Vec3(-edge.curve.tangent(t));
-  const double angle = std::atan2(n_f.cross(n_g).norm(), n_f.dot(n_g));
+  const double angle = angle_between(n_f, n_g);
   return n_g.dot(n_f.cross(x)) > 0 ? -angle : angle;
 }
 

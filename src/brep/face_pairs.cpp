@@ -7,16 +7,10 @@
 namespace planish::brep {
 namespace {
 
-bool boxes_near(const Outline& a, const Outline& b, double reach) {
-  return ((a.lo.array() - reach) <= b.hi.array()).all() &&
-         ((b.lo.array() - reach) <= a.hi.array()).all();
-}
-
 std::vector<int> in_order_of_x(const std::vector<Outline>& outlines) {
   std::vector<int> order(outlines.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int a, int b) { return outlines[a].lo.x() < outlines[b].lo.x(); });
+  std::ranges::stable_sort(order, {}, [&](int f) { return outlines[f].space.min().x(); });
   return order;
 }
 
@@ -44,8 +38,9 @@ FacePairs pair_faces(const SolidModel& model, const std::vector<Outline>& outlin
   for (auto a = order.begin(); a != order.end(); ++a) {
     if (outlines[*a].flat.empty()) continue;
     for (auto b = a + 1; b != order.end(); ++b) {
-      if (outlines[*b].lo.x() > outlines[*a].hi.x() + reach) break;
-      if (!outlines[*b].flat.empty() && boxes_near(outlines[*a], outlines[*b], reach))
+      if (outlines[*b].space.min().x() > outlines[*a].space.max().x() + reach) break;
+      if (!outlines[*b].flat.empty() &&
+          enlarged(outlines[*a].space, reach).intersects(outlines[*b].space))
         try_pair(*a, *b);
     }
   }

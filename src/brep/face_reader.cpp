@@ -30,9 +30,7 @@ BorderLoop shifted(BorderLoop loop, double by) {
 }
 
 double middle_u(const BorderLoop& loop) {
-  Box2 box;
-  for (const Border& border : loop)
-    box.add(bounds(border.curve));
+  const Box2 box = bounds(loop);
   return (box.lo.x() + box.hi.x()) / 2;
 }
 

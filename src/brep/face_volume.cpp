@@ -1,9 +1,9 @@
 #include "face_volume.hpp"
 
-#include "quadrature.hpp"
-
 #include <planish/base/assert.hpp>
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/quadrature.hpp>
 
 #include <cmath>
 
@@ -94,12 +94,7 @@ bool has_border_volume(const SolidFace& face) {
   return surface && !std::holds_alternative<Ruled>(*surface) && face.fitted == 0.0;
 }
 
-double volume_of(const SolidModel& model) {
-  double sum = 0.0;
-  for (const SolidFace& face : model.faces)
-    sum += face.volume;
-  return sum;
-}
+double volume_of(const SolidModel& model) { return sum_of(model.faces, &SolidFace::volume); }
 
 double volume_under(const SolidFace& face, const SolidModel& model) {
   const Vec3& centre = model.centre;

@@ -9,8 +9,9 @@
 #include "refusals.hpp"
 #include "slanted_cuts.hpp"
 
+#include <planish/geometry/mesh.hpp>
+
 #include <algorithm>
-#include <cmath>
 
 // What the flat pattern only outlines: forms, bosses, pockets, countersinks, chamfers. A part of
 // the rim becomes a feature by which skins its loops touch and on which side it leaves the sheet;
@@ -64,36 +65,27 @@ Error recess_at_rim(const SolidModel& model, const RimPart& part) {
 }
 
 /// A part's box in space, enlarged by the thickness.
-struct Box3 {
-  Vec3 lo, hi;
-  bool meets(const Box3& other) const {
-    return (lo.array() <= other.hi.array()).all() && (other.lo.array() <= hi.array()).all();
-  }
-};
 Box3 box_of(const Recognition& of, const RimPart& part) {
-  const Outline& first = of.outlines[part.faces.front()];
-  Box3 box{first.lo, first.hi};
-  for (const int f : part.faces) {
-    box.lo = box.lo.cwiseMin(of.outlines[f].lo);
-    box.hi = box.hi.cwiseMax(of.outlines[f].hi);
-  }
-  return {box.lo.array() - of.skins.thickness, box.hi.array() + of.skins.thickness};
+  Box3 box;
+  for (const int f : part.faces)
+    box.extend(of.outlines[f].space);
+  return enlarged(box, of.skins.thickness);
 }
 
 /// Whether a form that leaves the sheet also appears on the reference skin (an emboss has two
 /// sides).
 bool formed_here(const Recognition& of, const RimPart& part) {
   const Box3 box = box_of(of, part);
-  return std::any_of(of.rim.parts.begin(), of.rim.parts.end(), [&](const RimPart& other) {
+  return std::ranges::any_of(of.rim.parts, [&](const RimPart& other) {
     return &other != &part && !other.within && !loops_here(of, other).empty() &&
-           box.meets(box_of(of, other));
+           box.intersects(box_of(of, other));
   });
 }
 
 /// A loop of the other skin as seen on this one: reversed, a thickness below.
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {
   std::vector<CoEdge> loop = loop_of(of, ref);
-  std::reverse(loop.begin(), loop.end());
+  std::ranges::reverse(loop);
   for (CoEdge& use : loop)
     use.forward = !use.forward;
   BorderLoop borders = read_borders(of.model, loop, plane, 0.0, of.tolerance);
@@ -108,9 +100,9 @@ std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point
   const double reach = 2.0 * of.skins.thickness;
   for (const int partner : of.skins.partners[face]) {
     const Outline& outline = of.outlines[partner];
-    const bool near = ((outline.lo.array() - reach) <= point.array()).all() &&
-                      (point.array() <= (outline.hi.array() + reach)).all();
-    if (near && of.skins.skin_of[partner] == of.skin && is_plane(of, partner)) return partner;
+    if (enlarged(outline.space, reach).contains(point) && of.skins.skin_of[partner] == of.skin &&
+        is_plane(of, partner))
+      return partner;
   }
   return {};
 }
@@ -128,18 +120,11 @@ void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recogniti
   builder.add_feature(std::move(feature));
 }
 
-Box2 box_of_loop(const BorderLoop& borders) {
-  Box2 box;
-  for (const Border& border : borders)
-    box.add(bounds(border.curve));
-  return box;
-}
-
 /// Whether two outlines of a cut are offset from each other, as by a slope over the thickness.
 bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
   constexpr double kSlope = 0.05;  // 3°: more than draft and rounding cause
-  const Box2 first = box_of_loop(a);
-  const Box2 second = box_of_loop(b);
+  const Box2 first = bounds(a);
+  const Box2 second = bounds(b);
   return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) >
          kSlope * thickness;
 }
@@ -210,8 +195,7 @@ bool has_several_holes(const Recognition& of, const RimPart& part) {
   const auto& there = loops_there(of, part);
   // A loop that is no opening is the outline of a face cut off from its skin.
   return part.openings > std::ssize(here) && there.size() > here.size() &&
-         std::all_of(here.begin(), here.end(), in_plane) &&
-         std::all_of(there.begin(), there.end(), in_plane);
+         std::ranges::all_of(here, in_plane) && std::ranges::all_of(there, in_plane);
 }
 
 /// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
@@ -223,8 +207,8 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
     const auto contours_on = [&](Skin skin) {
       return closed_borders(of.model, part.faces, [&](int edge) {
         const auto& faces = of.model.edges[edge].faces;
-        return std::any_of(faces.begin(), faces.end(),
-                           [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
+        return std::ranges::any_of(faces,
+                                   [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
       });
     };
     const int cut = contours_on(of.skin);

@@ -11,7 +11,9 @@
 #include <TColgp_Array2OfPnt.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 // Paths of several coordinates fitted by cubic Hermite spans with common knots, so that curves that
 // belong together (both edges of a wall, space and parameters) keep one parameter. Spans are halved
@@ -74,6 +76,15 @@ class Fitter {
   double lo_, hi_, tolerance_;
 };
 
+/// A list as the kernel takes them, from 1.
+template <typename Array, typename List, typename Function = std::identity>
+Array kernel_array(const List& list, const Function& function = {}) {
+  Array array(1, static_cast<int>(list.size()));
+  for (int i = 1; i <= array.Length(); ++i)
+    array.SetValue(i, function(list[static_cast<std::size_t>(i) - 1]));
+  return array;
+}
+
 /// Knots and multiplicities of a cubic B-spline: `inner` at the knots between the ends.
 struct CubicKnots {
   TColStd_Array1OfReal values;
@@ -122,20 +133,16 @@ FittedPath fit_path(const PathFunction& f, const std::vector<double>& breaks, do
 }
 
 Handle(Geom_BSplineCurve) space_curve(const FittedPath& path, int first_coordinate) {
-  const std::vector<VectorXd> poles = poles_of(path);
-  TColgp_Array1OfPnt points(1, static_cast<int>(poles.size()));
-  for (std::size_t i = 0; i < poles.size(); ++i)
-    points.SetValue(static_cast<int>(i) + 1,
-                    kernel_point(Vec3(poles[i].segment<3>(first_coordinate))));
+  const auto points = kernel_array<TColgp_Array1OfPnt>(poles_of(path), [&](const VectorXd& pole) {
+    return kernel_point(Vec3(pole.segment<3>(first_coordinate)));
+  });
   const CubicKnots knots(path.knots);
   return new Geom_BSplineCurve(points, knots.values, knots.counts, 3);
 }
 
 Handle(Geom2d_BSplineCurve) plane_curve(const FittedPath& path) {
-  const std::vector<VectorXd> poles = poles_of(path);
-  TColgp_Array1OfPnt2d points(1, static_cast<int>(poles.size()));
-  for (std::size_t i = 0; i < poles.size(); ++i)
-    points.SetValue(static_cast<int>(i) + 1, kernel_point(Vec2(poles[i].head<2>())));
+  const auto points = kernel_array<TColgp_Array1OfPnt2d>(
+      poles_of(path), [](const VectorXd& pole) { return kernel_point(Vec2(pole.head<2>())); });
   const CubicKnots knots(path.knots);
   return new Geom2d_BSplineCurve(points, knots.values, knots.counts, 3);
 }
@@ -148,11 +155,8 @@ Handle(Geom_BSplineSurface) ruled_surface(const FittedPath& path, double v0, dou
       points.SetValue(static_cast<int>(i) + 1, side + 1,
                       kernel_point(Vec3(poles[i].segment<3>(3 * side))));
   const CubicKnots u(path.knots);
-  TColStd_Array1OfReal v(1, 2);
-  v.SetValue(1, v0);
-  v.SetValue(2, v1);
-  TColStd_Array1OfInteger counts(1, 2);
-  counts.Init(2);
+  const auto v = kernel_array<TColStd_Array1OfReal>(std::array{v0, v1});
+  const auto counts = kernel_array<TColStd_Array1OfInteger>(std::array{2, 2});
   return new Geom_BSplineSurface(points, u.values, v, u.counts, counts, 3, 1);
 }
 
@@ -181,22 +185,16 @@ Handle(Geom2d_BSplineCurve) plane_curve(const CubicSpline& spline, double kink) 
   poles.push_back(spline.poles.back());
   knots.SetValue(pieces + 1, end);
   counts.SetValue(pieces + 1, 4);
-  TColgp_Array1OfPnt2d points(1, static_cast<int>(poles.size()));
-  for (std::size_t i = 0; i < poles.size(); ++i)
-    points.SetValue(static_cast<int>(i) + 1, kernel_point(poles[i]));
+  const auto points = kernel_array<TColgp_Array1OfPnt2d>(
+      poles, [](const Vec2& pole) { return kernel_point(pole); });
   return new Geom2d_BSplineCurve(points, knots, counts, 3);
 }
 
 Handle(Geom2d_BSplineCurve) plane_line(const Vec2& a, const Vec2& b, double length) {
-  TColgp_Array1OfPnt2d points(1, 2);
-  points.SetValue(1, kernel_point(a));
-  points.SetValue(2, kernel_point(b));
-  TColStd_Array1OfReal knots(1, 2);
-  knots.SetValue(1, 0.0);
-  knots.SetValue(2, length);
-  TColStd_Array1OfInteger counts(1, 2);
-  counts.Init(2);
-  return new Geom2d_BSplineCurve(points, knots, counts, 1);
+  return new Geom2d_BSplineCurve(
+      kernel_array<TColgp_Array1OfPnt2d>(std::array{kernel_point(a), kernel_point(b)}),
+      kernel_array<TColStd_Array1OfReal>(std::array{0.0, length}),
+      kernel_array<TColStd_Array1OfInteger>(std::array{2, 2}), 1);
 }
 
 }  // namespace planish::brep

@@ -8,10 +8,7 @@ namespace planish {
 namespace {
 
 BorderLoop borders_of(const Contour& contour) {
-  BorderLoop borders;
-  for (const Curve2& curve : contour.loop)
-    borders.push_back({curve});
-  return borders;
+  return mapped(contour.loop, [&](const Curve2& curve) { return Border{curve}; });
 }
 
 /// The pattern as a sheet of one flange: the reference skin at z = 0, the material below.

@@ -1,6 +1,5 @@
 #include "body.hpp"
 #include "guarded.hpp"
-#include "kernel_points.hpp"
 #include "mend.hpp"
 #include "refusals.hpp"
 #include "thicken.hpp"
@@ -93,21 +92,21 @@ class Welder {
   /// The triangles over the remaining points, without those that have two corners at one point.
   MeshOfFaces mesh() {
     MeshOfFaces result;
-    std::vector<int> number(points_.size(), -1);
+    std::vector<int> number(raw_.mesh.points.size(), -1);
     const auto numbered = [&](int node) {
       int& n = number[same_.root(node)];
       if (n < 0) {
         n = static_cast<int>(result.mesh.points.size());
-        result.mesh.points.push_back(points_[same_.root(node)]);
+        result.mesh.points.push_back(raw_.mesh.points[same_.root(node)]);
       }
       return n;
     };
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      const Triangle& t = triangles_[i];
+    for (std::size_t i = 0; i < raw_.face.size(); ++i) {
+      const Triangle& t = raw_.mesh.triangles[i];
       const Triangle roots{same_.root(t[0]), same_.root(t[1]), same_.root(t[2])};
       if (roots[0] == roots[1] || roots[1] == roots[2] || roots[2] == roots[0]) continue;
       result.mesh.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
-      result.face.push_back(face_of_[i]);
+      result.face.push_back(raw_.face[i]);
     }
     return result;
   }
@@ -116,16 +115,8 @@ class Welder {
   void add(const TopoDS_Face& face, int number) {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
-    const int first = static_cast<int>(points_.size());
-    for (int i = 1; i <= own->NbNodes(); ++i)
-      points_.push_back(brep::vector_of(own->Node(i).Transformed(place)));
-    for (int i = 1; i <= own->NbTriangles(); ++i) {
-      int a, b, c;
-      own->Triangle(i).Get(a, b, c);
-      if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
-      triangles_.push_back({first + a - 1, first + b - 1, first + c - 1});
-      face_of_.push_back(number);
-    }
+    const int first = static_cast<int>(raw_.mesh.points.size());
+    brep::append_triangles(raw_, face, number);
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
       join(TopoDS::Edge(edges.Current()), own, place, first);
   }
@@ -152,28 +143,12 @@ class Welder {
   }
 
   UnionFind same_;  ///< nodes at one point
-  std::vector<Vec3> points_;
-  std::vector<Triangle> triangles_;
-  std::vector<int> face_of_;  ///< by triangle
+  MeshOfFaces raw_;
   int face_count_ = 0;
   TopTools_IndexedMapOfShape edges_, vertices_;
   std::map<int, std::vector<int>> rows_;  ///< nodes along an edge, as the first face has them
   std::map<int, int> node_at_;            ///< a node at a vertex
 };
-
-/// Number of triangle edges that do not have exactly one neighbour running them the other way.
-std::size_t open_sides(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> runs;
-  for (const Triangle& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  std::size_t open = 0;
-  for (const auto& [side, times] : runs) {
-    const auto back = runs.find({side.second, side.first});
-    if (times != 1 || back == runs.end() || back->second != 1) ++open;
-  }
-  return open;
-}
 
 Result<void> check_chord(double chord) {
   if (chord > 0.0) return {};
@@ -202,7 +177,7 @@ MeshOfFaces surface_of(const Body& body, double chord) {
     const TopoDS_Shape solid = brep::meshable(body.shape().solid);
     brep::triangulate(solid, chord, turn);
     MeshOfFaces surface = Welder(solid, chord).mesh();
-    if (open_sides(surface.mesh) == 0 && !surface.face.empty()) return surface;
+    if (open_sides(surface.mesh).empty() && !surface.face.empty()) return surface;
     if (first.face.empty()) first = std::move(surface);
   }
   return first;
@@ -210,7 +185,7 @@ MeshOfFaces surface_of(const Body& body, double chord) {
 
 /// Closed, and of the body's volume but for a layer as thick as the chord.
 Result<void> check_whole(const MeshOfFaces& surface, const Body& body, double chord) {
-  if (const std::size_t open = open_sides(surface.mesh); open > 0)
+  if (const std::size_t open = open_sides(surface.mesh).size(); open > 0)
     return fail(refuse::mesh_open, {{"what", "body"}, {"count", open}});
   const double found = volume_of(surface.mesh), volume = body.volume();
   if (std::abs(found - volume) <= chord * area_of(surface.mesh)) return {};
@@ -243,7 +218,7 @@ Result<Mesh> folded_mesh(const Sheet& sheet, double chord) {
     const auto solid = brep::thicken(sheet);
     if (!solid) return pass_on(solid);
     Mesh mesh = triangulated(*solid, chord).mesh;
-    if (const std::size_t open = open_sides(mesh); open > 0 || mesh.triangles.empty())
+    if (const std::size_t open = open_sides(mesh).size(); open > 0 || mesh.triangles.empty())
       return fail(refuse::mesh_open, {{"what", "folded solid"}, {"count", open}});
     return mesh;
   });

@@ -5,28 +5,20 @@
 
 #include <planish/brep/step.hpp>
 
-#include <TopExp_Explorer.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 
 namespace planish {
-namespace {
-
-int face_count(const TopoDS_Solid& solid) {
-  int count = 0;
-  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
-    ++count;
-  return count;
-}
-
-}  // namespace
 
 Result<Body> folded_body(const Sheet& sheet, const std::string& name) {
   return brep::guarded(
       [&]() -> Result<Body> {
         auto solid = brep::thicken(sheet);
         if (!solid) return pass_on(solid);
-        const int faces = face_count(*solid);
-        return Body(
-            std::make_shared<const Body::Shape>(Body::Shape{std::move(*solid), name, 1, faces}));
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(*solid, TopAbs_FACE, faces);
+        return Body(std::make_shared<const Body::Shape>(
+            Body::Shape{std::move(*solid), name, 1, faces.Extent()}));
       },
       name);
 }

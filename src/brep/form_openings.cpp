@@ -5,6 +5,7 @@
 #include "passages.hpp"
 
 #include <planish/geometry/fit.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -40,12 +41,7 @@ struct Section {
   double perimeter = 0.0;
 };
 
-Loop curves_of(const BorderLoop& borders) {
-  Loop loop;
-  for (const Border& border : borders)
-    loop.push_back(border.curve);
-  return loop;
-}
+Loop curves_of(const BorderLoop& borders) { return mapped(borders, &Border::curve); }
 
 Section section_of(const Recognition& of, const std::vector<CoEdge>& chain, const Frame& plane) {
   Section section;
@@ -72,22 +68,14 @@ std::vector<std::vector<Vec2>> rings_of(const Recognition& of, const std::vector
   return rings;
 }
 
-double distance_of(const std::vector<Vec2>& ring, const Vec2& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < ring.size(); ++i)
-    least = std::min(least,
-                     nearest(Curve2(Segment{ring[i], ring[(i + 1) % ring.size()]}), p).distance);
-  return least;
-}
-
 bool lies_inside(const Loop& loop, const std::vector<std::vector<Vec2>>& outlines,
                  double tolerance) {
   for (const Curve2& curve : loop)
     for (const double t : {0.0, 0.2, 0.5, 0.8}) {
       const Vec2 p = point_at(curve, t);
-      const bool near = std::any_of(
-          outlines.begin(), outlines.end(),
-          [&](const std::vector<Vec2>& ring) { return distance_of(ring, p) <= tolerance; });
+      const bool near = std::ranges::any_of(outlines, [&](const std::vector<Vec2>& ring) {
+        return distance_to_ring(ring, p) <= tolerance;
+      });
       if (!near && !inside(outlines, p)) return false;
     }
   return true;
@@ -96,12 +84,10 @@ bool lies_inside(const Loop& loop, const std::vector<std::vector<Vec2>>& outline
 Vec2 centroid(const std::vector<Vec2>& ring) {
   Vec2 sum = Vec2::Zero();
   double area = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i] - ring.front();
-    const Vec2 b = ring[(i + 1) % ring.size()] - ring.front();
-    const double cross = a.x() * b.y() - a.y() * b.x();
-    sum += cross * (a + b) / 3;
-    area += cross;
+  for (const auto& [from, to] : sides_of(ring)) {
+    const Vec2 a = from - ring.front(), b = to - ring.front();
+    sum += cross(a, b) * (a + b) / 3;
+    area += cross(a, b);
   }
   return ring.front() + sum / area;
 }
@@ -125,17 +111,13 @@ Loop shrunk(const Section& section, double area, double chord) {
   const Vec2 centre = section.loop.size() == 1 && std::holds_alternative<Arc>(section.loop.front())
                           ? std::get<Arc>(section.loop.front()).center
                           : centroid(sampled(section.loop, chord));
-  Loop loop;
-  for (const Curve2& curve : section.loop)
-    loop.push_back(scaled_about(curve, centre, std::sqrt(area / section.area)));
-  return loop;
+  return mapped(section.loop, [&](const Curve2& curve) {
+    return scaled_about(curve, centre, std::sqrt(area / section.area));
+  });
 }
 
 BorderLoop as_borders(const Loop& loop) {
-  BorderLoop borders;
-  for (const Curve2& curve : loop)
-    borders.push_back({curve});
-  return borders;
+  return mapped(loop, [&](const Curve2& curve) { return Border{curve}; });
 }
 
 /// Mean width of the form between its hole and its outline on the side from which it was drawn.
@@ -189,7 +171,7 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
       const int wall = face_across(of.model.edges[use.edge], ref.face);
       free.push_back(wall >= 0 && of.rim.part_of[wall] >= 0 && touches_there(wall));
     }
-    const auto formed = std::find(free.begin(), free.end(), false);
+    const auto formed = std::ranges::find(free, false);
     const size_t first = formed == free.end() ? 0 : static_cast<size_t>(formed - free.begin());
     bool begun = false;
     for (size_t i = 0; i < loop.size(); ++i) {
@@ -210,10 +192,9 @@ std::optional<BorderLoop> slit_of(const Recognition& of, const Section& section,
   for (auto chain = free.begin(); chain != free.end(); ++chain) {
     BorderLoop borders = read_borders(of.model, *chain, plane, 0.0, of.tolerance);
     const Vec2 middle = point_at(borders[borders.size() / 2].curve, 0.5);
-    const bool beside = std::any_of(
-        section.loop.begin(), section.loop.end(), [&](const Curve2& curve) {
-          return nearest(curve, middle).distance <= kSlit * of.skins.thickness;
-        });
+    const bool beside = std::ranges::any_of(section.loop, [&](const Curve2& curve) {
+      return nearest(curve, middle).distance <= kSlit * of.skins.thickness;
+    });
     if (!beside) continue;
     free.erase(chain);
     return borders;
@@ -233,11 +214,10 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
     return;
   }
   feature.lost_openings = part.openings;
-  const bool in_planes = std::all_of(
-                             here.begin(), here.end(),
-                             [&](const LoopRef& ref) { return opening_in_plane(of, ref); }) &&
-                         std::all_of(there.begin(), there.end(),
-                                     [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
+  const bool in_planes = std::ranges::all_of(
+                             here, [&](const LoopRef& ref) { return opening_in_plane(of, ref); }) &&
+                         std::ranges::all_of(
+                             there, [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
   if (!in_planes) return;
   const auto outlines = rings_of(of, here, plane);
   auto free = free_edges(of, part);

@@ -37,10 +37,8 @@ FormSide raised_side(const Recognition& of, const RimPart& part) {
   const FormSide side = side_of(rise_of(of, part), least);
   if (side != FormSide::both || !loops_there(of, part).empty()) return side;
   // A dome has no edge above its rim.
-  double area = 0.0;
-  for (const int f : part.faces)
-    area += of.outlines[f].area;
-  return side_of(form_volume(of, part).value_or(0.0), least * area);
+  return side_of(form_volume(of, part).value_or(0.0),
+                 least * sum_of(part.faces, [&](int f) { return of.outlines[f].area; }));
 }
 
 FormSide wider_side(const BorderLoop& mine, const BorderLoop& theirs, double ratio) {

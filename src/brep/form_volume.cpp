@@ -20,19 +20,13 @@ Cover cover_of(const Recognition& of, const LoopRef& ref) {
 }
 
 double volume_under(const Recognition& of, const RimPart& part) {
-  double sum = 0.0;
-  for (const int f : part.faces)
-    sum += of.model.faces[f].volume;
-  return sum;
+  return sum_of(part.faces, [&](int f) { return of.model.faces[f].volume; });
 }
 
 }  // namespace
 
 double loop_area(const BorderLoop& borders) {
-  double sum = 0.0;
-  for (const Border& border : borders)
-    sum += green_area(border.curve);
-  return std::abs(sum);
+  return std::abs(sum_of(borders, [&](const Border& border) { return green_area(border.curve); }));
 }
 
 bool opening_in_plane(const Recognition& of, const LoopRef& ref) {

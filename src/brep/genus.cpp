@@ -45,7 +45,7 @@ class PartSkin {
       }
     for (int& root : roots)
       root = chains.root(root);
-    std::sort(roots.begin(), roots.end());
+    std::ranges::sort(roots);
     return static_cast<int>(std::unique(roots.begin(), roots.end()) - roots.begin());
   }
 
@@ -56,13 +56,13 @@ class PartSkin {
       for (const auto& loop : model.faces[f].loops)
         for (const CoEdge& use : loop)
           edges.push_back(use.edge);
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
   }
   int count() const { return static_cast<int>(edges_.size()); }
   int row_of(int edge) const {
-    return static_cast<int>(std::lower_bound(edges_.begin(), edges_.end(), edge) - edges_.begin());
+    return static_cast<int>(std::ranges::lower_bound(edges_, edge) - edges_.begin());
   }
   /// The ends of edge e are 2e and 2e + 1; ends that loops join are one corner.
   int start_of(const CoEdge& use) const { return 2 * row_of(use.edge) + (use.forward ? 0 : 1); }
@@ -74,7 +74,7 @@ class PartSkin {
 };
 
 bool is_closed(const SolidModel& model) {
-  return std::all_of(model.edges.begin(), model.edges.end(), [](const SolidEdge& edge) {
+  return std::ranges::all_of(model.edges, [](const SolidEdge& edge) {
     return edge.uses == 0 || (edge.uses == 2 && edge.forward[0] != edge.forward[1]);
   });
 }

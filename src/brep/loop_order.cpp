@@ -34,9 +34,7 @@ std::vector<CoEdge> chained(const std::vector<SolidEdge>& edges, std::vector<CoE
     const auto distance = [&](const CoEdge& use) {
       return (start_of(edges[use.edge], use) - end).squaredNorm();
     };
-    const auto next = std::min_element(at + 1, uses.end(), [&](const CoEdge& a, const CoEdge& b) {
-      return distance(a) < distance(b);
-    });
+    const auto next = std::ranges::min_element(at + 1, uses.end(), {}, distance);
     // The others keep their order, so that of two equally near the first is taken.
     std::rotate(at + 1, next, next + 1);
   }

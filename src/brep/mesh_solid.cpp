@@ -4,6 +4,7 @@
 #include "solid_builder.hpp"
 #include "step_out.hpp"
 
+#include <planish/base/union_find.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/geometry/mesh_volume.hpp>
 
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 // A closed mesh as a solid: one plane face a triangle, edges shared, and triangles in one plane
@@ -36,20 +36,14 @@ Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
 
 /// The mesh's connected parts, in the order of their first triangles.
 std::vector<Mesh> parts_of(const Mesh& mesh) {
-  std::vector<int> root(mesh.points.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto root_of = [&](int point) {
-    while (root[point] != point)
-      point = root[point] = root[root[point]];
-    return point;
-  };
+  UnionFind joined(static_cast<int>(mesh.points.size()));
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 1; i < 3; ++i)
-      root[root_of(t[i])] = root_of(t[0]);
+      joined.unite(t[i], t[0]);
   std::map<int, std::size_t> number;
   std::vector<Mesh> parts;
   for (const auto& t : mesh.triangles) {
-    const auto [at, added] = number.try_emplace(root_of(t[0]), parts.size());
+    const auto [at, added] = number.try_emplace(joined.root(t[0]), parts.size());
     if (added) parts.push_back({mesh.points, {}});
     parts[at->second].triangles.push_back(t);
   }
@@ -72,17 +66,10 @@ Result<void> check_triangles(const Mesh& mesh) {
 
 Result<void> check_closed(const Mesh& mesh) {
   if (mesh.triangles.empty()) return fail(refuse::empty_mesh);
-  std::map<VertexPair, int> runs;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [edge, times] : runs) {
-    const auto back = runs.find({edge.second, edge.first});
-    if (times != 1 || back == runs.end() || back->second != 1)
-      return fail(refuse::open_mesh, {{"from", place::point(mesh.points[edge.first])},
-                                      {"to", place::point(mesh.points[edge.second])}});
-  }
-  return {};
+  const auto open = open_sides(mesh);
+  if (open.empty()) return {};
+  return fail(refuse::open_mesh, {{"from", place::point(mesh.points[open.front().first])},
+                                  {"to", place::point(mesh.points[open.front().second])}});
 }
 
 Result<void> check_volume(const Mesh& part) {

@@ -1,6 +1,8 @@
 #include "outline.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,12 +54,9 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
       add_points(model.edges[use.edge].curve, use.forward, ring);
   }
   if (outline.rings.empty() || outline.rings.front().empty()) return {};
-  outline.lo = outline.hi = outline.rings.front().front();
   for (const auto& ring : outline.rings)
-    for (const Vec3& p : ring) {
-      outline.lo = outline.lo.cwiseMin(p);
-      outline.hi = outline.hi.cwiseMax(p);
-    }
+    for (const Vec3& p : ring)
+      outline.space.extend(p);
   if (std::holds_alternative<DoublyCurved>(face.surface)) return outline;
   outline.u_scale = scale_of(face, outline.rings.front().front());
   double u_near = 0.0;
@@ -83,13 +82,11 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
 std::vector<double> cuts(const std::vector<std::vector<Vec2>>& rings, double v) {
   std::vector<double> us;
   for (const auto& ring : rings)
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
+    for (const auto& [a, b] : sides_of(ring)) {
       if ((a.y() > v) == (b.y() > v)) continue;
       us.push_back(a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
     }
-  std::sort(us.begin(), us.end());
+  std::ranges::sort(us);
   return us;
 }
 
@@ -144,16 +141,6 @@ double depth_below(const SolidFace& face, const Outline& outline, const Vec3& po
   return project(face, outline, point, outline.u_middle).depth;
 }
 
-double ring_area(const std::vector<Vec2>& ring) {
-  double sum = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2& a = ring[i];
-    const Vec2& b = ring[(i + 1) % ring.size()];
-    sum += a.x() * b.y() - a.y() * b.x();
-  }
-  return sum / 2;
-}
-
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;
   const auto& surface = std::get<Developable>(face.surface);
@@ -173,10 +160,7 @@ int outer_loop(const Outline& outline) {
 }
 
 std::vector<Outline> outlines_of(const SolidModel& model) {
-  std::vector<Outline> outlines;
-  for (const SolidFace& face : model.faces)
-    outlines.push_back(outline_of(model, face));
-  return outlines;
+  return mapped(model.faces, [&](const SolidFace& face) { return outline_of(model, face); });
 }
 
 std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,

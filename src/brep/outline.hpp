@@ -2,7 +2,8 @@
 
 #include "solid_model.hpp"
 
-#include <planish/geometry/curve.hpp>
+#include <planish/geometry/mesh.hpp>
+#include <planish/geometry/region.hpp>
 
 namespace planish::brep {
 
@@ -14,12 +15,17 @@ struct Outline {
   double u_scale = 1.0;                  ///< |∂x/∂u| at the middle of the face
   double u_middle = 0.0;
   double area = 0.0;
-  Box2 box;                                   ///< of `flat`
-  int outer = 0;                              ///< the loop with the largest area
-  Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  ///< box in space
-  Vec3 inner_point = Vec3::Zero();            ///< a border point, and the outward normal there
+  Box2 box;                         ///< of `flat`
+  int outer = 0;                    ///< the loop with the largest area
+  Box3 space;                       ///< box in space
+  Vec3 inner_point = Vec3::Zero();  ///< a border point, and the outward normal there
   Vec3 inner_normal = Vec3::UnitZ();
 };
+
+/// A box and what is at most `by` away along the axes.
+inline Box3 enlarged(const Box3& box, double by) {
+  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
+}
 
 std::vector<Outline> outlines_of(const SolidModel& model);
 
@@ -43,8 +49,5 @@ Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);
 
 /// Index of a face's outer loop: the one with the largest area.
 int outer_loop(const Outline& outline);
-
-/// Area inside a closed polygon, positive when it runs counter-clockwise.
-double ring_area(const std::vector<Vec2>& ring);
 
 }  // namespace planish::brep

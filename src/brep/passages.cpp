@@ -1,8 +1,7 @@
 #include "passages.hpp"
 
-#include "quadrature.hpp"
-
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/quadrature.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -221,9 +220,7 @@ double projected_area(const SolidModel& model, int face, const Frame& plane) {
 
 std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
                                           const Frame& plane) {
-  std::vector<double> areas;
-  for (const int f : part.faces)
-    areas.push_back(projected_area(of.model, f, plane));
+  const auto areas = mapped(part.faces, [&](int f) { return projected_area(of.model, f, plane); });
   constexpr double kEdgeShare = 0.01;  // of the thickness: as much area as a mm of edge costs
   const double by_length = kEdgeShare * of.skins.thickness;
   // A rolled lip looks both ways, and areas part it as well; the shortest edges then decide.

@@ -1,6 +1,6 @@
 #include "patch_volume.hpp"
 
-#include "quadrature.hpp"
+#include <planish/geometry/quadrature.hpp>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
@@ -116,7 +116,7 @@ std::vector<double> breaks_of(const IntegratedPatch& patch, const Geom2dAdaptor_
     const double b = patch.along(border.Value(t1));
     for (const double knot : patch.knots_along())
       if ((knot - a) * (knot - b) < 0) breaks.push_back(t0 + (t1 - t0) * (knot - a) / (b - a));
-    std::sort(breaks.begin(), breaks.end());
+    std::ranges::sort(breaks);
   }
   return breaks;
 }

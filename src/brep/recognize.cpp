@@ -37,9 +37,7 @@ Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& 
   for (const Skin skin : {Skin::first, Skin::second}) {
     const Groups groups = group_faces(model, outlines, skins, skin);
     const std::vector<int> faces = closed_forms(model, outlines, groups);
-    double area = 0.0;
-    for (const int f : faces)
-      area += outlines[f].area;
+    const double area = sum_of(faces, [&](int f) { return outlines[f].area; });
     const double whole = skin == Skin::first ? skins.area_first : skins.area_second;
     if (area > kLargestShare * whole) continue;
     for (const int f : faces) {
@@ -61,9 +59,8 @@ struct Reading {
 /// larger than its skins, and then the first readings take them for the sheet.
 std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outline>& outlines,
                                  double tolerance) {
-  std::vector<Reading> readings;
-  for (const double thickness : likely_thicknesses(model, outlines, tolerance))
-    readings.push_back({thickness});
+  auto readings = mapped(likely_thicknesses(model, outlines, tolerance),
+                         [&](double thickness) { return Reading{thickness}; });
   if (const auto thickness = plate_thickness(model, outlines))
     readings.push_back({*thickness, SkinStart::largest_plane});
   return readings;
@@ -88,10 +85,9 @@ constexpr double kFormed = 0.08;
 double formed_at_most(const Sheet& sheet) {
   constexpr double kSlanted = 0.25;
   const bool slanted = !sheet.features.empty() &&
-                       std::all_of(sheet.features.begin(), sheet.features.end(),
-                                   [](const FormedFeature& feature) {
-                                     return feature.kind == "slanted cut";
-                                   });
+                       std::ranges::all_of(sheet.features, [](const FormedFeature& feature) {
+                         return feature.kind == "slanted cut";
+                       });
   return slanted ? kSlanted : kFormed;
 }
 
@@ -101,10 +97,9 @@ double volume_allowed(const Sheet& sheet) {
   constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
   if (sheet.forms_volume) return kMeasured;
-  const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
-                                  [](const FormedFeature& feature) {
-                                    return feature.kind != "chamfer" && feature.kind != "contact";
-                                  });
+  const bool formed = std::ranges::any_of(sheet.features, [](const FormedFeature& feature) {
+    return feature.kind != "chamfer" && feature.kind != "contact";
+  });
   return formed ? kFormed : kChamfered;
 }
 

@@ -85,10 +85,8 @@ class ShellMaker {
       if (corners_.leads(border)) make_edge(border);
     for (const FaceId face : sheet_.faces.ids())
       make_face(face);
-    std::vector<TopoDS_Shell> shells;
-    for (const std::vector<int>& faces : connected_faces(sheet_))
-      shells.push_back(builder_.open_shell(faces));
-    return shells;
+    return mapped(connected_faces(sheet_),
+                  [&](const std::vector<int>& faces) { return builder_.open_shell(faces); });
   }
 
  private:

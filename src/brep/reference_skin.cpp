@@ -23,10 +23,9 @@ double neutral_area(const SolidModel& model, const std::vector<Outline>& outline
 }
 
 int outward_sharp_edges(const SolidModel& model, const Skins& skins, Skin skin) {
-  return static_cast<int>(
-      std::count_if(skins.sharp.begin(), skins.sharp.end(), [&](const SharpEdge& edge) {
-        return !edge.concave && skins.skin_of[model.edges[edge.edge].faces[0]] == skin;
-      }));
+  return static_cast<int>(std::ranges::count_if(skins.sharp, [&](const SharpEdge& edge) {
+    return !edge.concave && skins.skin_of[model.edges[edge.edge].faces[0]] == skin;
+  }));
 }
 
 }  // namespace

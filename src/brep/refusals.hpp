@@ -13,7 +13,6 @@ constexpr Refusal empty_file{code::empty_file, "{file} is empty.", "Export the p
 constexpr Refusal not_step{code::not_step,
                            "{file} is not a STEP file: it does not start with ISO-10303-21.",
                            "Export the part as STEP AP203, AP214 or AP242."};
-constexpr Refusal text_not_step{code::not_step, "The text is not a STEP file."};
 constexpr Refusal file_ends_early{
     code::truncated_file,
     "{file} ends in the middle: END-ISO-10303-21 is missing after {count:byte}.",

@@ -4,7 +4,6 @@
 #include "rim_refusal.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 // What belongs to neither skin, in connected parts: the walls of a cut, a countersink, an emboss, a
@@ -78,11 +77,9 @@ bool between(const SolidModel& model, const std::vector<Outline>& outlines, cons
   constexpr double kTouching = 0.05;  // of the thickness: fillets and chamfers touch from inside
   const double t = skins.thickness;
   const double slack = kTouching * t + skins.spread;
-  return std::any_of(skin_faces.begin(), skin_faces.end(), [&](int f) {
+  return std::ranges::any_of(skin_faces, [&](int f) {
     const Outline& outline = outlines[f];
-    const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() &&
-                      (p.array() <= (outline.hi.array() + 2 * t)).all();
-    if (!near) return false;
+    if (!enlarged(outline.space, 2 * t).contains(p)) return false;
     const double depth = depth_below(model.faces[f], outline, p);
     return depth >= -slack && depth <= t + slack;
   });

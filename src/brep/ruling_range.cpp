@@ -36,14 +36,6 @@ double reach_of(const Face& face, double side, const auto& narrowing) {
 
 }  // namespace
 
-Box2 extent(const Face& face) {
-  Box2 box;
-  for (const BorderLoop& loop : face.loops)
-    for (const Border& border : loop)
-      box.add(bounds(border.curve));
-  return box;
-}
-
 double speed_across(const Face& face, const Vec2& uv, double depth) {
   const auto& surface = std::get<Developable>(face.surface);
   const auto& knots = std::get<Ruled>(surface).knots;
@@ -73,7 +65,7 @@ double RulingRange::lo(double u) const { return reach_ < 0.0 ? limit(u) : box_.l
 double RulingRange::hi(double u) const { return reach_ > 0.0 ? limit(u) : box_.hi.y(); }
 
 RulingRange ruling_range(const Face& face, double depth) {
-  RulingRange range(extent(face));
+  RulingRange range(parameter_box(face));
   const Box2& box = range.box_;
   const RulingRange whole = range;
   const double span = box.size().y();

@@ -8,9 +8,6 @@
 
 namespace planish::brep {
 
-/// Extent of a face in (u, v).
-Box2 extent(const Face& face);
-
 /// |∂x/∂u| across the ruling, `depth` below the reference skin of a face on a ruled surface;
 /// negative past the edge of regression. Linear in v and in the depth. By differences: relative
 /// accuracy about 1e-9.

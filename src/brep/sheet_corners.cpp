@@ -8,8 +8,6 @@
 
 #include <Eigen/QR>
 
-#include <numbers>
-
 // Corners of a sheet as vertices of its solid: starts of borders, united over joints. On the other
 // skin a corner is the shortest step that lies the thickness below every plane that meets there,
 // which mitres sharp joints and is one normal elsewhere. A mitre that becomes too long is refused,

@@ -41,7 +41,7 @@ SkinSurface surface_below(const Cone& cone, const Face& face, double depth, doub
   const double sine = std::sin(cone.half_angle), cosine = std::cos(cone.half_angle);
   const double offset = -face.sense * depth;
   // The kernel's cone starts at a circle; at the face's nearer end this has a usable radius.
-  const double near = extent(face).lo.y();
+  const double near = parameter_box(face).lo.y();
   const Vec3 base = (near * cosine - offset * sine) * cone.frame.z;
   Frame frame = cone.frame;
   frame.origin += base;
@@ -51,7 +51,7 @@ SkinSurface surface_below(const Cone& cone, const Face& face, double depth, doub
 }
 
 SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, double tolerance) {
-  const Box2 box = extent(face);
+  const Box2 box = parameter_box(face);
   std::vector<double> breaks{box.lo.x()};
   const double margin = tolerance::kComputed * box.size().x();
   for (const Ruled::Knot& knot : ruled.knots)
@@ -114,7 +114,7 @@ double smallest_radius(const Face& face, double depth) {
   if (const auto* cylinder = std::get_if<Cylinder>(surface))
     return cylinder->radius - face.sense * depth;
   if (const auto* cone = std::get_if<Cone>(surface))
-    return extent(face).lo.y() * std::tan(cone->half_angle) - face.sense * depth;
+    return parameter_box(face).lo.y() * std::tan(cone->half_angle) - face.sense * depth;
   return smallest_ruled_radius(face, depth);
 }
 

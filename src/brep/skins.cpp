@@ -4,6 +4,8 @@
 #include "model_places.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -19,10 +21,7 @@ namespace {
 /// Faces with enough material of the sheet's thickness below them to be skin.
 std::vector<bool> covered_faces(const FacePairs& pairs) {
   constexpr double kCovered = 0.3;  // of the face
-  std::vector<bool> covered;
-  for (const double share : pairs.covered)
-    covered.push_back(share >= kCovered);
-  return covered;
+  return mapped(pairs.covered, [&](double share) { return share >= kCovered; });
 }
 
 /// Candidates connected over smooth and sharply bent edges.
@@ -97,7 +96,7 @@ std::pair<int, double> most_opposite(const Components& components, const FacePai
     if (a == first) shared[b] += pair.opposite.overlap;
     if (b == first) shared[a] += pair.opposite.overlap;
   }
-  const auto most = std::max_element(shared.begin(), shared.end());
+  const auto most = std::ranges::max_element(shared);
   return {static_cast<int>(most - shared.begin()), *most};
 }
 
@@ -140,8 +139,8 @@ std::vector<std::pair<int, Skin>> islands_of(const Skins& skins,
     if (!candidates[f] || skins.skin_of[f] != Skin::none) continue;
     const auto& partners = skins.partners[f];
     const auto all_on = [&](Skin skin) {
-      return !partners.empty() && std::all_of(partners.begin(), partners.end(),
-                                              [&](int p) { return skins.skin_of[p] == skin; });
+      return !partners.empty() &&
+             std::ranges::all_of(partners, [&](int p) { return skins.skin_of[p] == skin; });
     };
     if (all_on(Skin::first)) islands.emplace_back(f, Skin::second);
     if (all_on(Skin::second)) islands.emplace_back(f, Skin::first);

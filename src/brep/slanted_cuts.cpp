@@ -23,9 +23,8 @@ bool is_plain_cut(const Recognition& of, const RimPart& part) {
   const auto& here = loops_here(of, part);
   const auto& there = loops_there(of, part);
   const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
-  return part.within && !here.empty() && !there.empty() &&
-         std::none_of(here.begin(), here.end(), in_plane) &&
-         std::none_of(there.begin(), there.end(), in_plane);
+  return part.within && !here.empty() && !there.empty() && std::ranges::none_of(here, in_plane) &&
+         std::ranges::none_of(there, in_plane);
 }
 
 /// Sine by which the wall at the edge of a skin face leans back from it; 0 if that is no slant, or
@@ -101,7 +100,7 @@ double slanted_volume(const Recognition& of) {
 bool is_chamfered(const Recognition& of, const LoopRef& ref) {
   const auto& loop = of.model.faces[ref.face].loops[ref.loop];
   const Skin across = other_skin(of.skins.skin_of[ref.face]);
-  return std::any_of(loop.begin(), loop.end(), [&](const CoEdge& use) {
+  return std::ranges::any_of(loop, [&](const CoEdge& use) {
     return wall_slope(of, ref.face, use) > 0.0 &&
            !reaches(of, face_across(of.model.edges[use.edge], ref.face), across);
   });
@@ -126,8 +125,8 @@ void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognit
   }
   // The skins of formed sheets differ by their forms too.
   const auto& features = builder.sheet().features;
-  const bool formed = std::any_of(features.begin(), features.end(),
-                                  [](const FormedFeature& one) { return one.kind == "formed"; });
+  const bool formed = std::ranges::any_of(
+      features, [](const FormedFeature& one) { return one.kind == "formed"; });
   if (found && !formed) builder.add_form_volume(slanted_volume(of));
 }
 

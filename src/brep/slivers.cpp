@@ -2,6 +2,8 @@
 
 #include "outline.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 
 // Faces narrower than the accuracy of files, between two that were meant to meet. One long edge
@@ -24,9 +26,9 @@ struct Sides {
 std::optional<Sides> sliver_sides(const SolidModel& model, const SolidFace& face) {
   if (face.loops.size() != 1 || face.loops.front().size() < 3 || face.loops.front().size() > 4)
     return {};
-  std::vector<std::pair<double, int>> lengths;
-  for (const CoEdge& use : face.loops.front())
-    lengths.emplace_back(model.edges[use.edge].curve.length(), use.edge);
+  auto lengths = mapped(face.loops.front(), [&](const CoEdge& use) {
+    return std::pair<double, int>(model.edges[use.edge].curve.length(), use.edge);
+  });
   std::sort(lengths.rbegin(), lengths.rend());
   const SpaceCurve& a = model.edges[lengths[0].second].curve;
   const SpaceCurve& b = model.edges[lengths[1].second].curve;

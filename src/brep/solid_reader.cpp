@@ -138,7 +138,7 @@ std::vector<std::vector<CoEdge>> read_loops(const TopoDS_Face& face, const Numbe
     std::vector<CoEdge> loop = read_wire(TopoDS::Wire(wires.Value()), forward, shapes, edges);
     if (loop.empty()) continue;
     if (face.Orientation() == TopAbs_REVERSED) {
-      std::reverse(loop.begin(), loop.end());
+      std::ranges::reverse(loop);
       for (CoEdge& use : loop)
         use.forward = !use.forward;
     }

@@ -2,7 +2,6 @@
 
 #include "kernel_points.hpp"
 
-#include <planish/base/tolerance.hpp>
 #include <planish/base/union_find.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -62,7 +61,7 @@ bool follow_each_other(const Edges& edges) {
 /// As the file has them, or the other way round: empty when they do not follow each other.
 Edges in_order(Edges edges) {
   if (follow_each_other(edges)) return edges;
-  std::reverse(edges.begin(), edges.end());
+  std::ranges::reverse(edges);
   return follow_each_other(edges) ? edges : Edges{};
 }
 
@@ -94,8 +93,8 @@ int turns_about(const gp_Ax1& axis, const Edges& loop) {
 
 /// Whether no loop runs round the axis: over a seam it comes back.
 bool comes_back(const gp_Ax1& axis, const std::vector<Edges>& loops) {
-  return std::all_of(loops.begin(), loops.end(),
-                     [&](const Edges& loop) { return turns_about(axis, loop) == 0; });
+  return std::ranges::all_of(loops,
+                             [&](const Edges& loop) { return turns_about(axis, loop) == 0; });
 }
 
 /// Ends of an edge's curve in the parameters of the face, as the loop runs.
@@ -162,7 +161,7 @@ bool is_readable(const TopoDS_Face& face) {
   for (TopoDS_Iterator wires(forward); wires.More(); wires.Next()) {
     if (wires.Value().ShapeType() != TopAbs_WIRE) return false;
     Edges edges = edges_of(wires.Value());
-    if (!std::all_of(edges.begin(), edges.end(), has_curve)) return false;
+    if (!std::ranges::all_of(edges, has_curve)) return false;
     loops.push_back(in_order(std::move(edges)));
     if (loops.back().empty()) return false;
   }
@@ -176,8 +175,7 @@ bool is_readable(const TopoDS_Face& face) {
     case GeomAbs_Cone:
       return comes_back(surface.Cone().Axis(), loops);
     default:
-      return has_parameter_curves(face) &&
-             std::all_of(loops.begin(), loops.end(), [&](const Edges& loop) {
+      return has_parameter_curves(face) && std::ranges::all_of(loops, [&](const Edges& loop) {
                return closes_in_parameters(surface, forward, loop);
              });
   }

@@ -1,7 +1,8 @@
-#include "quadrature.hpp"
 #include "solid_model.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/minimum.hpp>
+#include <planish/geometry/quadrature.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,32 +24,10 @@ double distance_to_circle(const SpaceCurve& curve, const Vec3& p) {
   return std::hypot(local.head<2>().norm() - curve.radius, local.z());
 }
 
-/// Coarse search, then golden section about the best sample.
 double distance_to_other(const SpaceCurve& curve, const Vec3& p) {
-  constexpr int kFirstTries = 64;
-  const double step = (curve.t1 - curve.t0) / kFirstTries;
-  int best = 0;
-  double best_distance = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= kFirstTries; ++i) {
-    const double d = (curve.point(curve.t0 + i * step) - p).norm();
-    if (d < best_distance) {
-      best_distance = d;
-      best = i;
-    }
-  }
-  double a = curve.t0 + std::max(best - 1, 0) * step;
-  double b = curve.t0 + std::min(best + 1, kFirstTries) * step;
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kRefinements = 40;
-  for (int i = 0; i < kRefinements; ++i) {
-    const double c = b - kGolden * (b - a);
-    const double d = a + kGolden * (b - a);
-    if ((curve.point(c) - p).squaredNorm() < (curve.point(d) - p).squaredNorm())
-      b = d;
-    else
-      a = c;
-  }
-  return (curve.point((a + b) / 2) - p).norm();
+  constexpr int kSamples = 64, kSteps = 40;
+  const auto distance = [&](double t) { return (curve.point(t) - p).norm(); };
+  return distance(least_at(distance, curve.t0, curve.t1, kSamples, kSteps));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,17 +48,15 @@ std::vector<std::string> strings_of(std::string_view header, std::string_view en
 
 std::string application_protocol(const std::string& schema) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kProtocols{{
-      {"CONFIG_CONTROL_DESIGN", "AP203"},
-      {"AP203", "AP203"},
-      {"AUTOMOTIVE_DESIGN", "AP214"},
-      {"AP214", "AP214"},
-      {"AP242", "AP242"},
+      {"config_control_design", "AP203"},
+      {"ap203", "AP203"},
+      {"automotive_design", "AP214"},
+      {"ap214", "AP214"},
+      {"ap242", "AP242"},
   }};
-  std::string upper = schema;
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](unsigned char c) { return std::toupper(c); });
+  const std::string lower = lower_case(schema);
   for (const auto& [key, name] : kProtocols)
-    if (upper.find(key) != std::string::npos) return fmt::format("{} ({})", name, schema);
+    if (lower.find(key) != std::string::npos) return fmt::format("{} ({})", name, schema);
   return schema;
 }
 

@@ -77,7 +77,7 @@ class BodyCollector {
                            static_cast<double>(rows_.size());
       progress.at("comparing bodies", std::lerp(kTranslated, 1.0, share));
       row.fingerprint = brep::fingerprint_of(row.shape.solid);
-      const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Row& known) {
+      const auto same = std::ranges::find_if(distinct, [&](const Row& known) {
         return known.shape.material == row.shape.material &&
                brep::identical(known.fingerprint, row.fingerprint);
       });

@@ -2,6 +2,8 @@
 
 #include "step_text.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <Interface_InterfaceModel.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPConstruct_Styles.hxx>
@@ -150,10 +152,7 @@ ShapeColours shape_colours(const Handle(XSControl_WorkSession) & session) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(process, style->Item());
     if (shape.IsNull()) continue;
     const TCollection_AsciiString hex = Quantity_Color::ColorToHex(colour);
-    std::string text = hex.ToCString();
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    colours.Bind(shape.Located(TopLoc_Location()), text);
+    colours.Bind(shape.Located(TopLoc_Location()), lower_case(hex.ToCString()));
   }
   return colours;
 }

@@ -37,8 +37,7 @@ std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& out
     if (!outlines[f].flat.empty() &&
         (!is_general(model.faces[f]) || outlines[f].area > kWorthwhile * largest))
       faces.push_back(f);
-  std::sort(faces.begin(), faces.end(),
-            [&](int a, int b) { return outlines[a].area > outlines[b].area; });
+  std::ranges::sort(faces, [&](int a, int b) { return outlines[a].area > outlines[b].area; });
   if (faces.size() > kMost) faces.resize(kMost);
   return faces;
 }
@@ -61,9 +60,7 @@ std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>&
 
 /// Merges votes within the tolerance of each other, with their mean depth and total area.
 std::vector<Vote> counted(std::vector<Vote> votes, double tolerance) {
-  std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
-    return std::tie(a.depth, a.area) < std::tie(b.depth, b.area);
-  });
+  std::ranges::sort(votes, {}, [](const Vote& vote) { return std::pair(vote.depth, vote.area); });
   std::vector<Vote> rows;
   for (size_t first = 0; first < votes.size();) {
     double area = 0.0;
@@ -89,7 +86,7 @@ std::vector<double> likely_thicknesses(const SolidModel& model,
   for (const int face : voters(model, outlines))
     if (const auto vote = vote_of(model, outlines, face)) votes.push_back(*vote);
   std::vector<Vote> rows = counted(std::move(votes), tolerance);
-  std::sort(rows.begin(), rows.end(), [](const Vote& a, const Vote& b) { return a.area > b.area; });
+  std::ranges::sort(rows, std::ranges::greater(), &Vote::area);
   std::vector<double> depths;
   for (const Vote& row : rows)
     if (depths.size() < kMost && row.area >= kWorthTrying * rows.front().area)

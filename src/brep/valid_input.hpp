@@ -4,8 +4,6 @@
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/sheet.hpp>
 
-#include <utility>
-
 namespace planish::brep {
 
 /// Whether a sheet that is to be made a solid breaks no rule: what a caller gives is an input, not

@@ -1,7 +1,5 @@
 #include "widest.hpp"
 
-#include <cmath>
-
 // Where the blank must be cut if a wall widens below the skin: at the edge where the widening ends,
 // so that it reaches as far as the material. Strips of the wall are followed from the skin as long
 // as their middles face outwards and they are no steps; a wall that slants from skin to skin is a

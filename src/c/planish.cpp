@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <map>
@@ -43,16 +42,9 @@ void set_error(planish_result& result, const Error& error) {
 }
 
 void set_result(planish_result& result, job::RunResult made) {
-  switch (made.status) {
-    case job::Status::ok:
-      result.status = PLANISH_OK;
-      break;
-    case job::Status::warning:
-      result.status = PLANISH_WARNING;
-      break;
-    case job::Status::refused:
-      result.status = PLANISH_REFUSED;
-  }
+  result.status = made.status == job::Status::ok        ? PLANISH_OK
+                  : made.status == job::Status::warning ? PLANISH_WARNING
+                                                        : PLANISH_REFUSED;
   result.report = std::move(made.report);
   result.summary = std::move(made.summary);
   result.files = std::move(made.artifacts);
@@ -243,8 +235,8 @@ const char* planish_schema_name(size_t number) {
 const char* planish_schema(const char* name) {
   if (!name || !texts()) return nullptr;
   const auto& schemas = texts()->schemas;
-  const auto found = std::find_if(schemas.begin(), schemas.end(),
-                                  [&](const auto& one) { return one.first == name; });
+  const auto found = std::ranges::find_if(schemas,
+                                          [&](const auto& one) { return one.first == name; });
   return found == schemas.end() ? nullptr : found->second.c_str();
 }
 

@@ -62,7 +62,7 @@ double turn_of(const Face& face) {
     const double step = (box.hi.x() - box.lo.x()) / kSteps;
     const Vec3 from = normal_at(face, box.lo.x() + i * step);
     const Vec3 to = normal_at(face, box.lo.x() + (i + 1) * step);
-    turn += std::atan2(from.cross(to).norm(), from.dot(to));
+    turn += angle_between(from, to);
   }
   return turn;
 }

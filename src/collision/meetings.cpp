@@ -1,5 +1,6 @@
 #include "meetings.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 
 #include <algorithm>
@@ -93,10 +94,9 @@ std::vector<Vec3> below_crossing(const Triangle& a, const Triangle& b, double as
   const Vec3 foot = a.corners[0] -
                     height / (1.0 - cosine * cosine) * (b.normal - cosine * a.normal);
   const Vec3 down = -aside / (1.0 + cosine) * (a.normal + b.normal);
-  std::vector<Vec3> points;
-  for (const double place : kPlaces)
-    points.push_back(foot + (both.low + place * (both.high - both.low)) * along + down);
-  return points;
+  return mapped(kPlaces, [&](double place) -> Vec3 {
+    return foot + (both.low + place * (both.high - both.low)) * along + down;
+  });
 }
 
 /// What a convex ring has on the left of the line from p to q, seen from the tip of `up`.

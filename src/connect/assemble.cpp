@@ -6,7 +6,6 @@
 #include "tolerances.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/sheet/builder.hpp>
 
 #include <array>

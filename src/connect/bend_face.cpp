@@ -26,9 +26,7 @@ struct TaggedCurve {
 using TaggedLoop = std::vector<TaggedCurve>;
 
 Curve2 shifted(const Curve2& curve, double v) {
-  Isometry2 motion = Isometry2::Identity();
-  motion.translation() = Vec2(0.0, v);
-  return transformed(curve, motion);
+  return transformed(curve, Isometry2(Eigen::Translation2d(0.0, v)));
 }
 
 // Length on the skin by chords in space, extrapolated, independent of any development. A ruling is
@@ -54,7 +52,7 @@ double length_in_space(const Developable& surface, const Curve2& uv) {
 }
 
 TaggedLoop reversed_loop(TaggedLoop loop) {
-  std::reverse(loop.begin(), loop.end());
+  std::ranges::reverse(loop);
   for (TaggedCurve& border : loop)
     border.curve = reversed(border.curve);
   return loop;
@@ -72,8 +70,7 @@ std::vector<RulingJoint> joints_of(const Parts& parts, int bend, int side, int p
   for (int row = 0; row < static_cast<int>(parts.fits.size()); ++row)
     if (row == bend || parts.fits[row].joint_of == std::pair{bend, side})
       joints.push_back({joint_range(parts.fits[row], side, parts.plates[plate]), row});
-  std::sort(joints.begin(), joints.end(),
-            [](const RulingJoint& a, const RulingJoint& b) { return a.range.low < b.range.low; });
+  std::ranges::sort(joints, {}, [](const RulingJoint& joint) { return joint.range.low; });
   return joints;
 }
 

@@ -8,8 +8,6 @@
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -24,18 +22,16 @@
 namespace planish::connect_detail {
 namespace {
 
-using Spread = std::pair<double, double>;
-
 // A corner within this share of the extent of the tangent ruling lies on it.
 constexpr double kOnRuling = tolerance::kComputed;
 
 RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corners& corners) {
   RunEnds ends;
   for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    ends.low[i] = surface.local(side, frame.point(side, corners[i].front()));
-    ends.high[i] = surface.local(side, frame.point(side, corners[i].back()));
-    if (ends.low[i].x() > ends.high[i].x()) std::swap(ends.low[i], ends.high[i]);
+    Vec2 &low = ends.low[side], &high = ends.high[side];
+    low = surface.local(side, frame.point(side, corners[side].front()));
+    high = surface.local(side, frame.point(side, corners[side].back()));
+    if (low.x() > high.x()) std::swap(low, high);
   }
   return ends;
 }
@@ -60,10 +56,9 @@ std::vector<Spread> legal_on_both(const FitTask& task, const BendSurface& surfac
     low = std::max(low, -std::min(surface.rails[0], surface.rails[1]));
   std::array<std::vector<Spread>, 2> legal;
   for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    legal[i] = legal_sections(local_rings(*task.plates[i], surface, side), low, high,
-                              kOnRuling * extent);
-    for (Spread& section : legal[i])
+    legal[side] = legal_sections(local_rings(*task.plates[side], surface, side), low, high,
+                                 kOnRuling * extent);
+    for (Spread& section : legal[side])
       section = {surface.level(side, section.first), surface.level(side, section.second)};
   }
   return common(legal[0], legal[1]);
@@ -124,7 +119,7 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
   report.request = task.request;
   report.edges = choice.edges(best);
   for (auto& edges : report.edges)
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
   report.edge_kind = best.kind;
   report.kind = fit.surface.kind;
   report.frame = choice.frame;
@@ -201,12 +196,10 @@ std::array<OutlineRun, 2> whole_runs(const FitTask& task, const PairChoice& choi
   const auto edges = choice.edges(choice.search.best);
   const Corners corners = choice.corners(choice.search.best);
   std::array<OutlineRun, 2> runs;
-  for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    runs[i] = outline_run(*task.plates[i], edges[i],
-                          {choice.frame.point(side, corners[i].front()),
-                           choice.frame.point(side, corners[i].back())});
-  }
+  for (int side = 0; side < 2; ++side)
+    runs[side] = outline_run(*task.plates[side], edges[side],
+                             {choice.frame.point(side, corners[side].front()),
+                              choice.frame.point(side, corners[side].back())});
   return runs;
 }
 
@@ -228,9 +221,8 @@ double extent_of(const FitTask& task) {
 }
 
 Facts about(const FitTask& task, Facts facts) {
-  Facts all;
-  for (const std::string& id : task.request.between)
-    all.emplace_back("plate", place::plate(id));
+  Facts all = mapped(task.request.between,
+                     [&](const std::string& id) { return Fact("plate", place::plate(id)); });
   all.insert(all.end(), std::make_move_iterator(facts.begin()),
              std::make_move_iterator(facts.end()));
   return all;
@@ -255,7 +247,6 @@ Error in_request(const FitTask& task, Error error) {
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return pass_on(turn);
-  const EdgeChoice& best = choice.search.best;
   BendFit fit;
   auto surface = chosen_surface(task, choice, options, fit.report);
   if (!surface) return pass_on(surface);
@@ -263,12 +254,9 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   // Checked before laying flat, which is impossible for a cylinder without an inside.
   if (fit.surface.kind == BendKind::cylinder)
     if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius) return pass_on(radius);
-  const Corners corners = choice.corners(best);
-  const RunEnds ends = run_ends(fit.surface, choice.frame, corners);
-  LateralOptions lateral;
-  lateral.extent = extent_of(task);
-  lateral.neutral_offset = (options.k_factor - 0.5) * task.thickness;
-  lateral.legal = legal_on_both(task, fit.surface, ends);
+  const RunEnds ends = run_ends(fit.surface, choice.frame, choice.corners(choice.search.best));
+  const LateralOptions lateral{(options.k_factor - 0.5) * task.thickness,
+                               legal_on_both(task, fit.surface, ends), extent_of(task)};
   fit.runs = whole_runs(task, choice);
   auto boundaries = lateral_boundaries(fit.surface, ends, lateral_wanted(task, fit), lateral);
   if (!boundaries) return pass_on(boundaries);

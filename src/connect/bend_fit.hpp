@@ -59,7 +59,13 @@ struct BendFit {
 };
 
 /// Parts of an edge, each from one share of its length to another.
-using EdgeParts = std::vector<std::pair<double, double>>;
+using EdgeParts = std::vector<Spread>;
+
+/// What bends use of a plate's edges, by their numbers.
+struct UsedEdges {
+  std::set<int> whole;
+  std::map<int, EdgeParts> parts;
+};
 
 /// What a bend is fitted between, and how.
 struct FitTask {
@@ -67,9 +73,8 @@ struct FitTask {
   BendRequest request;
   double thickness = 0.0;
   std::string pointer;  ///< of the request in the file, "/bends/1"; empty if not requested
-  std::array<std::set<int>, 2> taken;                   ///< edges that other bends use already
-  std::array<std::map<int, EdgeParts>, 2> taken_parts;  ///< of further edges, by number
-  bool shares_edges = false;  ///< uses no more of an edge than lies opposite the other plate
+  std::array<UsedEdges, 2> taken;  ///< by other bends
+  bool shares_edges = false;       ///< uses no more of an edge than lies opposite the other plate
 };
 
 /// Extent of the larger plate of the task, mm.

@@ -23,9 +23,7 @@ constexpr double kSameDirection = tolerance::kComputed;
 // crossing it.
 constexpr double kOnLine = tolerance::kComputed;
 
-Angle between(const Vec3& a, const Vec3& b) {
-  return Angle::radians(std::atan2(a.cross(b).norm(), a.dot(b)));
-}
+Angle between(const Vec3& a, const Vec3& b) { return Angle::radians(angle_between(a, b)); }
 
 Vec3 nearest_on_line(const PlacedPlate& a, const PlacedPlate& b, const Vec3& d) {
   // The point p of both planes nearest to the middle m: p = m + s·n_a + t·n_b.
@@ -37,7 +35,7 @@ Vec3 nearest_on_line(const PlacedPlate& a, const PlacedPlate& b, const Vec3& d) 
 }
 
 // On which sides of the line (along +e, −e) a plate has material: signs.
-std::vector<double> sides_of(const PlacedPlate& plate, const Vec3& origin, const Vec3& e) {
+std::vector<double> signs_of(const PlacedPlate& plate, const Vec3& origin, const Vec3& e) {
   double low = 0.0, high = 0.0;
   for (int i = 0; i < plate.edge_count(); ++i) {
     const double y = (plate.corner(i) - origin).dot(e);
@@ -57,8 +55,8 @@ std::vector<BendFrame> crossing_frames(const PlacedPlate& a, const PlacedPlate& 
   const Vec3 origin = nearest_on_line(a, b, raw);
   const Vec3 ea = a.frame.z.cross(d), eb = b.frame.z.cross(d);
   std::vector<BendFrame> frames;
-  for (const double sa : sides_of(a, origin, ea))
-    for (const double sb : sides_of(b, origin, eb)) {
+  for (const double sa : signs_of(a, origin, ea))
+    for (const double sb : signs_of(b, origin, eb)) {
       BendFrame frame{origin, d, {sa * ea, sb * eb}, Vec3::Zero(), {}};
       frame.beta = between(frame.e[0], frame.e[1]);
       frames.push_back(frame);
@@ -86,7 +84,7 @@ std::vector<BendFrame> parallel_frames(const PlacedPlate& a, const PlacedPlate& 
       const Vec3 outward = flat.cross(plate->frame.z).normalized();
       const Vec3 e = (outward - outward.dot(a.frame.z) * a.frame.z).normalized();
       const auto same = [&](const Vec3& other) { return (other - e).norm() < kSameDirection; };
-      if (std::any_of(directions.begin(), directions.end(), same)) continue;
+      if (std::ranges::any_of(directions, same)) continue;
       directions.push_back(e);
       frames.push_back(parallel_frame(a, b, e.cross(a.frame.z).normalized(), e));
     }
@@ -117,10 +115,8 @@ std::vector<Vec2> side_outline(const PlacedPlate& plate, const BendFrame& frame,
 }
 
 std::vector<Vec2> side_ring(const PlacedPlate& plate, int ring, const BendFrame& frame, int side) {
-  std::vector<Vec2> corners;
-  for (const Vec2& p : plate.ring(ring))
-    corners.push_back(frame.local(side, plate.frame.point(p)));
-  return corners;
+  return mapped(plate.ring(ring),
+                [&](const Vec2& p) { return frame.local(side, plate.frame.point(p)); });
 }
 
 std::vector<Chain> side_chains(const PlacedPlate& plate, const BendFrame& frame, int side) {

@@ -165,9 +165,7 @@ std::optional<BendBand> merged(const BendBand& band, const BendBand& next, const
 
 std::vector<BendBand> merged_stretches(std::vector<BendBand> bands, const BendFit& fit,
                                        const FitTask& task) {
-  std::sort(bands.begin(), bands.end(), [](const BendBand& a, const BendBand& b) {
-    return a.boundaries.low.v[0] < b.boundaries.low.v[0];
-  });
+  std::ranges::sort(bands, {}, [](const BendBand& band) { return band.boundaries.low.v[0]; });
   if (bands.size() < 2) return bands;
   const BothRings rings = both_rings(fit, task);
   std::vector<BendBand> all;

@@ -23,20 +23,15 @@ double azimuth_of(const Frame& frame, const Vec3& direction) {
 
 // The frame about `axis` from whose x, on one of the sides, the azimuth grows through `middle` to
 // the other side; `radial` are the directions from the axis to the tangent rulings.
-struct Turned {
-  Frame frame;
-  int first = 0;
-  double half_sweep = 0.0;
-};
-Turned turned(const Vec3& origin, const Vec3& axis, const std::array<Vec3, 2>& radial,
-              const Vec3& middle) {
-  Turned result{frame_from_axes(origin, axis, radial[0]), 0, 0.0};
-  result.half_sweep = azimuth_of(result.frame, middle);
-  if (result.half_sweep >= 0.0) return result;
-  result.first = 1;
-  result.frame = frame_from_axes(origin, axis, radial[1]);
-  result.half_sweep = azimuth_of(result.frame, middle);
-  return result;
+Frame turned(BendSurface& surface, const Vec3& origin, const Vec3& axis,
+             const std::array<Vec3, 2>& radial, const Vec3& middle) {
+  Frame frame = frame_from_axes(origin, axis, radial[0]);
+  if (azimuth_of(frame, middle) < 0.0) {
+    surface.first = 1;
+    frame = frame_from_axes(origin, axis, radial[1]);
+  }
+  surface.sweep = 2.0 * azimuth_of(frame, middle);
+  return frame;
 }
 
 Vec3 bisector_of(const BendFrame& frame) { return (frame.e[0] + frame.e[1]).normalized(); }
@@ -54,10 +49,8 @@ BendSurface cylinder(const BendFrame& frame, EdgeKind edges, double distance) {
     surface.tangents[side] = {tangent, frame.d, away * e};
     radial[side] = tangent - center;
   }
-  const Turned turn = turned(center, frame.d, radial, -away * bisector);
-  surface.mid = Cylinder{turn.frame, distance * std::tan(half)};
-  surface.first = turn.first;
-  surface.sweep = 2.0 * turn.half_sweep;
+  surface.mid = Cylinder{turned(surface, center, frame.d, radial, -away * bisector),
+                         distance * std::tan(half)};
   return surface;
 }
 
@@ -80,10 +73,9 @@ BendSurface cone(const BendFrame& frame, EdgeKind edges, const TangentLine& line
     surface.tangents[side] = {apex, ruling, away * (std::cos(phi) * e - std::sin(phi) * along)};
     radial[side] = ruling - ruling.dot(axis) * axis;
   }
-  const Turned turn = turned(apex, axis, radial, -away * (bisector - bisector.dot(axis) * axis));
-  surface.mid = Cone{turn.frame, std::atan(surface.tan_half_angle)};
-  surface.first = turn.first;
-  surface.sweep = 2.0 * turn.half_sweep;
+  surface.mid = Cone{
+      turned(surface, apex, axis, radial, -away * (bisector - bisector.dot(axis) * axis)),
+      std::atan(surface.tan_half_angle)};
   return surface;
 }
 
@@ -116,7 +108,7 @@ Curve2 BendSurface::at_level(double level, double tolerance) const {
 
 Angle BendSurface::turned() const {
   const Vec3 a = normal_on(mid, 0.0), b = normal_on(mid, sweep);
-  const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double between = angle_between(a, b);
   // Beyond half a turn about a cylinder's or cone's axis the angle between the normals shrinks
   // again.
   if (kind == BendKind::cylinder) return Angle::radians(sweep);
@@ -138,10 +130,9 @@ BendSurface half_turn(const BendFrame& frame, const TangentLine& line) {
                               -frame.e[0]};
     radial[side] = (side == 0 ? -0.5 : 0.5) * frame.rise;
   }
-  const Turned turn = turned(surface.tangents[0].origin + 0.5 * frame.rise, frame.d, radial,
-                             frame.e[0]);
-  surface.mid = Cylinder{turn.frame, 0.5 * frame.rise.norm()};
-  surface.first = turn.first;
+  surface.mid = Cylinder{
+      turned(surface, surface.tangents[0].origin + 0.5 * frame.rise, frame.d, radial, frame.e[0]),
+      0.5 * frame.rise.norm()};
   surface.sweep = std::numbers::pi;
   return surface;
 }

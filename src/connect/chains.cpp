@@ -1,6 +1,7 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/edge_search.hpp>
 #include <planish/geometry/plane.hpp>
+#include <planish/geometry/region.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,28 +24,9 @@ constexpr double kSteep = 1e-3;
 
 enum class Use { none, facing, averted };
 
-double extent_of(const std::vector<Vec2>& outline) {
-  Vec2 lo = outline.front(), hi = outline.front();
-  for (const Vec2& p : outline) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  return (hi - lo).norm();
-}
-
-double signed_area_of(const std::vector<Vec2>& outline) {
-  double twice = 0.0;
-  const Vec2 from = outline.front();
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 a = outline[i] - from, b = outline[(i + 1) % outline.size()] - from;
-    twice += cross(a, b);
-  }
-  return 0.5 * twice;
-}
-
 std::vector<Use> uses_of(const std::vector<Vec2>& corners, double tolerance) {
   const std::size_t n = corners.size();
-  const bool counter_clockwise = signed_area_of(corners) > 0.0;
+  const bool counter_clockwise = ring_area(corners) > 0.0;
   std::vector<Use> uses(n, Use::none);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2& a = corners[i];
@@ -67,8 +49,8 @@ Chain chain_from(const std::vector<Vec2>& corners, Use use, std::size_t start, s
     chain.corners.push_back(corners[(start + j + 1) % n]);
   }
   if (chain.corners.front().x() > chain.corners.back().x()) {
-    std::reverse(chain.corners.begin(), chain.corners.end());
-    std::reverse(chain.edges.begin(), chain.edges.end());
+    std::ranges::reverse(chain.corners);
+    std::ranges::reverse(chain.edges);
   }
   return chain;
 }
@@ -77,7 +59,7 @@ Chain chain_from(const std::vector<Vec2>& corners, Use use, std::size_t start, s
 
 std::vector<Chain> viable_chains(const std::vector<Vec2>& outline) {
   if (outline.size() < 3) return {};
-  const double tolerance = kOnAxis * extent_of(outline);
+  const double tolerance = kOnAxis * box_of(outline).size().norm();
   std::vector<Vec2> corners = outline;
   for (Vec2& p : corners)
     if (std::abs(p.y()) <= tolerance) p.y() = 0.0;
@@ -97,11 +79,8 @@ std::vector<Chain> viable_chains(const std::vector<Vec2>& outline) {
     if (uses[start] != Use::none) chains.push_back(chain_from(corners, uses[start], start, count));
     done += count;
   }
-  const auto lowest = [](const Chain& chain) {
-    return *std::min_element(chain.edges.begin(), chain.edges.end());
-  };
-  std::sort(chains.begin(), chains.end(),
-            [&](const Chain& a, const Chain& b) { return lowest(a) < lowest(b); });
+  const auto lowest = [](const Chain& chain) { return std::ranges::min(chain.edges); };
+  std::ranges::sort(chains, {}, lowest);
   return chains;
 }
 

@@ -1,5 +1,6 @@
 #include "choices.hpp"
 
+#include "corners.hpp"
 #include "general_fit.hpp"
 #include "sharp_fit.hpp"
 #include "tolerances.hpp"
@@ -42,10 +43,8 @@ BendRequest with_surface(BendRequest request, SurfaceChoice surface) {
 // of least extension.
 std::vector<BendRequest> other_cylinders(const FitTask& task, const PairChoice& choice) {
   const bool facing = choice.search.best.kind == EdgeKind::facing;
-  double limit = facing ? HUGE_VAL : 0.0;
-  for (const auto& side : choice.corners(choice.search.best))
-    for (const Vec2& p : side)
-      limit = facing ? std::min(limit, p.y()) : std::max(limit, p.y());
+  const Corners corners = choice.corners(choice.search.best);
+  const double limit = facing ? lowest(corners) : highest(corners);
   std::vector<BendRequest> requests;
   for (const double share : facing ? std::array{0.7, 0.4, 0.15} : std::array{1.5, 2.5, 5.0}) {
     const double mid = share * limit * std::tan(0.5 * choice.frame.beta.radians());

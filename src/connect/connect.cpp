@@ -5,8 +5,8 @@
 #include "plate_pairs.hpp"
 #include "refusals.hpp"
 #include "request_check.hpp"
+#include "taken_edges.hpp"
 
-#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <algorithm>
@@ -70,14 +70,10 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
 
 Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates) {
   if (structure.root.empty()) {
-    const auto largest = std::max_element(
-        plates.begin(), plates.end(),
-        [](const PlacedPlate& a, const PlacedPlate& b) { return a.area < b.area; });
+    const auto largest = std::ranges::max_element(plates, {}, &PlacedPlate::area);
     return static_cast<int>(largest - plates.begin());
   }
-  for (std::size_t p = 0; p < plates.size(); ++p)
-    if (structure.plates[p].id == structure.root) return static_cast<int>(p);
-  return fail(refuse::no_such_plate, of_unknown_plate(structure, structure.root, "/root"));
+  return row_of(structure, structure.root, "/root");
 }
 
 Result<void> check_options(const ConnectOptions& options) {
@@ -124,14 +120,14 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   if (!fits) return pass_on(fits);
   // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
   if (structure.bends.empty())
-    std::sort(fits->begin(), fits->end(),
-              [](const BendFit& a, const BendFit& b) { return a.report.plates < b.report.plates; });
+    std::ranges::sort(
+        *fits, {}, [](const BendFit& fit) -> const auto& { return fit.report.plates; });
 
-  Parts parts{structure.thickness, std::move(*plates), {}, std::move(*fits), *root};
+  Parts parts = parts_of(structure, *plates, 0);
+  parts.fits = std::move(*fits);
+  parts.root = *root;
   const std::size_t bends = parts.fits.size();
   append_stretches(parts);
-  for (const Plate& plate : structure.plates)
-    parts.ids.push_back(plate.id);
   auto made = assembled(parts);
   if (!made) return pass_on(made);
   if (auto flat = check_loops(parts, *made, options.k_factor); !flat) return pass_on(flat);

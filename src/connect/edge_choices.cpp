@@ -1,3 +1,4 @@
+#include "outline_run.hpp"
 #include "pair_search.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ class Choices {
     const EdgeChoice& best = choice.search.best;
     std::array edges = choice.edges(best);
     for (auto& side : edges)
-      std::sort(side.begin(), side.end());
+      std::ranges::sort(side);
     const Vec3& e = choice.frame.e[0];
     const Vec3& f = choice.frame.e[1];
     if (!known_
@@ -41,8 +42,7 @@ class Choices {
       const EdgeChoice& best = choice.search.best;
       return best.width > 0.0 ? best.span / best.width : std::numeric_limits<double>::infinity();
     };
-    std::stable_sort(all_.begin(), all_.end(),
-                     [&](const PairChoice& a, const PairChoice& b) { return cost(a) < cost(b); });
+    std::ranges::stable_sort(all_, {}, cost);
     return std::move(all_);
   }
 
@@ -107,22 +107,16 @@ std::vector<Chain> above(const std::vector<Chain>& chains, double height) {
   std::vector<Chain> parts;
   for (const Chain& chain : chains) {
     if (chain.kind != EdgeKind::facing) continue;
-    Chain part{chain.kind, {}, {}};
-    const auto close = [&] {
-      if (!part.edges.empty()) parts.push_back(std::move(part));
-      part = Chain{chain.kind, {}, {}};
-    };
+    ChainParts part(chain.kind, parts);
     for (std::size_t j = 0; j < chain.edges.size(); ++j) {
       const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
       const bool from = a.y() >= height, to = b.y() >= height;
       if (!from && !to) continue;
       const Vec2 crossing = a + (height - a.y()) / (b.y() - a.y()) * (b - a);
-      if (part.edges.empty()) part.corners.push_back(from ? a : crossing);
-      part.corners.push_back(to ? b : crossing);
-      part.edges.push_back(chain.edges[j]);
-      if (!to) close();
+      part.add(from ? a : crossing, to ? b : crossing, chain.edges[j]);
+      if (!to) part.end();
     }
-    close();
+    part.end();
   }
   return parts;
 }

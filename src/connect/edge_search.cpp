@@ -1,7 +1,7 @@
 #include "chain_pair.hpp"
 #include "refusals.hpp"
 
-#include <planish/connect/codes.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -117,17 +117,11 @@ struct Search {
   }
 };
 
-double lowest(const Chain& chain) {
-  return std::min_element(chain.corners.begin(), chain.corners.end(),
-                          [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
-      ->y();
-}
-
 std::vector<Candidate> candidates_of(const Search& search) {
   std::array<std::vector<double>, 2> heights;
   for (std::size_t i = 0; i < 2; ++i)
     for (const Chain& chain : search.sides[i])
-      heights[i].push_back(lowest(chain));
+      heights[i].push_back(box_of(chain.corners).lo.y());
   const auto of_height = [&](EdgeKind kind) {
     const auto& chains = search.sides[0];
     if (std::ranges::none_of(chains, [&](const Chain& c) { return c.kind == kind; })) return 0.0;
@@ -153,8 +147,7 @@ std::vector<Candidate> candidates_of(const Search& search) {
 }
 
 std::vector<Candidate> nearest_first(std::vector<Candidate> candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.shortest < b.shortest; });
+  std::ranges::stable_sort(candidates, {}, &Candidate::shortest);
   return candidates;
 }
 
@@ -178,8 +171,7 @@ double shortest_length(const Search& search, double noise) {
 }
 
 bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
-  return std::any_of(chains.begin(), chains.end(),
-                     [&](const Chain& chain) { return chain.kind == kind; });
+  return std::ranges::any_of(chains, [&](const Chain& chain) { return chain.kind == kind; });
 }
 
 tl::unexpected<Error> nothing_fits(const Sides& sides) {
@@ -200,10 +192,8 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
     const auto reference = reference_bend(search.pair(candidate),
                                           std::numeric_limits<double>::infinity());
     if (!reference) continue;
-    const auto later = std::upper_bound(others.begin(), others.end(), *reference,
-                                        [](const ReferenceBend& bend, const auto& other) {
-                                          return bend.length < other.second.length;
-                                        });
+    const auto later = std::ranges::upper_bound(
+        others, reference->length, {}, [](const auto& other) { return other.second.length; });
     others.insert(later, {candidate, *reference});
     if (others.size() > count) others.pop_back();
   }
@@ -212,8 +202,7 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
     if (auto best = widest_bend(search.pair(candidate), reference.choice, search.options.trade_off,
                                 std::nullopt))
       choices.push_back(std::move(*best));
-  std::stable_sort(choices.begin(), choices.end(),
-                   [](const EdgeChoice& a, const EdgeChoice& b) { return a.width > b.width; });
+  std::ranges::stable_sort(choices, std::ranges::greater(), &EdgeChoice::width);
   return choices;
 }
 

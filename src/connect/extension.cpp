@@ -3,7 +3,6 @@
 #include "tangent_program.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/connect/codes.hpp>
 
 #include <algorithm>
 #include <cmath>

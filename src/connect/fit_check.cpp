@@ -7,11 +7,9 @@
 #include "sheets_meet.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <algorithm>
@@ -30,59 +28,48 @@ namespace {
 constexpr double kOnOutline = 1e-7;
 
 std::vector<Vec2> corners_of(const BorderLoop& loop) {
-  std::vector<Vec2> corners;
-  for (const Border& border : loop)
-    corners.push_back(point_at(border.curve, 0.0));
-  return corners;
+  return mapped(loop, [&](const Border& border) { return point_at(border.curve, 0.0); });
 }
 
-bool is_edge(const std::vector<Vec2>& ring, const Vec2& a, const Vec2& b) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (ring[i] == a && ring[(i + 1) % ring.size()] == b) return true;
-  return false;
-}
-
-bool well_inside(const std::vector<Vec2>& ring, const Vec2& p, double depth) {
-  if (!inside({ring}, p)) return false;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (nearest(Segment{ring[i], ring[(i + 1) % ring.size()]}, p).distance <= depth) return false;
-  return true;
+bool is_edge(const std::vector<Vec2>& ring, const Segment& way) {
+  return std::ranges::any_of(
+      sides_of(ring), [&](const Segment& side) { return side.a == way.a && side.b == way.b; });
 }
 
 // Where the way from a to b runs through the plate: between its crossings of the outline it is on
 // one side of it.
-std::optional<Vec2> within(const PlacedPlate& plate, const Vec2& a, const Vec2& b) {
+std::optional<Vec2> within(const PlacedPlate& plate, const Segment& way) {
   const std::vector<Vec2>& ring = plate.outline;
+  const auto& [a, b] = way;
   std::vector<double> cuts{0.0, 1.0};
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 along = ring[(i + 1) % ring.size()] - ring[i], way = b - a, to = ring[i] - a;
-    const double across = cross(way, along);
-    const double share = cross(to, along) / across;
+  for (const Segment& side : sides_of(ring)) {
+    const Vec2 along = side.b - side.a;
+    const double share = cross(side.a - a, along) / cross(b - a, along);
     if (share > 0.0 && share < 1.0) cuts.push_back(share);
   }
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Vec2 middle = a + 0.5 * (cuts[i] + cuts[i + 1]) * (b - a);
-    if (well_inside(ring, middle, kOnOutline * plate.extent)) return middle;
+    if (inside({ring}, middle) && distance_to_ring(ring, middle) > kOnOutline * plate.extent)
+      return middle;
   }
   return std::nullopt;
 }
 
 // A place where the extended outline runs through the plate, which loses what is beyond.
 std::optional<Vec2> cut_place(const PlacedPlate& plate, const std::vector<Vec2>& extended) {
-  for (std::size_t i = 0; i < extended.size(); ++i) {
-    const Vec2 &a = extended[i], &b = extended[(i + 1) % extended.size()];
-    if (is_edge(plate.outline, a, b)) continue;
-    if (const auto at = within(plate, a, b)) return at;
+  for (const Segment& way : sides_of(extended)) {
+    if (is_edge(plate.outline, way)) continue;
+    if (const auto at = within(plate, way)) return at;
   }
   return std::nullopt;
 }
 
 Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
   const BendFrame& frame = parts.fits[bend].report.frame;
-  Facts facts;
-  for (const int plate : parts.fits[bend].report.plates)
-    facts.emplace_back("plate", place::at(place::plate(parts.ids[plate]), meet.at));
+  Facts facts = mapped(parts.fits[bend].report.plates, [&](int plate) {
+    return Fact("plate", place::at(place::plate(parts.ids[plate]), meet.at));
+  });
   facts.emplace_back("at", place::point(meet.at));
   facts.emplace_back("thickness", parts.thickness, unit::mm);
   facts.emplace_back(
@@ -101,8 +88,8 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
   for (const int plate : parts.fits[bend].report.plates) {
     const auto made = plate_face(parts, plate, 1);
     if (!made) return pass_on(made);
-    const bool joined = std::any_of(made->joints.begin(), made->joints.end(),
-                                    [&](const auto& joint) { return joint.bend == bend; });
+    const bool joined = std::ranges::any_of(made->joints,
+                                            [&](const auto& joint) { return joint.bend == bend; });
     if (!joined) return fail(refuse::touches_in_point, {{"plate", place::plate(parts.ids[plate])}});
     if (parts.fits[bend].fold) continue;  // which cuts the plates back
     const PlacedPlate& placed = parts.plates[plate];
@@ -140,9 +127,7 @@ Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
   alone.fits.front().report.plates = {0, 1};
   const auto made = assembled(alone);
   if (!made) return pass_on(made);
-  FlattenOptions options;
-  options.allowance = ConstantK{k_factor};
-  options.root = made->root;
+  const FlattenOptions options{.allowance = ConstantK{k_factor}, .root = made->root};
   const auto layout = lay_out(made->sheet, options);
   if (!layout) {
     Error error = layout.error();
@@ -150,9 +135,9 @@ Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
     return fail(std::move(error));
   }
   const double clearance = std::max(kContact * parts.thickness, 2.0 * options.curve_tolerance);
-  std::vector<Polygon> faces;
-  for (const FaceId face : made->sheet.faces.ids())
-    faces.push_back(polygon_of(layout->region(face), 0.25 * clearance));
+  const auto faces = mapped(made->sheet.faces.ids(), [&](FaceId face) {
+    return polygon_of(layout->region(face), 0.25 * clearance);
+  });
   const auto twice = overlaps(faces, clearance, clearance * clearance);
   if (twice.empty()) return {};
   Facts facts = plates_of(parts, bend);

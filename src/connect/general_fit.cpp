@@ -4,7 +4,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <algorithm>
@@ -137,15 +136,14 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
   surface.kind = BendKind::general;
   std::array<Vec3, 2> ends;
   for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    const double slope = lines.lines[i].slope;
+    const double slope = lines.lines[side].slope;
     const Vec3 along = std::copysign(1.0, slope) * frame.d;
     const double phi = std::atan(std::abs(slope));
-    const Vec3 ruling = std::cos(phi) * along + std::sin(phi) * frame.e[i];
-    const Vec2 far = slope > 0.0 ? corners[i].back() : corners[i].front();
-    ends[i] = apex + (frame.point(side, far) - apex).dot(ruling) * ruling;
-    surface.tangents[i] = {ends[i], ruling, std::cos(phi) * frame.e[i] - std::sin(phi) * along};
-    surface.rails[i] = (ends[i] - apex).norm();
+    const Vec3 ruling = std::cos(phi) * along + std::sin(phi) * frame.e[side];
+    const Vec2 far = slope > 0.0 ? corners[side].back() : corners[side].front();
+    Vec3& end = ends[side] = apex + (frame.point(side, far) - apex).dot(ruling) * ruling;
+    surface.tangents[side] = {end, ruling, std::cos(phi) * frame.e[side] - std::sin(phi) * along};
+    surface.rails[side] = (end - apex).norm();
   }
   Vec3 meet = equidistant(frame, apex, ends);
   if (tangent_point) {

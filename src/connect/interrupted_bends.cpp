@@ -21,7 +21,7 @@ std::vector<int> edges_of(const PlacedPlate& plate, const OutlineRun& run) {
   const int n = static_cast<int>(plate.ring(run.ring).size());
   for (int j = 0; j < run.count; ++j)
     edges.push_back(plate.edge_number({run.ring, (run.first + j) % n}));
-  std::sort(edges.begin(), edges.end());
+  std::ranges::sort(edges);
   return edges;
 }
 

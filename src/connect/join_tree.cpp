@@ -38,8 +38,7 @@ std::vector<std::size_t> with_edges_first(const std::vector<BendRequest>& bends)
   const auto given = [&](std::size_t b) {
     return bends[b].edges[0].has_value() + bends[b].edges[1].has_value();
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return given(a) > given(b); });
+  std::ranges::stable_sort(order, std::ranges::greater(), given);
   return order;
 }
 

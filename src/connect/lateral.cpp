@@ -3,12 +3,11 @@
 #include "refusals.hpp"
 #include "tolerances.hpp"
 
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/fit.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 // The sides of a bend (math.md#lateral-boundaries): straight in the flat between the plates'
 // corners, at the neutral surface, or along a circle of the surface. A straight one must meet
@@ -19,8 +18,6 @@
 namespace planish::connect_detail {
 namespace {
 
-using Spread = std::pair<double, double>;
-
 // A bend has no width below this share of the plates' extent.
 constexpr double kNoWidth = kNegligible;
 // Accuracy of curves on a cone that are straight when flat, as a share of the extent.
@@ -28,8 +25,6 @@ constexpr double kCurveTolerance = 1e-10;
 // If the boundary leans more than this (45°) from straight across the bend, the corners of the
 // plates are not near each other.
 constexpr double kLeaning = 1.0;
-
-Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
 
 // The bend and the ends of the plates laid flat at the neutral surface.
 class Flat {
@@ -86,12 +81,11 @@ std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
   const Vec2 a = flat.image(0, corners[0]), b = flat.image(1, corners[1]);
   Boundary boundary;
   for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
     // A corner on the ruling is where the boundary starts.
-    boundary.v[i] = corners[i].y() <= kCurveTolerance * extent ? corners[i].x()
-                                                               : flat.crossing(side, a, b);
-    if (!std::isfinite(boundary.v[i])) return std::nullopt;
-    if (surface.radius(surface.level(side, boundary.v[i])) <= 0.0) return std::nullopt;
+    const Vec2& corner = corners[side];
+    double& v = boundary.v[side];
+    v = corner.y() <= kCurveTolerance * extent ? corner.x() : flat.crossing(side, a, b);
+    if (!std::isfinite(v) || surface.radius(surface.level(side, v)) <= 0.0) return std::nullopt;
   }
   const Vec2 p = flat.image(0, {boundary.v[0], 0.0}), q = flat.image(1, {boundary.v[1], 0.0});
   // In order: corner, its ruling, the other ruling, the other corner.
@@ -113,12 +107,10 @@ double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
 
 bool within(const BendSurface& surface, const Boundaries& b, const Spread& legal,
             double tolerance) {
-  for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    if (b.low.v[i] < surface.v_at(side, legal.first) - tolerance ||
-        b.high.v[i] > surface.v_at(side, legal.second) + tolerance)
+  for (int side = 0; side < 2; ++side)
+    if (b.low.v[side] < surface.v_at(side, legal.first) - tolerance ||
+        b.high.v[side] > surface.v_at(side, legal.second) + tolerance)
       return false;
-  }
   return true;
 }
 
@@ -189,9 +181,24 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
   return directrix_boundaries(surface, ends, wanted, options);
 }
 
-std::vector<Spread> legal_sections(const std::vector<Vec2>& outline, double low, double high,
-                                   double tolerance) {
-  return legal_sections(std::vector<std::vector<Vec2>>{outline}, low, high, tolerance);
+std::vector<Spread> material_between(std::vector<double> crossings) {
+  std::ranges::sort(crossings);
+  std::vector<Spread> material;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+    material.emplace_back(crossings[i], crossings[i + 1]);
+  return material;
+}
+
+std::vector<Spread> left_free(std::vector<Spread> taken, double low, double high) {
+  std::ranges::sort(taken);
+  std::vector<Spread> free;
+  double from = low;
+  for (const auto& [first, last] : taken) {
+    if (std::min(first, high) > from) free.emplace_back(from, std::min(first, high));
+    from = std::max(from, last);
+  }
+  if (high > from) free.emplace_back(from, high);
+  return free;
 }
 
 std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
@@ -199,24 +206,13 @@ std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, 
   // Crossings of the line just below h = 0: a corner on it counts as above.
   std::vector<double> crossings;
   for (const std::vector<Vec2>& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
+    for (const auto& [a, b] : sides_of(ring)) {
       const bool a_below = a.y() < -tolerance, b_below = b.y() < -tolerance;
       if (a_below == b_below) continue;
       const double t = std::clamp(a.y() / (a.y() - b.y()), 0.0, 1.0);
       crossings.push_back(a.x() + t * (b.x() - a.x()));
     }
-  std::sort(crossings.begin(), crossings.end());
-  std::vector<Spread> sections;
-  double from = low;
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    if (std::min(crossings[i], high) > from)
-      sections.emplace_back(from, std::min(crossings[i], high));
-    from = std::max(from, crossings[i + 1]);
-  }
-  if (high > from) sections.emplace_back(from, high);
-  return sections;
+  return left_free(material_between(std::move(crossings)), low, high);
 }
 
 }  // namespace planish::connect_detail

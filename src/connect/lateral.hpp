@@ -4,9 +4,13 @@
 
 #include <planish/base/result.hpp>
 
-#include <optional>
+#include <utility>
+#include <vector>
 
 namespace planish::connect_detail {
+
+/// A part of a line, from one place to another.
+using Spread = std::pair<double, double>;
 
 /// One lateral boundary of a bend: where it meets the tangent rulings, and its curve in the (u, v)
 /// of the mid-surface from azimuth 0 to `sweep`.
@@ -31,7 +35,7 @@ struct LateralOptions {
                                 ///< mm
   /// Sections common to both tangent rulings on which the bend runs over neither plate
   /// (math.md#lateral-boundaries): intervals of levels, ascending.
-  std::vector<std::pair<double, double>> legal;
+  std::vector<Spread> legal;
   double extent = 0.0;  ///< of both plates, mm
 };
 
@@ -43,13 +47,16 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
 /// The boundary along the circle of one level.
 Boundary along_directrix(const BendSurface& surface, double level, double extent);
 
-/// Sections of the ruling h = 0 next to which, at h < 0, an outline given in (v, h) has no
-/// material: intervals of v within [low, high], ascending (after appendix 1 of
-/// bibliography.md#thesis).
-std::vector<std::pair<double, double>> legal_sections(const std::vector<Vec2>& outline, double low,
-                                                      double high, double tolerance);
-/// The same for an outline and its holes, in any order.
-std::vector<std::pair<double, double>> legal_sections(const std::vector<std::vector<Vec2>>& rings,
-                                                      double low, double high, double tolerance);
+/// Where there is material on a line that crosses the borders of a plate in these places.
+std::vector<Spread> material_between(std::vector<double> crossings);
+
+/// What parts of the range [low, high] leave free of it, ascending.
+std::vector<Spread> left_free(std::vector<Spread> taken, double low, double high);
+
+/// Sections of the ruling h = 0 next to which, at h < 0, an outline and its holes, in any order
+/// and given in (v, h), have no material: intervals of v within [low, high], ascending (after
+/// appendix 1 of bibliography.md#thesis).
+std::vector<Spread> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
+                                   double high, double tolerance);
 
 }  // namespace planish::connect_detail

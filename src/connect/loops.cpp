@@ -36,9 +36,7 @@ Result<void> check_loops(const Parts& parts, const Assembled& made, double k_fac
   const auto bend = closing_bend(parts);
   if (!bend) return {};
   if (!has_two_sides(parts)) return loop_error(parts, *bend, "the loop turns the sheet over");
-  FlattenOptions options;
-  options.allowance = ConstantK{k_factor};
-  options.root = made.root;
+  const FlattenOptions options{.allowance = ConstantK{k_factor}, .root = made.root};
   const auto layout = lay_out(made.sheet, options);
   if (layout || layout.error().code != code::closed_loop) return {};
   return loop_error(parts, *bend, "the loop does not lie flat");

@@ -1,7 +1,6 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/connect/connect.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,9 +26,7 @@ Sheet with_open_seam(const Sheet& sheet) {
   require_valid(sheet);
   Sheet open = sheet;
   for (Face& face : open.faces) {
-    Box2 box;
-    for (const Border& border : face.loops.front())
-      box.add(bounds(border.curve));
+    const Box2 box = parameter_box(face);
     const double radius = narrowest_radius(face, box);
     if (radius <= 0.0 || box.size().x() < kFullTurn - kClosed) continue;
     // Only sections without plates close: their borders are segments along and across the rulings.

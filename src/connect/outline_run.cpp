@@ -37,40 +37,18 @@ Vec2 at_share(const std::pair<Vec2, Vec2>& edge, double share) {
   return edge.first + share * (edge.second - edge.first);
 }
 
-EdgeParts free_parts(EdgeParts taken) {
-  std::sort(taken.begin(), taken.end());
-  EdgeParts free;
-  double from = 0.0;
-  for (const auto& [low, high] : taken) {
-    if (low > from) free.emplace_back(from, low);
-    from = std::max(from, high);
-  }
-  if (from < 1.0) free.emplace_back(from, 1.0);
-  return free;
+}  // namespace
+
+void ChainParts::add(const Vec2& from, const Vec2& to, int edge) {
+  if (part_.corners.empty()) part_.corners.push_back(from);
+  part_.corners.push_back(to);
+  part_.edges.push_back(edge);
 }
 
-/// Chains that are broken where an edge is taken.
-class ChainParts {
- public:
-  explicit ChainParts(EdgeKind kind) : part_{kind, {}, {}} {}
-
-  void add(const Vec2& from, const Vec2& to, int edge) {
-    if (part_.corners.empty()) part_.corners.push_back(from);
-    part_.corners.push_back(to);
-    part_.edges.push_back(edge);
-  }
-  void end() {
-    if (!part_.edges.empty()) parts_.push_back(part_);
-    part_ = Chain{part_.kind, {}, {}};
-  }
-  const std::vector<Chain>& parts() const { return parts_; }
-
- private:
-  Chain part_;
-  std::vector<Chain> parts_;
-};
-
-}  // namespace
+void ChainParts::end() {
+  if (!part_.edges.empty()) parts_.push_back(part_);
+  part_ = Chain{part_.kind, {}, {}};
+}
 
 std::vector<Vec2> run_points(const PlacedPlate& plate, const OutlineRun& run) {
   std::vector<Vec2> points{at_share(ends_of(plate, run.ring, run.first), run.start)};
@@ -114,16 +92,15 @@ OutlineRun trimmed(const OutlineRun& run, const PlacedPlate& plate, const BendSu
   return rest;
 }
 
-void take(const PlacedPlate& plate, const OutlineRun& run, std::set<int>& whole,
-          std::map<int, EdgeParts>& parts) {
+void take(const PlacedPlate& plate, const OutlineRun& run, UsedEdges& used) {
   const int n = static_cast<int>(plate.ring(run.ring).size());
   for (int j = 0; j < run.count; ++j) {
     const int edge = plate.edge_number({run.ring, (run.first + j) % n});
     const double from = j == 0 ? run.start : 0.0, to = j + 1 == run.count ? run.end : 1.0;
     if (from > 0.0 || to < 1.0)
-      parts[edge].emplace_back(from, to);
+      used.parts[edge].emplace_back(from, to);
     else
-      whole.insert(edge);
+      used.whole.insert(edge);
   }
 }
 
@@ -133,7 +110,7 @@ std::vector<Chain> free_chains(const std::vector<Chain>& chains,
   if (taken.empty()) return chains;
   std::vector<Chain> all;
   for (const Chain& chain : chains) {
-    ChainParts parts(chain.kind);
+    ChainParts parts(chain.kind, all);
     for (std::size_t j = 0; j < chain.edges.size(); ++j) {
       const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
       const auto used = taken.find(chain.edges[j]);
@@ -144,11 +121,11 @@ std::vector<Chain> free_chains(const std::vector<Chain>& chains,
       const EdgePlace place = plate.place_of(chain.edges[j]);
       const Vec2 first = frame.local(
           side, plate.frame.point(ends_of(plate, place.ring, place.corner).first));
-      EdgeParts free = free_parts(used->second);
+      EdgeParts free = left_free(used->second, 0.0, 1.0);
       if ((first - a).norm() > (first - b).norm()) {
         for (auto& [low, high] : free)
           std::tie(low, high) = std::pair{1.0 - high, 1.0 - low};
-        std::reverse(free.begin(), free.end());
+        std::ranges::reverse(free);
       }
       if (free.empty() || free.front().first > 0.0) parts.end();
       for (const auto& [low, high] : free) {
@@ -158,7 +135,6 @@ std::vector<Chain> free_chains(const std::vector<Chain>& chains,
       }
     }
     parts.end();
-    all.insert(all.end(), parts.parts().begin(), parts.parts().end());
   }
   return all;
 }
@@ -166,11 +142,9 @@ std::vector<Chain> free_chains(const std::vector<Chain>& chains,
 std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendSurface& surface,
                                            int side) {
   std::vector<std::vector<Vec2>> rings;
-  for (int r = 0; r < plate.ring_count(); ++r) {
-    std::vector<Vec2>& corners = rings.emplace_back();
-    for (const Vec2& p : plate.ring(r))
-      corners.push_back(surface.local(side, plate.frame.point(p)));
-  }
+  for (int r = 0; r < plate.ring_count(); ++r)
+    rings.push_back(mapped(
+        plate.ring(r), [&](const Vec2& p) { return surface.local(side, plate.frame.point(p)); }));
   return rings;
 }
 

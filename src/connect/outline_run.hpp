@@ -22,8 +22,20 @@ std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendS
                                            int side);
 
 /// Marks what a run uses.
-void take(const PlacedPlate& plate, const OutlineRun& run, std::set<int>& whole,
-          std::map<int, EdgeParts>& parts);
+void take(const PlacedPlate& plate, const OutlineRun& run, UsedEdges& used);
+
+/// Puts a chain's edges, or parts of them, into `parts`, as chains that end where it is told.
+class ChainParts {
+ public:
+  ChainParts(EdgeKind kind, std::vector<Chain>& parts) : part_{kind, {}, {}}, parts_(parts) {}
+
+  void add(const Vec2& from, const Vec2& to, int edge);
+  void end();
+
+ private:
+  Chain part_;
+  std::vector<Chain>& parts_;
+};
 
 /// The chains of a side without the parts of edges that are taken. A rest shorter than `least` is
 /// left out.

@@ -1,11 +1,10 @@
 #include "pair_search.hpp"
 
 #include "better_edges.hpp"
+#include "corners.hpp"
 #include "outline_run.hpp"
 #include "refusals.hpp"
 #include "tolerances.hpp"
-
-#include <planish/connect/codes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +21,13 @@ namespace {
 std::vector<Chain> without(const std::vector<Chain>& chains, const std::set<int>& taken) {
   std::vector<Chain> left;
   for (const Chain& chain : chains) {
-    Chain part{chain.kind, {}, {}};
-    for (std::size_t j = 0; j < chain.edges.size(); ++j) {
-      if (taken.count(chain.edges[j]) == 0) {
-        if (part.corners.empty()) part.corners.push_back(chain.corners[j]);
-        part.corners.push_back(chain.corners[j + 1]);
-        part.edges.push_back(chain.edges[j]);
-      } else if (!part.edges.empty()) {
-        left.push_back(std::move(part));
-        part = Chain{chain.kind, {}, {}};
-      }
-    }
-    if (!part.edges.empty()) left.push_back(std::move(part));
+    ChainParts part(chain.kind, left);
+    for (std::size_t j = 0; j < chain.edges.size(); ++j)
+      if (taken.contains(chain.edges[j]))
+        part.end();
+      else
+        part.add(chain.corners[j], chain.corners[j + 1], chain.edges[j]);
+    part.end();
   }
   return left;
 }
@@ -51,25 +45,15 @@ std::set<int> too_near(const std::vector<Chain>& chains, double height) {
 // Whether plates lie beside each other in projection, so that a half-turn would have to pass under
 // one.
 bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
-  std::array<std::pair<double, double>, 2> range;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const auto [lo, hi] = std::minmax_element(
-        outlines[side].begin(), outlines[side].end(),
-        [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-    range[side] = {lo->y(), hi->y()};
-  }
-  return range[0].second <= range[1].first || range[1].second <= range[0].first;
+  const Box2 a = box_of(outlines[0]), b = box_of(outlines[1]);
+  return a.hi.y() <= b.lo.y() || b.hi.y() <= a.lo.y();
 }
 
 // Whether the best edges reach so near the intersection line that the bend there would be too
 // sharp.
 bool is_too_near(const FitTask& task, const PairChoice& choice) {
   if (choice.search.best.kind == EdgeKind::averted) return false;
-  const double height = least_height(task, choice.frame);
-  for (const auto& side : choice.corners(choice.search.best))
-    for (const Vec2& p : side)
-      if (p.y() < height) return true;
-  return false;
+  return lowest(choice.corners(choice.search.best)) < least_height(task, choice.frame);
 }
 
 Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
@@ -121,8 +105,8 @@ std::array<std::vector<int>, 2> PairChoice::edges(const EdgeChoice& choice) cons
 
 std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int side) {
   const PlacedPlate& plate = *task.plates[side];
-  return free_chains(without(side_chains(plate, frame, side), task.taken[side]),
-                     task.taken_parts[side], plate, frame, side, task.thickness);
+  return free_chains(without(side_chains(plate, frame, side), task.taken[side].whole),
+                     task.taken[side].parts, plate, frame, side, task.thickness);
 }
 
 bool is_conical(const BendRequest& request) {
@@ -181,12 +165,10 @@ Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
   PairChoice choice{frame, {}, {}};
   std::array<std::vector<Vec2>, 2> outlines;
   for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    outlines[i] = side_outline(*task.plates[i], frame, side);
-    choice.chains[i] = open_chains(task, frame, side);
-    if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
-    if (frame.parallel())
-      choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
+    outlines[side] = side_outline(*task.plates[side], frame, side);
+    std::vector<Chain>& chains = choice.chains[side] = open_chains(task, frame, side);
+    if (kind) chains = of_kind(std::move(chains), *kind);
+    if (frame.parallel()) chains = of_kind(std::move(chains), EdgeKind::averted);
   }
   if (frame.parallel() && beside(outlines))
     return fail(refuse::beside_each_other,
@@ -195,12 +177,10 @@ Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
 }
 
 EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame, int alternatives) {
-  EdgeSearchOptions wanted;
-  wanted.trade_off = task.request.trade_off;
-  wanted.line = given_line(task.request, frame, task.thickness);
-  wanted.edges = task.request.edges;
-  wanted.alternatives = alternatives;
-  return wanted;
+  return {.trade_off = task.request.trade_off,
+          .line = given_line(task.request, frame, task.thickness),
+          .edges = task.request.edges,
+          .alternatives = alternatives};
 }
 
 // It must not move the bend to the back of the plates: the kind is that without it.

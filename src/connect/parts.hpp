@@ -31,10 +31,8 @@ struct Parts {
 
 /// The plates that a bend joins, as facts for its refusal.
 inline Facts plates_of(const Parts& parts, int bend) {
-  Facts facts;
-  for (const int plate : parts.fits[bend].report.plates)
-    facts.emplace_back("plate", place::plate(parts.ids[plate]));
-  return facts;
+  return mapped(parts.fits[bend].report.plates,
+                [&](int plate) { return Fact("plate", place::plate(parts.ids[plate])); });
 }
 
 /// A plate and a place on it, likewise.

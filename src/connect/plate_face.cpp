@@ -28,7 +28,7 @@ Frame skin_frame(const PlacedPlate& plate, double thickness, int sense) {
 // The loop seen from outside the material.
 std::vector<Edge> seen_from_outside(std::vector<Edge> edges, int sense) {
   if (sense > 0) return edges;
-  std::reverse(edges.begin(), edges.end());
+  std::ranges::reverse(edges);
   for (Edge& edge : edges) {
     std::swap(edge.a, edge.b);
     for (Vec2* p : {&edge.a, &edge.b})
@@ -38,10 +38,9 @@ std::vector<Edge> seen_from_outside(std::vector<Edge> edges, int sense) {
 }
 
 BorderLoop border_loop(const std::vector<Edge>& edges) {
-  BorderLoop loop;
-  for (const Edge& edge : edges)
-    loop.push_back({.curve = Segment{edge.a, edge.b}, .edge_length = (edge.b - edge.a).norm()});
-  return loop;
+  return mapped(edges, [&](const Edge& edge) {
+    return Border{.curve = Segment{edge.a, edge.b}, .edge_length = (edge.b - edge.a).norm()};
+  });
 }
 
 }  // namespace

@@ -5,10 +5,8 @@
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 
@@ -27,17 +25,14 @@ constexpr double kSame = tolerance::kComputed;
 
 // Corners of the run in (v, h), in the order of the outline.
 std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
-  std::vector<Vec2> corners;
-  for (const Vec2& p : run_points(plate, fit.runs[side]))
-    corners.push_back(fit.surface.local(side, plate.frame.point(p)));
-  return corners;
+  return mapped(run_points(plate, fit.runs[side]),
+                [&](const Vec2& p) { return fit.surface.local(side, plate.frame.point(p)); });
 }
 
 // v of the lateral boundary at the run's first end in the outline, and at the other.
 std::pair<double, double> boundary_ends(const BendFit& fit, int side,
                                         const std::vector<Vec2>& corners) {
-  const auto i = static_cast<std::size_t>(side);
-  const double low = fit.boundaries.low.v[i], high = fit.boundaries.high.v[i];
+  const double low = fit.boundaries.low.v[side], high = fit.boundaries.high.v[side];
   return corners.front().x() < corners.back().x() ? std::pair{low, high} : std::pair{high, low};
 }
 
@@ -85,7 +80,7 @@ Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
   const Vec2 to(joint_end(corners.back(), last, -inward), 0.0);
   Path path{taut(corners, from), 0};
   path.joint = path.points.size() - 1;
-  std::reverse(corners.begin(), corners.end());
+  std::ranges::reverse(corners);
   std::vector<Vec2> back = taut(corners, to);
   path.points.insert(path.points.end(), back.rbegin(), back.rend());
   return path;
@@ -106,7 +101,7 @@ void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   const double height = fold.reference_inside ? 0.0 : -2.0 * fold.reach;
   const double from = ascending ? fold.low : fold.high, to = ascending ? fold.high : fold.low;
   const int n = plate.edge_count(), edge = on.fit->runs[on.side].first;
-  const auto& at_corner = fold.at_corner[static_cast<std::size_t>(on.side)];
+  const auto& at_corner = fold.at_corner[on.side];
   // On the edge beside a corner of the plate, at the height of the fold; else on the run.
   const auto step = [&](const Vec2& corner, int beyond, bool corner_here, double end) -> Vec2 {
     if (!fold.reference_inside || !corner_here) return {end, corner.y()};
@@ -152,9 +147,9 @@ void with_runs_joined(ExtendedOutline& outline, bool on_too, double same) {
 void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
   if (on.fit->fold) return append_fold(outline, plate, on);
   const Path path = path_of(*on.fit, on.side, plate);
-  std::vector<Vec2> points;
-  for (const Vec2& vh : path.points)
-    points.push_back(plate.frame.local2(on.fit->surface.point(on.side, vh)));
+  auto points = mapped(path.points, [&](const Vec2& vh) {
+    return plate.frame.local2(on.fit->surface.point(on.side, vh));
+  });
   // The ends are exactly corners of the plate.
   const std::vector<Vec2> run = run_points(plate, on.fit->runs[on.side]);
   points.front() = run.front();
@@ -204,9 +199,7 @@ std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
 
 Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate,
                           const std::string& id, int number) {
-  std::vector<Vec2> ring;
-  for (const Edge& edge : outline.edges)
-    ring.push_back(edge.a);
+  const auto ring = mapped(outline.edges, &Edge::a);
   const auto crossings = self_crossings(ring);
   if (crossings.empty() && (number == 0 ? 1.0 : -1.0) * ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))
@@ -228,23 +221,22 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id, int ring) {
   std::erase_if(bends, [&](const BendOnPlate& on) { return run_of(on).ring != ring; });
-  std::sort(bends.begin(), bends.end(), [](const BendOnPlate& a, const BendOnPlate& b) {
-    return std::pair{run_of(a).first, run_of(a).start} <
-           std::pair{run_of(b).first, run_of(b).start};
+  std::ranges::sort(bends, {}, [](const BendOnPlate& on) {
+    return std::pair{run_of(on).first, run_of(on).start};
   });
   ExtendedOutline outline;
   const std::vector<Vec2>& corners = plate.ring(ring);
   if (bends.empty())
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      outline.edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    for (const auto& [a, b] : sides_of(corners))
+      outline.edges.push_back({a, b});
   // Once around the ring, from the first bend's run (which may include corner 0).
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const bool last = i + 1 == bends.size();
     append_bend(outline, plate, bends[i]);
     append_free(outline, plate, run_of(bends[i]), run_of(bends[last ? 0 : i + 1]), last);
   }
-  const bool folded = std::any_of(bends.begin(), bends.end(),
-                                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
+  const bool folded = std::ranges::any_of(
+      bends, [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
   with_runs_joined(outline, folded, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
   if (auto simple = check_simple(outline, plate, id, ring); !simple) return pass_on(simple);

@@ -4,12 +4,12 @@
 #include "lateral.hpp"
 #include "tolerances.hpp"
 
-#include <planish/geometry/curve.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 // Whether two plates pass through each other, or leave each other no room. Planes that cross share
 // their line only: plates intersect where both have material there on both of its sides. Each sheet
@@ -18,8 +18,6 @@
 
 namespace planish::connect_detail {
 namespace {
-
-using Spread = std::pair<double, double>;
 
 // Plates that pass through each other by less than this share of their extent touch.
 constexpr double kTouch = kNegligible;
@@ -43,15 +41,7 @@ std::vector<Spread> inside_intervals(const PlacedPlate& plate, const Vec3& origi
   std::vector<Spread> free = legal_sections(above, low, high, tolerance);
   for (const Spread& section : legal_sections(below, low, high, tolerance))
     free.push_back(section);
-  std::sort(free.begin(), free.end());
-  std::vector<Spread> inside;
-  double from = low;
-  for (const Spread& section : free) {
-    if (section.first > from) inside.emplace_back(from, section.first);
-    from = std::max(from, section.second);
-  }
-  if (high > from) inside.emplace_back(from, high);
-  return inside;
+  return left_free(std::move(free), low, high);
 }
 
 std::optional<Vec3> crossing(const PlacedPlate& a, const PlacedPlate& b, const BendFrame& frame) {
@@ -67,10 +57,8 @@ std::optional<Vec3> crossing(const PlacedPlate& a, const PlacedPlate& b, const B
 std::optional<Vec3> common_area(const PlacedPlate& a, const PlacedPlate& b) {
   Polygon first{a.outline, a.holes}, second;
   for (int r = 0; r < b.ring_count(); ++r) {
-    std::vector<Vec2> ring;
-    for (const Vec2& p : b.ring(r))
-      ring.push_back(a.frame.local2(b.frame.point(p)));
-    if ((ring_area(ring) < 0.0) == (r == 0)) std::reverse(ring.begin(), ring.end());
+    auto ring = mapped(b.ring(r), [&](const Vec2& p) { return a.frame.local2(b.frame.point(p)); });
+    if ((ring_area(ring) < 0.0) == (r == 0)) std::ranges::reverse(ring);
     if (r == 0)
       second.outer = std::move(ring);
     else
@@ -106,16 +94,12 @@ std::optional<TooNear> too_near(const PlacedPlate& a, const PlacedPlate& b, doub
       const double distance = std::abs(local.z());
       if (distance >= needed * (1.0 - kTouch) || !inside({a.outline}, local.head<2>())) continue;
       // Near a's border a bend or a weld may be intended; farther in, the sheets overlap.
-      double to_border = std::numeric_limits<double>::infinity();
-      for (int r = 0; r < a.ring_count(); ++r)
-        for (std::size_t j = 0; j < a.ring(r).size(); ++j) {
-          const Vec2 &c = a.ring(r)[j], &d = a.ring(r)[(j + 1) % a.ring(r).size()];
-          to_border = std::min(to_border, nearest(Segment{c, d}, local.head<2>()).distance);
-        }
+      double to_border = distance_to_ring(a.outline, local.head<2>());
+      for (const auto& hole : a.holes)
+        to_border = std::min(to_border, distance_to_ring(hole, local.head<2>()));
       if (to_border <= thickness) continue;
-      const bool in_hole = std::any_of(a.holes.begin(), a.holes.end(), [&](const auto& hole) {
-        return inside({hole}, local.head<2>());
-      });
+      const bool in_hole = std::ranges::any_of(
+          a.holes, [&](const auto& hole) { return inside({hole}, local.head<2>()); });
       if (!in_hole) return TooNear{p, distance, needed};
     }
   return std::nullopt;

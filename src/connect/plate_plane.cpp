@@ -2,8 +2,8 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
@@ -72,12 +72,10 @@ Vec3 middle(const Ring& ring) {
 }
 
 double extent_of(const Ring& ring) {
-  Vec3 lo = ring.front(), hi = ring.front();
-  for (const Vec3& p : ring) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  return (hi - lo).norm();
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : ring)
+    box.extend(p);
+  return box.sizes().norm();
 }
 
 Result<void> check_corners(const PlateRing& polygon) {
@@ -151,21 +149,14 @@ Result<void> check_simple(const PlateRing& polygon, const std::vector<Vec2>& rin
 }
 
 std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
-  std::vector<Vec2> corners;
-  for (const Vec3& p : ring)
-    corners.push_back(frame.local2(p));
-  return corners;
+  return mapped(ring, [&](const Vec3& p) { return frame.local2(p); });
 }
 
 // A place where the borders of two polygons cross, or come within `same`.
 std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second,
                             double same) {
-  const auto next = [](const std::vector<Vec2>& ring, std::size_t i) -> const Vec2& {
-    return ring[(i + 1) % ring.size()];
-  };
-  for (std::size_t i = 0; i < first.size(); ++i)
-    for (std::size_t j = 0; j < second.size(); ++j) {
-      const Vec2 &a = first[i], &b = next(first, i), &c = second[j], &d = next(second, j);
+  for (const auto& [a, b] : sides_of(first))
+    for (const auto& [c, d] : sides_of(second)) {
       if (distance(a, Segment{c, d}) <= same) return a;
       if (distance(c, Segment{a, b}) <= same) return c;
       const double ca = cross(b - a, c - a), da = cross(b - a, d - a), ac = cross(d - c, a - c),
@@ -223,7 +214,7 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
     if (auto apart = check_hole_apart(placed, boxes, hole, polygon); !apart) return apart;
     boxes.push_back(box_of(hole));
     placed.turned.push_back(ring_area(hole) > 0.0);
-    if (placed.turned.back()) std::reverse(hole.begin(), hole.end());
+    if (placed.turned.back()) std::ranges::reverse(hole);
     placed.holes.push_back(std::move(hole));
   }
   return {};

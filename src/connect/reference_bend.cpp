@@ -21,23 +21,21 @@ struct Unit {
 };
 
 std::vector<Unit> units_of(const ChainPair& pair, int side) {
-  const auto i = static_cast<std::size_t>(side);
   std::vector<std::pair<int, int>> runs;
-  if (pair.fixed[i])
-    runs.push_back(*pair.fixed[i]);
+  if (pair.fixed[side])
+    runs.push_back(*pair.fixed[side]);
   else
     for (int e = 0; e < pair.edge_count(side); ++e)
       runs.emplace_back(e, e);
   std::vector<Unit> units;
   for (const auto& [first, last] : runs) {
-    const auto corner = pair.sides[i]->corners.begin() + first;
+    const auto corner = pair.sides[side]->corners.begin() + first;
     const int count = last - first + 2;
     units.push_back({first, last, corner[0], corner[count - 1],
                      std::accumulate(corner, corner + count, Vec2(0.0, 0.0)) / count});
   }
   // Nearest first: lengths grow with the mean height.
-  std::stable_sort(units.begin(), units.end(),
-                   [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
+  std::ranges::stable_sort(units, {}, [](const Unit& unit) { return unit.mean.y(); });
   return units;
 }
 

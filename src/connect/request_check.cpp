@@ -2,27 +2,11 @@
 
 #include "refusals.hpp"
 
-#include <planish/connect/codes.hpp>
-
+#include <algorithm>
 #include <cmath>
 
 namespace planish::connect_detail {
 namespace {
-
-Result<int> row_of(const PlateStructure& structure, const std::string& id,
-                   const std::string& pointer) {
-  for (std::size_t p = 0; p < structure.plates.size(); ++p)
-    if (structure.plates[p].id == id) return static_cast<int>(p);
-  return fail(refuse::no_such_plate, of_unknown_plate(structure, id, pointer));
-}
-
-// In JSON pointers ~ and / in keys are escaped (RFC 6901).
-std::string escaped(const std::string& key) {
-  std::string text;
-  for (const char c : key)
-    text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return text;
-}
 
 /// What is wrong with a request, and the key at fault.
 struct Fault {
@@ -77,12 +61,14 @@ std::optional<Fault> said_twice(const BendRequest& r) {
 
 }  // namespace
 
-Facts of_unknown_plate(const PlateStructure& structure, const std::string& id,
-                       const std::string& pointer) {
+Result<int> row_of(const PlateStructure& structure, const std::string& id,
+                   const std::string& pointer) {
+  const auto found = std::ranges::find(structure.plates, id, &Plate::id);
+  if (found != structure.plates.end()) return static_cast<int>(found - structure.plates.begin());
   Facts facts{{"id", id}, {"field", place::pointer(pointer)}};
   for (const Plate& plate : structure.plates)
     facts.emplace_back("known", plate.id);
-  return facts;
+  return fail(refuse::no_such_plate, facts);
 }
 
 Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequest& request,
@@ -120,7 +106,7 @@ Result<void> check_edges(const FitTask& task) {
     if (!task.plates[side] || !task.request.edges[side]) continue;
     const int count = task.plates[side]->all_edges();
     const std::string& id = task.request.between[side];
-    const std::string list = task.pointer + "/edges/" + escaped(id);
+    const std::string list = task.pointer + "/edges/" + escaped_token(id);
     if (task.request.edges[side]->empty())
       return fail(refuse::no_edges_listed,
                   {{"plate", place::plate(id)}, {"field", place::pointer(list)}});

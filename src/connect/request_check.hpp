@@ -7,9 +7,9 @@
 
 namespace planish::connect_detail {
 
-/// Facts of `refuse::no_such_plate`: the id that is none, where it stands, and those there are.
-Facts of_unknown_plate(const PlateStructure& structure, const std::string& id,
-                       const std::string& pointer);
+/// Index of the plate that is named at `pointer`. Error: `unknown_plate`.
+Result<int> row_of(const PlateStructure& structure, const std::string& id,
+                   const std::string& pointer);
 
 /// Indices of the plates that a bend joins, in its order. `pointer` is the request's place,
 /// "/bends/1". Errors: `unknown_plate`, `invalid_input`.

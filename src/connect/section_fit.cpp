@@ -42,7 +42,7 @@ Result<Beginning> beginning(const FitTask& task) {
   const auto& edges = task.request.edges[0];
   if (!edges || edges->size() != 1) return refused(task, refuse::section_without_edge, "/edges");
   const int edge = edges->front();
-  if (task.taken[0].count(edge) + task.taken_parts[0].count(edge) != 0)
+  if (task.taken[0].whole.contains(edge) || task.taken[0].parts.contains(edge))
     return refused(task, refuse::edge_taken, "/edges", {{"edge", edge}});
   const EdgePlace place = plate->place_of(edge);
   const std::vector<Vec2>& ring = plate->ring(place.ring);

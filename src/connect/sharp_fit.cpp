@@ -6,8 +6,6 @@
 #include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/connect/codes.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +44,7 @@ std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side, c
   std::vector<LineEdge> edges;
   for (const Chain& chain : frame.chains[side])
     for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j) {
-      if (wanted && std::count(wanted->begin(), wanted->end(), chain.edges[j]) == 0) continue;
+      if (wanted && std::ranges::count(*wanted, chain.edges[j]) == 0) continue;
       const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
       if (std::max(a.y(), b.y()) <= 2.0 * near) edges.push_back({chain.edges[j], a.x(), b.x()});
     }
@@ -99,13 +97,12 @@ tl::unexpected<Error> no_room(const FitTask& task, double reach) {
 }
 
 Result<Fold> fold_along(const FitTask& task, const Common& common) {
-  Fold fold;
-  fold.reach = tangent_distance(common.frame, 0.5 * task.thickness);
-  fold.low = common.low;
-  fold.high = common.high;
+  Fold fold{.reach = tangent_distance(common.frame, 0.5 * task.thickness),
+            .low = common.low,
+            .high = common.high};
   for (int side = 0; side < 2; ++side) {
-    const PlacedPlate& plate = *task.plates[static_cast<std::size_t>(side)];
-    const int edge = common.edges[static_cast<std::size_t>(side)];
+    const PlacedPlate& plate = *task.plates[side];
+    const int edge = common.edges[side];
     const double near = near_line(plate);
     const auto x = [&](int i) {
       return common.frame.local(side, plate.corner(i % plate.edge_count())).x();
@@ -116,7 +113,7 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
       // A plate that goes on past the line beside the fold is cut as if inside an edge.
       const bool corner = std::abs(low ? from - common.low : to - common.high) <= near &&
                           beside.b.y() > near;
-      fold.at_corner[static_cast<std::size_t>(side)][low ? 0 : 1] = corner;
+      fold.at_corner[side][low ? 0 : 1] = corner;
       if (!corner) continue;
       const auto cut = crossing_at(beside, fold.reach, near);
       if (!cut) return no_room(task, fold.reach);

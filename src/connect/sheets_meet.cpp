@@ -1,7 +1,10 @@
 #include "sheets_meet.hpp"
 
 #include "bend_frame.hpp"
+#include "lateral.hpp"
 #include "tolerances.hpp"
+
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +21,6 @@
 namespace planish::connect_detail {
 namespace {
 
-using Spread = std::pair<double, double>;
-
 constexpr int kSections = 64;
 // Sheets that share less than this share of the thickness touch.
 constexpr double kSharedShare = 1e-3;
@@ -31,9 +32,8 @@ Rings rings_near(const PlacedPlate& plate, const BendFrame& frame, int side, dou
   Rings rings{side_outline(plate, frame, side)};
   for (int ring = 1; ring < plate.ring_count(); ++ring) {
     std::vector<Vec2> hole = side_ring(plate, ring, frame, side);
-    const auto [low, high] = std::minmax_element(
-        hole.begin(), hole.end(), [](const Vec2& p, const Vec2& q) { return p.y() < q.y(); });
-    if (low->y() <= reach && high->y() >= -reach) rings.push_back(std::move(hole));
+    const Box2 box = box_of(hole);
+    if (box.lo.y() <= reach && box.hi.y() >= -reach) rings.push_back(std::move(hole));
   }
   return rings;
 }
@@ -42,16 +42,10 @@ Rings rings_near(const PlacedPlate& plate, const BendFrame& frame, int side, dou
 std::vector<Spread> section(const Rings& rings, double x) {
   std::vector<double> ys;
   for (const std::vector<Vec2>& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    for (const auto& [p, q] : sides_of(ring))
       if ((p.x() <= x) != (q.x() <= x))
         ys.push_back(p.y() + (x - p.x()) / (q.x() - p.x()) * (q.y() - p.y()));
-    }
-  std::sort(ys.begin(), ys.end());
-  std::vector<Spread> material;
-  for (std::size_t i = 0; i + 1 < ys.size(); i += 2)
-    material.emplace_back(ys[i], ys[i + 1]);
-  return material;
+  return material_between(std::move(ys));
 }
 
 /// A rectangle across the sheet: from `low` to `high` along `e`, half the thickness to both sides.
@@ -100,11 +94,9 @@ std::optional<SheetsMeet> sheets_meet(const PlacedPlate& a, const PlacedPlate& b
   const std::array plates{rings_near(a, frame, 0, reach), rings_near(b, frame, 1, reach)};
   double low = -std::numeric_limits<double>::infinity(), high = -low;
   for (const Rings& rings : plates) {
-    const std::vector<Vec2>& outline = rings.front();
-    const auto [left, right] = std::minmax_element(
-        outline.begin(), outline.end(), [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); });
-    low = std::max(low, left->x());
-    high = std::min(high, right->x());
+    const Box2 outline = box_of(rings.front());
+    low = std::max(low, outline.lo.x());
+    high = std::min(high, outline.hi.x());
   }
   if (low >= high) return std::nullopt;
   const std::array<Vec2, 2> e{Vec2(1.0, 0.0), Vec2(std::cos(beta), std::sin(beta))};

@@ -7,17 +7,17 @@ namespace planish::connect_detail {
 void take(const BendFit& fit, const std::vector<PlacedPlate>& plates, TakenEdges& taken) {
   for (std::size_t side = 0; side < fit.report.plates.size(); ++side) {
     const int p = fit.report.plates[side];
-    take(plates[p], fit.runs[side], taken[p].whole, taken[p].parts);
+    take(plates[p], fit.runs[side], taken[p]);
   }
 }
 
 void take(const BendBand& band, const std::vector<int>& rows,
           const std::vector<PlacedPlate>& plates, TakenEdges& taken) {
   for (std::size_t side = 0; side < rows.size(); ++side) {
-    UsedEdges& used = taken[rows[side]];
-    take(plates[rows[side]], band.runs[side], used.whole, used.parts);
+    const int p = rows[side];
+    take(plates[p], band.runs[side], taken[p]);
     for (const OutlineRun& run : band.more[side])
-      take(plates[rows[side]], run, used.whole, used.parts);
+      take(plates[p], run, taken[p]);
   }
 }
 
@@ -28,18 +28,15 @@ FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>&
   task.thickness = structure.thickness;
   for (std::size_t side = 0; side < rows.size(); ++side) {
     task.plates[side] = &plates[rows[side]];
-    task.taken[side] = taken[rows[side]].whole;
-    task.taken_parts[side] = taken[rows[side]].parts;
+    task.taken[side] = taken[rows[side]];
   }
   return task;
 }
 
 Parts parts_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
                std::size_t bends) {
-  Parts parts{structure.thickness, plates, {}, std::vector<BendFit>(bends), 0};
-  for (const Plate& plate : structure.plates)
-    parts.ids.push_back(plate.id);
-  return parts;
+  return {structure.thickness, plates, mapped(structure.plates, &Plate::id),
+          std::vector<BendFit>(bends), 0};
 }
 
 }  // namespace planish::connect_detail

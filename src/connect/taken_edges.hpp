@@ -6,11 +6,6 @@
 
 namespace planish::connect_detail {
 
-/// What bends use of a plate's edges already.
-struct UsedEdges {
-  std::set<int> whole;
-  std::map<int, EdgeParts> parts;
-};
 using TakenEdges = std::vector<UsedEdges>;  // by plate
 
 /// Marks the edges of a bend, or of a further stretch of it, as used.

@@ -70,10 +70,8 @@ std::optional<Range> offsets_with_room(const Corners& corners, EdgeKind kind, do
 }
 
 bool touch(const Corners& corners, double extent) {
-  return std::all_of(corners.begin(), corners.end(), [&](const auto& side) {
-    return std::any_of(side.begin(), side.end(),
-                       [&](const Vec2& p) { return p.y() <= kTouching * extent; });
-  });
+  return std::ranges::all_of(
+      corners, [&](const auto& side) { return box_of(side).lo.y() <= kTouching * extent; });
 }
 
 tl::unexpected<Error> too_sharp(const FitTask& task, const PairChoice& choice,
@@ -81,11 +79,7 @@ tl::unexpected<Error> too_sharp(const FitTask& task, const PairChoice& choice,
   if (touch(corners, extent_of(task)))
     return fail(refuse::touch_at_bend,
                 about(task, {{"least", least_height(task, choice.frame), unit::mm}}));
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& side : corners)
-    for (const Vec2& p : side)
-      nearest = std::min(nearest, p.y());
-  const double radius = nearest * std::tan(0.5 * choice.frame.beta.radians());
+  const double radius = lowest(corners) * std::tan(0.5 * choice.frame.beta.radians());
   return fail(refuse::edges_too_near,
               about(task, {{"radius", radius, unit::mm},
                            {"thickness", task.thickness, unit::mm},
@@ -336,13 +330,7 @@ Error with_free_apex(Error error, const TangentLine& line, const char* key) {
 Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice,
                                  const ConnectOptions& options) {
   const Corners corners = choice.corners(choice.search.best);
-  if (choice.frame.parallel()) {
-    double far = 0.0;
-    for (const auto& side : corners)
-      for (const Vec2& p : side)
-        far = std::max(far, p.y());
-    return TangentLine{0.0, -far};
-  }
+  if (choice.frame.parallel()) return TangentLine{0.0, -std::max(0.0, highest(corners))};
   // A line through such an apex does not cut the plates only if its height is zero.
   if (auto within = apex_within(task.request, corners)) return tl::unexpected(*within);
   if (task.request.inside_radii) return by_radii(task, choice, corners);

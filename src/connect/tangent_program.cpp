@@ -189,12 +189,9 @@ std::optional<TangentOptimum> cheapest_tangent(const std::array<CornerRange, 2>&
     return TangentOptimum{{*given.slope, program.offset(*given.slope)}, there.value};
   }
   const double reach = std::max(std::abs(cost.linear.y()), std::max(cost.height, cost.extension));
-  LineSearch search;
-  search.start = start;
-  search.step = 0.1;
-  search.value_noise = kNoise * size * std::max(1.0, reach);
-  search.slope_noise = kNoise * size * std::max(1.0, reach);
-  const auto best = minimum(program, search);
+  const double noise = kNoise * size * std::max(1.0, reach);
+  const auto best = minimum(
+      program, {.start = start, .step = 0.1, .value_noise = noise, .slope_noise = noise});
   if (!best) return std::nullopt;
   return TangentOptimum{{best->at, program.offset(best->at)}, best->value};
 }

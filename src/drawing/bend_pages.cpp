@@ -1,9 +1,10 @@
 #include "filling.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/drawing/page_parts.hpp>
-#include <planish/geometry/curve.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
@@ -75,17 +76,9 @@ std::string size_with_unit(const BendDrawing& drawing, double mm) {
 }
 
 std::string state_of(const Plan& plan) {
-  switch (plan.status) {
-    case PlanStatus::optimal:
-      return "cheapest order, proven";
-    case PlanStatus::feasible:
-      return "an order that works";
-    case PlanStatus::infeasible:
-      return "CANNOT BE BENT with these tools";
-    case PlanStatus::gave_up:
-      break;
-  }
-  return "no order found within the limit";
+  return std::string(
+      word_of(plan.status, {"cheapest order, proven", "an order that works",
+                            "CANNOT BE BENT with these tools", "no order found within the limit"}));
 }
 
 /// One line on the order of strokes.
@@ -94,8 +87,8 @@ std::string order_of(const BendDrawing& drawing) {
   const Plan& plan = *drawing.plan;
   if (plan.strokes.empty()) return state_of(plan);
   return fmt::format("{}, turned over {}×, rotated {}×, tools changed {}×: {}",
-                     counted(static_cast<int>(plan.strokes.size()), "stroke"), plan.turn_overs,
-                     plan.rotations, plan.tool_changes, state_of(plan));
+                     counted(plan.strokes.size(), "stroke"), plan.turn_overs, plan.rotations,
+                     plan.tool_changes, state_of(plan));
 }
 
 void head(Page& page, const BendDrawing& drawing, std::size_t at, std::size_t of) {
@@ -121,9 +114,8 @@ void flat_drawing(Page& page, const BendDrawing& drawing, const Rectangle& into)
   constexpr double kRoom = 9.0;  // for dimensions
   const Rectangle inner{into.corner + Vec2(kRoom, kRoom), into.size - Vec2(2 * kRoom, 2 * kRoom)};
   const Fit fit(box, inner, 1.0);
-  std::vector<std::vector<Vec2>> rings;
-  for (auto& ring : rings_of(drawing.flat, fit.scale()))
-    rings.push_back(fit(std::move(ring)));
+  auto rings = mapped(rings_of(drawing.flat, fit.scale()),
+                      [&](auto& ring) { return fit(std::move(ring)); });
   page.area(std::move(rings), {.fill = kSheet, .width = 0.35});
   const std::span<const Stroke> strokes = strokes_of(drawing);
   for (std::size_t s = 0; s < strokes.size(); ++s) {
@@ -173,9 +165,8 @@ void lying(Page& page, const BendDrawing& drawing, std::size_t s, const Rectangl
   add(box, seen(sampled(drawing.flat.outer.loop, 1.0)));
   constexpr double kRoom = 11.0;  // for the dimension
   const Fit fit(box, {into.corner, into.size - Vec2(kRoom, 0.0)}, 1.0);
-  std::vector<std::vector<Vec2>> rings;
-  for (auto& ring : rings_of(drawing.flat, fit.scale()))
-    rings.push_back(fit(seen(std::move(ring))));
+  auto rings = mapped(rings_of(drawing.flat, fit.scale()),
+                      [&](auto& ring) { return fit(seen(std::move(ring))); });
   page.area(std::move(rings), {.fill = kSheet, .width = 0.25});
   for (std::size_t before = 0; before < s; ++before)
     for (const Segment& line : pressed_lines(drawing, drawing.plan->strokes[before]))
@@ -206,17 +197,8 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
   const auto clip = [&](ToolProfile profile) {
     for (const auto& [normal, offset] :
          {std::pair{Vec2(1, 0), box.hi.x()}, std::pair{Vec2(-1, 0), -box.lo.x()},
-          std::pair{Vec2(0, 1), box.hi.y()}, std::pair{Vec2(0, -1), -box.lo.y()}}) {
-      ToolProfile kept;
-      for (std::size_t i = 0; i < profile.size(); ++i) {
-        const Vec2 &a = profile[i], &b = profile[(i + 1) % profile.size()];
-        const double from = normal.dot(a) - offset, to = normal.dot(b) - offset;
-        if (from <= 0.0) kept.push_back(a);
-        if ((from < 0.0) != (to < 0.0) && from != to)
-          kept.push_back(a + from / (from - to) * (b - a));
-      }
-      profile = std::move(kept);
-    }
+          std::pair{Vec2(0, 1), box.hi.y()}, std::pair{Vec2(0, -1), -box.lo.y()}})
+      profile = clipped(profile, normal, offset);
     return fit(std::move(profile));
   };
   const Ink tool{.stroke = kGrey, .fill = kSteel, .width = 0.2};

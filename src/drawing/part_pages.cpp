@@ -1,6 +1,7 @@
 #include "filling.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/drawing/page_parts.hpp>
 #include <planish/drawing/part_pages.hpp>
 #include <planish/schema/units.hpp>
@@ -34,9 +35,8 @@ Box2 box_of(const std::vector<std::vector<Vec2>>& lines) {
 /// A pattern within a rectangle; returns how it lies there.
 Fit drawn_flat(Page& page, const FlatPattern& flat, const Rectangle& into) {
   const Fit fit(bounds(flat.outer.loop), into, kDrawnAtMost);
-  std::vector<std::vector<Vec2>> rings;
-  for (auto& ring : rings_of(flat, fit.scale()))
-    rings.push_back(fit(std::move(ring)));
+  auto rings = mapped(rings_of(flat, fit.scale()),
+                      [&](auto& ring) { return fit(std::move(ring)); });
   page.area(std::move(rings), {.fill = kPageSheet, .width = 0.3});
   const double chord = kOutlineChord / fit.scale();
   for (const Curve2& slit : flat.slits)
@@ -188,9 +188,7 @@ void draw_view(Page& page, const PartView& view, const Vec2& corner, const Vec2&
   if (box.empty()) return;
   const Fit fit(box, {corner, size}, kDrawnAtMost);
   const auto drawn = [&](const std::vector<std::vector<Vec2>>& lines, const Ink& ink) {
-    std::vector<std::vector<Vec2>> there;
-    for (const auto& line : lines)
-      there.push_back(fit(line));
+    auto there = mapped(lines, [&](const auto& line) { return fit(line); });
     if (!there.empty()) page.lines(std::move(there), ink);
   };
   drawn(view.bends, {.stroke = kPageGrey, .width = 0.12});

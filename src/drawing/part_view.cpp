@@ -1,6 +1,7 @@
 #include "refusals.hpp"
 
 #include <planish/drawing/part_view.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/facets.hpp>
 
 #include <fmt/format.h>
@@ -61,9 +62,8 @@ class Raster {
                      back.col(1).dot(Vec2(patch.u.z(), patch.v.z())));
     std::map<int, std::vector<double>> crossed;
     for (const auto& ring : patch.rings)
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        cross(crossed, in_cells(patch.at(ring[i])),
-              in_cells(patch.at(ring[(i + 1) % ring.size()])));
+      for (const auto& [a, b] : sides_of(ring))
+        cross(crossed, in_cells(patch.at(a)), in_cells(patch.at(b)));
     for (auto& [row, xs] : crossed) {
       std::ranges::sort(xs);
       for (std::size_t i = 0; i + 1 < xs.size(); i += 2)

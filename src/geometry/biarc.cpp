@@ -135,8 +135,8 @@ struct BiarcChain {
     double step = whole.to - whole.from;
     while (x < whole.to) {
       const auto [reached, arcs] = longest(x, step, whole.to);
-      if (arcs && std::any_of(arcs->begin(), arcs->end(),
-                              [](const Curve2& c) { return std::holds_alternative<Arc>(c); })) {
+      if (arcs && std::ranges::any_of(
+                      *arcs, [](const Curve2& c) { return std::holds_alternative<Arc>(c); })) {
         add((*arcs)[0]);
         add((*arcs)[1]);
       } else {

@@ -1,5 +1,7 @@
 #include "planar.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <numbers>
 
@@ -69,7 +71,7 @@ std::vector<double> arc_crossings(const Arc& arc, const Vec2& origin, const Vec2
     if (delta < -noise) delta += 2.0 * pi;
     if (delta <= size + noise) found.push_back(std::clamp(delta / size, 0.0, 1.0));
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 
@@ -85,7 +87,7 @@ std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& orig
       height[k] = normal.dot(b[k] - origin);
       highest = std::max(highest, std::abs(height[k]));
     }
-    const auto [low, high] = std::minmax_element(height.begin(), height.end());
+    const auto [low, high] = std::ranges::minmax_element(height);
     if (*low > 0.0 || *high < 0.0) continue;
     if (highest <= std::max(height_noise(b[0], b[1], origin), height_noise(b[2], b[3], origin)))
       continue;
@@ -219,11 +221,7 @@ Curve2 transformed(const Curve2& curve, const Isometry2& motion) {
 }
 
 Loop transformed(const Loop& loop, const Isometry2& motion) {
-  Loop moved;
-  moved.reserve(loop.size());
-  for (const Curve2& curve : loop)
-    moved.push_back(transformed(curve, motion));
-  return moved;
+  return mapped(loop, [&](const Curve2& curve) { return transformed(curve, motion); });
 }
 
 std::vector<Vec2> sampled(const Curve2& curve, double chord) {

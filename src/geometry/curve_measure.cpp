@@ -5,6 +5,8 @@
 
 #include "planar.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <numbers>
 
 // Lengths, areas, boxes and nearest points. Areas are exact: Green's integral of products of poles,
@@ -175,7 +177,7 @@ struct NearestOnSpan {
   }
 
   void search(const std::array<double, 7>& c, double lo, double hi) {
-    const auto [least, most] = std::minmax_element(c.begin(), c.end());
+    const auto [least, most] = std::ranges::minmax_element(c);
     // |B|² is at least its smallest coefficient; a gain within rounding of the best is no gain.
     if (*least >= best - 8.0 * kEpsilon * *most) return;
     std::array<double, 6> rise{};
@@ -186,7 +188,7 @@ struct NearestOnSpan {
     const int changes = sign_changes(rise);
     if (changes == 0) return;
     if (changes == 1) {
-      const auto first = std::find_if(rise.begin(), rise.end(), [](double r) { return r != 0.0; });
+      const auto first = std::ranges::find_if(rise, [](double r) { return r != 0.0; });
       if (*first < 0.0) polish(lo, hi);
       return;
     }
@@ -243,10 +245,7 @@ double length(const Curve2& curve) {
 }
 
 double length(const Loop& loop) {
-  double sum = 0.0;
-  for (const Curve2& curve : loop)
-    sum += length(curve);
-  return sum;
+  return sum_of(loop, [&](const Curve2& curve) { return length(curve); });
 }
 
 double green_area(const Curve2& curve) { return green_area_about(curve, Vec2::Zero()); }
@@ -256,10 +255,7 @@ double signed_area(const Loop& loop) {
   // About a point of the loop: far from the origin, rounding of the products would swamp a small
   // area.
   const Vec2 o = start_of(loop.front());
-  double sum = 0.0;
-  for (const Curve2& curve : loop)
-    sum += green_area_about(curve, o);
-  return sum;
+  return sum_of(loop, [&](const Curve2& curve) { return green_area_about(curve, o); });
 }
 
 Box2 bounds(const Curve2& curve) {

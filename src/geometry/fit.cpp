@@ -98,7 +98,7 @@ struct Fitter {
       if (nearer > tolerance) break;
       apart[i] = nearer;
     }
-    made.deviation = *std::max_element(apart.begin(), apart.end());
+    made.deviation = *std::ranges::max_element(apart);
     return made;
   }
 
@@ -123,7 +123,7 @@ FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolera
     return p.deviation > tolerance && p.halvings < kMostHalvings;
   };
   // Level by level, so that the whole curve shares the limit on spans.
-  while (std::any_of(spans.begin(), spans.end(), wants_halving) && spans.size() < kMostSpans) {
+  while (std::ranges::any_of(spans, wants_halving) && spans.size() < kMostSpans) {
     std::vector<Span> finer;
     finer.reserve(2 * spans.size());
     std::size_t room = kMostSpans - spans.size();

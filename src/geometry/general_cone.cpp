@@ -27,7 +27,7 @@ SpaceCurve conic_arc(const Vec3& p0, const Vec3& tangent_point, const Vec3& p1) 
   const Vec3 in = tangent_point - p0, out = p1 - tangent_point;
   // The unit circle from −α to α has its ends at (± sin α, cos α) and its tangents meet in
   // (0, 1/cos α): half its chord is sin α, the rise above the chord sin² α / cos α.
-  const double alpha = 0.5 * std::atan2(in.cross(out).norm(), in.dot(out));
+  const double alpha = 0.5 * angle_between(in, out);
   const double sine = std::sin(alpha), cosine = std::cos(alpha);
   PLANISH_ASSERT(sine > 0.0 && cosine > 0.0);
   const Vec3 along = half_chord / sine, up = cosine / (sine * sine) * rise;

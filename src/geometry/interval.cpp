@@ -1,3 +1,4 @@
+#include <planish/base/id_vector.hpp>
 #include <planish/geometry/interval.hpp>
 
 #include <algorithm>
@@ -5,8 +6,7 @@
 namespace planish {
 
 std::vector<Interval> joined(std::vector<Interval> intervals, double touching) {
-  std::sort(intervals.begin(), intervals.end(),
-            [](const Interval& a, const Interval& b) { return a.lo < b.lo; });
+  std::ranges::sort(intervals, {}, &Interval::lo);
   std::vector<Interval> result;
   for (const Interval& interval : intervals) {
     if (!result.empty() && interval.lo <= result.back().hi + touching)
@@ -21,11 +21,6 @@ double distance(const Interval& a, const Interval& b) {
   return std::max({0.0, a.lo - b.hi, b.lo - a.hi});
 }
 
-double total(const std::vector<Interval>& intervals) {
-  double sum = 0.0;
-  for (const Interval& interval : intervals)
-    sum += interval.size();
-  return sum;
-}
+double total(const std::vector<Interval>& intervals) { return sum_of(intervals, &Interval::size); }
 
 }  // namespace planish

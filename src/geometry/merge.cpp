@@ -6,6 +6,7 @@
 #include "planar.hpp"
 #include "recognition.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
 
@@ -95,7 +96,7 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
   // Arcs of one circle keep its centre and radius to the bit.
   const Arc& model = std::get<Arc>(items.front().curve);
   const double noise = kSamePoint * size_of(path);
-  const bool same = std::all_of(items.begin(), items.end(), [&](const Item& item) {
+  const bool same = std::ranges::all_of(items, [&](const Item& item) {
     const Arc& arc = std::get<Arc>(item.curve);
     return largest(arc.center - model.center) <= noise &&
            std::abs(arc.radius - model.radius) <= noise;
@@ -218,7 +219,7 @@ struct Thinned {
 /// left: a chain of short curves is thinned, not lost.
 Thinned thinned(const Items& items, const std::vector<char>& is_short, double tolerance) {
   const std::size_t n = items.size();
-  const auto first_long = std::find(is_short.begin(), is_short.end(), 0) - is_short.begin();
+  const auto first_long = std::ranges::find(is_short, 0) - is_short.begin();
   const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap around
   Thinned result;
   for (std::size_t k = 0; k < n;) {
@@ -270,7 +271,7 @@ std::optional<Items> absorbed(const Items& items, double tolerance) {
   std::vector<char> is_short(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
     is_short[i] = length(items[i].curve) < tolerance;
-  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return std::nullopt;
+  if (std::ranges::find(is_short, 1) == is_short.end()) return std::nullopt;
   Thinned left = thinned(items, is_short, tolerance);
   if (left.kept.size() == 1 && is_arc(left.kept[0].curve)) {
     Arc& arc = std::get<Arc>(left.kept[0].curve);
@@ -317,9 +318,8 @@ MergedLoop merged(const Loop& loop, double tolerance) {
     items.push_back(
         {spline ? recognized(*spline, tolerance) : curve, static_cast<int>(items.size())});
   }
-  std::vector<Station> joints;
-  for (const Item& item : items)
-    joints.push_back({start_of(item.curve)});
+  const auto joints = mapped(items,
+                             [&](const Item& item) { return Station{start_of(item.curve)}; });
   const double noise = joints.empty() ? 0.0 : kSamePoint * size_of(joints);
   // Rounding alone must not preserve a curve of no length, or split a line in two.
   tolerance = std::max(tolerance, noise);

@@ -5,8 +5,6 @@
 
 #include <planish/geometry/region.hpp>
 
-#include <numeric>
-
 // Which polygons cover each other, by more than a clearance and an area. A sweep along the longer
 // side of all boxes leaves pairs whose boxes share area; only these are shrunk by the clearance,
 // each polygon once, and intersected by GEOS.
@@ -26,8 +24,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping_boxes(const std::ve
     order.push_back(i);
   }
   const int axis = !all.empty() && all.size().y() > all.size().x() ? 1 : 0;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t k) { return boxes[i].lo[axis] < boxes[k].lo[axis]; });
+  std::ranges::sort(order, {}, [&](std::size_t i) { return boxes[i].lo[axis]; });
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<std::size_t> open;
   for (const std::size_t i : order) {
@@ -37,7 +34,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlapping_boxes(const std::ve
     }
     open.push_back(i);
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
   return pairs;
 }
 

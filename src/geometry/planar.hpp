@@ -19,10 +19,7 @@ namespace planish::geometry_detail {
 
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// v turned by +90°.
-inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
 inline Vec2 direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
-inline double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 /// Angle from a to b in (−π, π].
 inline double turn(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
 inline double largest(const Vec2& v) { return v.cwiseAbs().maxCoeff(); }
@@ -163,7 +160,7 @@ void add_inner_roots(const std::array<double, M>& c, double lo, double hi,
 template <std::size_t M>
 std::vector<double> roots(const std::array<double, M>& c) {
   std::vector<double> found;
-  if (std::all_of(c.begin(), c.end(), [](double x) { return x == 0.0; })) return found;
+  if (std::ranges::all_of(c, [](double x) { return x == 0.0; })) return found;
   if (c.front() == 0.0) found.push_back(0.0);
   add_inner_roots(c, 0.0, 1.0, found);
   if (c.back() == 0.0) found.push_back(1.0);

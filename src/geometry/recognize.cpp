@@ -137,7 +137,7 @@ std::optional<double> beyond_ends(const std::vector<Station>& path, const Arc& a
 bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance) {
   if (arc.radius <= tolerance) return false;
   const auto beyond = beyond_ends(path, arc, tolerance);
-  return beyond && std::all_of(path.begin(), path.end(), [&](const Station& s) {
+  return beyond && std::ranges::all_of(path, [&](const Station& s) {
            const double aside = (s.point - arc.center).norm() - arc.radius;
            return std::hypot(*beyond, aside) <= tolerance;
          });
@@ -166,7 +166,7 @@ std::vector<Station> extreme_stations(const CubicSpline& spline) {
     std::vector<double> at = extrema(turned, 0);
     for (const double t : extrema(turned, 1))
       at.push_back(t);
-    std::sort(at.begin(), at.end());
+    std::ranges::sort(at);
     for (const double t : at)
       path.push_back({bezier_point(b, t)});
     path.push_back({b[3]});
@@ -200,7 +200,7 @@ std::vector<Station> even_stations(const CubicSpline& spline, const std::optiona
     if (center) {
       for (const double t : angular_extrema(b, *center))
         at.push_back(t);
-      std::sort(at.begin(), at.end());
+      std::ranges::sort(at);
     }
     for (const double t : at) {
       const Vec2 p = bezier_point(b, t);
@@ -215,7 +215,7 @@ std::vector<Station> even_stations(const CubicSpline& spline, const std::optiona
 /// certainly not if an end does not; halving decides the rest.
 bool within(const std::array<double, 7>& c, double low, double high, int halvings) {
   if (!(c.front() >= low && c.front() <= high && c.back() >= low && c.back() <= high)) return false;
-  const auto [least, most] = std::minmax_element(c.begin(), c.end());
+  const auto [least, most] = std::ranges::minmax_element(c);
   if (*least >= low && *most <= high) return true;
   if (halvings == 0) return false;
   const auto [left, right] = split(c, 0.5);

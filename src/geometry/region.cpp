@@ -50,31 +50,6 @@ bool inside(const std::vector<std::vector<Vec2>>& rings, const Vec2& p) {
 
 namespace {
 
-/// Convex hull, counter-clockwise, without points on its edges (Andrew's chains).
-std::vector<Vec2> hull_of(std::vector<Vec2> points) {
-  const auto before = [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2> hull;
-  const auto add_chain = [&hull](auto first, auto last) {
-    const std::size_t base = hull.size();
-    for (auto it = first; it != last; ++it) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *it - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(*it);
-    }
-    hull.pop_back();  // begins the other chain
-  };
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  return hull;
-}
-
 EnclosingRectangle rectangle(double along, double across, const Vec2& direction) {
   const Vec2 long_side = along >= across ? direction : perpendicular(direction);
   double angle = angle_of(long_side);

@@ -8,6 +8,7 @@
 #include "planar.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 
 #include <Eigen/Geometry>
@@ -252,10 +253,7 @@ Vec2 nearest_on(const Ruled& ruled, const Vec3& p, double u_near) {
     return {u, -w.dot(f.across), velocity.dot(f.across)};
   };
   const std::vector<double> us = scan_positions(ruled);
-  std::vector<Passing> nodes;
-  nodes.reserve(us.size());
-  for (const double u : us)
-    nodes.push_back(passing(u));
+  const auto nodes = mapped(us, [&](double u) { return passing(u); });
 
   std::vector<double> feet = rising_roots(passing, nodes);
   const auto regular = [](const Passing& node) { return node.slope > 0.0; };
@@ -376,21 +374,15 @@ Vec2 RuledImage::fold(const Vec2& p) const {
     const Line line = line_at(u);
     return (p - line.state.head<2>()).dot(direction_of(line.state.z()));
   };
-  std::vector<Passing> nodes;
-  nodes.reserve(lines_.size());
-  for (const Line& line : lines_)
-    nodes.push_back(passing_of(line));
+  const auto nodes = mapped(lines_, [&](const Line& line) { return passing_of(line); });
 
   std::vector<double> us = rising_roots([&](double u) { return passing_of(line_at(u)); }, nodes);
   if (us.empty()) {
-    const auto nearest = std::min_element(nodes.begin(), nodes.end(), [](auto& a, auto& b) {
-      return std::abs(a.value) < std::abs(b.value);
-    });
+    const auto nearest = std::ranges::min_element(
+        nodes, {}, [](const auto& node) { return std::abs(node.value); });
     us.push_back(nearest->u);
   }
-  const double u = *std::min_element(us.begin(), us.end(), [&](double a, double b) {
-    return std::abs(v_at(a)) < std::abs(v_at(b));
-  });
+  const double u = std::ranges::min(us, {}, [&](double at) { return std::abs(v_at(at)); });
   return {u, v_at(u)};
 }
 

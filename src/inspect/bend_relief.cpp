@@ -253,13 +253,12 @@ double web_behind(const Workpiece& workpiece, const ShortRelief& relief, double 
 }  // namespace
 
 std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules& rules) {
-  std::vector<Observation> result;
-  for (const ShortRelief& found : short_reliefs(workpiece, rules))
-    result.push_back(
-        {asks_for_cut(found.relief, found.limits) ? "bend_relief" : "flush_bend",
-         relief_breach(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
-         excess(found)});
-  return result;
+  return mapped(short_reliefs(workpiece, rules), [&](const ShortRelief& found) {
+    return Observation{
+        asks_for_cut(found.relief, found.limits) ? "bend_relief" : "flush_bend",
+        relief_breach(*found.bend, found.relief, found.limits, rules, workpiece.thickness),
+        excess(found)};
+  });
 }
 
 }  // namespace planish::inspect_detail

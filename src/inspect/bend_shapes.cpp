@@ -75,10 +75,9 @@ void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
   for (size_t b = 0; b < bends.size(); ++b) {
     const double k = bends[b].allowance.k_factor;
     if (k >= rules.k_low - kSame && k <= rules.k_high + kSame) continue;
-    const auto same = std::find_if(
-        alike.begin(), alike.end(), [&](const std::vector<size_t>& group) {
-          return std::abs(bends[group.front()].allowance.k_factor - k) <= kSame;
-        });
+    const auto same = std::ranges::find_if(alike, [&](const std::vector<size_t>& group) {
+      return std::abs(bends[group.front()].allowance.k_factor - k) <= kSame;
+    });
     if (same == alike.end()) {
       alike.push_back({b});
     } else {

@@ -25,8 +25,7 @@ struct Cover {
 };
 
 void add_part(Cover& place, const Place& part) {
-  if (std::find(place.parts.begin(), place.parts.end(), part) == place.parts.end())
-    place.parts.push_back(part);
+  if (std::ranges::find(place.parts, part) == place.parts.end()) place.parts.push_back(part);
 }
 
 void take(Cover& place, const Cover& other) {
@@ -56,14 +55,12 @@ std::vector<Cover> joined_places(std::vector<Cover> places, double reach) {
 DoubleCover cover_of(const Cover& place) {
   const EnclosingRectangle box = smallest_rectangle(place.points);
   DoubleCover cover;
-  std::vector<std::string> names;
-  for (const Place& part : place.parts)
-    names.push_back(text_of(part));
+  const auto names = mapped(place.parts, [&](const Place& part) { return text_of(part); });
   cover.who = listed(names);
   cover.area = place.area;
   cover.size = box.size;
   cover.along = {std::cos(box.angle), std::sin(box.angle)};
-  const Vec2 across(-cover.along.y(), cover.along.x());
+  const Vec2 across = perpendicular(cover.along);
   Box2 extent;
   for (const Vec2& p : place.points)
     extent.add(Vec2(p.dot(cover.along), p.dot(across)));
@@ -129,10 +126,9 @@ double SheetArea::within(const Loop& loop, const std::vector<Loop>& without) con
   for (const Loop& other : without)
     if (bounds(other).overlaps(box)) others.push_back(polygon_of({other, {}}, chord_));
   if (others.empty()) return within(polygon, box);
-  double sum = 0.0;
-  for (const auto& corners : inset_triangles(polygon, 0.0, others))
-    sum += within(Polygon{{corners.begin(), corners.end()}, {}}, box);
-  return sum;
+  return sum_of(inset_triangles(polygon, 0.0, others), [&](const auto& corners) {
+    return within(Polygon{{corners.begin(), corners.end()}, {}}, box);
+  });
 }
 
 }  // namespace planish

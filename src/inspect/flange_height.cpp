@@ -81,8 +81,8 @@ std::optional<FlangeId> flange_beside(const Workpiece& workpiece, const BendSide
 }
 
 bool on_material(const BendSide& side, const Vec2& p) {
-  return std::any_of(side.segments.begin(), side.segments.end(),
-                     [&](const Segment& s) { return nearest(s, p).distance <= kDrawn; });
+  return std::ranges::any_of(side.segments,
+                             [&](const Segment& s) { return nearest(s, p).distance <= kDrawn; });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/box_tree.hpp>
+#include <planish/geometry/minimum.hpp>
 #include <planish/geometry/plane.hpp>
 
 #include <cmath>
@@ -77,37 +78,12 @@ int sample_count(const Curve2& curve) {
   return 16;
 }
 
-/// The least distance to `b` of the points of `a` between t0 and t1: golden section until the
-/// distance no longer changes.
-Gap refined(const Curve2& a, const Curve2& b, double t0, double t1) {
-  constexpr double kGolden = 0.6180339887498949;
+Gap gap_by_sampling(const Curve2& a, const Curve2& b) {
   constexpr int kSteps = 45;  // 0.618^45 = 4e-10 of the interval: beyond, rounding decides
   const auto distance_at = [&](double t) { return nearest(b, point_at(a, t)).distance; };
-  for (int step = 0; step < kSteps; ++step) {
-    const double left = t1 - kGolden * (t1 - t0), right = t0 + kGolden * (t1 - t0);
-    if (distance_at(left) < distance_at(right))
-      t1 = right;
-    else
-      t0 = left;
-  }
-  return gap_from(point_at(a, 0.5 * (t0 + t1)), b);
-}
-
-Gap gap_by_sampling(const Curve2& a, const Curve2& b) {
-  const int n = sample_count(a);
-  double least = std::numeric_limits<double>::infinity();
-  int at = 0;
-  for (int i = 0; i <= n; ++i) {
-    const double d = nearest(b, point_at(a, static_cast<double>(i) / n)).distance;
-    if (d < least) {
-      least = d;
-      at = i;
-    }
-  }
-  const double t0 = static_cast<double>(std::max(at - 1, 0)) / n;
-  const double t1 = static_cast<double>(std::min(at + 1, n)) / n;
   Gap best = gap_of_ends(a, b);
-  keep_nearer(best, refined(a, b, t0, t1));
+  keep_nearer(best,
+              gap_from(point_at(a, least_at(distance_at, 0.0, 1.0, sample_count(a), kSteps)), b));
   return best;
 }
 

@@ -42,7 +42,7 @@ std::vector<Remedy> remedies_of(std::string_view code) {
 }
 
 Finding finding_of(const char* code, std::vector<const Observation*> alike) {
-  std::stable_sort(alike.begin(), alike.end(), [](const Observation* a, const Observation* b) {
+  std::ranges::stable_sort(alike, [](const Observation* a, const Observation* b) {
     if (a->place.severity != b->place.severity) return a->place.severity > b->place.severity;
     return a->excess < b->excess;
   });
@@ -71,9 +71,8 @@ Severity severity_of(double measured, double limit, double share, const Rules& r
 std::vector<Finding> grouped(const std::vector<Observation>& observations) {
   std::vector<std::pair<const char*, std::vector<const Observation*>>> rules;
   for (const Observation& one : observations) {
-    const auto same = std::find_if(rules.begin(), rules.end(), [&](const auto& rule) {
-      return std::string_view(rule.first) == one.code;
-    });
+    const auto same = std::ranges::find_if(
+        rules, [&](const auto& rule) { return std::string_view(rule.first) == one.code; });
     if (same == rules.end())
       rules.push_back({one.code, {&one}});
     else
@@ -82,8 +81,7 @@ std::vector<Finding> grouped(const std::vector<Observation>& observations) {
   std::vector<Finding> findings;
   for (auto& [code, alike] : rules)
     findings.push_back(finding_of(code, std::move(alike)));
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
+  std::ranges::stable_sort(findings, std::ranges::greater(), &Finding::severity);
   return findings;
 }
 

@@ -28,7 +28,7 @@ Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b
       return gap_between(opening.boxed, Segment{s.a, s.a}, 2.0 * kDrawn).distance <= kDrawn ||
              gap_between(opening.boxed, Segment{s.b, s.b}, 2.0 * kDrawn).distance <= kDrawn;
     };
-    if (std::any_of(side.segments.begin(), side.segments.end(), ends_at_opening)) ++limits_cut;
+    if (std::ranges::any_of(side.segments, ends_at_opening)) ++limits_cut;
   }
   // A cut from flange to flange is deliberate; an edge within the zone tears open.
   const bool through = limits_cut == 2;
@@ -54,16 +54,14 @@ std::vector<NearBend> near_bends(const Workpiece& workpiece, const Opening& open
     if (opening.bounds.contains(bend) || opening.reaches_in.contains(bend)) return;
     const Gap gap = gap_between(opening.boxed, line, limit);
     if (gap.distance >= limit - kDrawn || !workpiece.joined_by_material(gap.a, gap.b)) return;
-    const auto same = std::find_if(found.begin(), found.end(),
-                                   [b = bend](const NearBend& n) { return n.bend == b; });
+    const auto same = std::ranges::find(found, bend, &NearBend::bend);
     if (same == found.end()) {
       found.push_back({gap, bend});
     } else if (gap.distance < same->gap.distance) {
       same->gap = gap;
     }
   });
-  std::sort(found.begin(), found.end(),
-            [](const NearBend& a, const NearBend& b) { return a.bend < b.bend; });
+  std::ranges::sort(found, {}, &NearBend::bend);
   return found;
 }
 
@@ -121,9 +119,7 @@ struct Neighbour {
 /// The neighbour of each opening that is nearer than `limit` through material.
 std::vector<Neighbour> nearest_neighbours(const Workpiece& workpiece, double limit) {
   const auto& openings = workpiece.openings;
-  std::vector<Box2> boxes;
-  for (const Opening& opening : openings)
-    boxes.push_back(opening.boxed.box);
+  auto boxes = mapped(openings, [&](const Opening& opening) { return opening.boxed.box; });
   const BoxTree2 index(std::move(boxes));
   std::vector<Neighbour> nearest(openings.size());
   for (size_t i = 0; i < openings.size(); ++i) {

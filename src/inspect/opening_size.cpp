@@ -62,7 +62,7 @@ double inscribed_radius(const Opening& opening, double enough) {
   const double turn = signed_area(*opening.loop) < 0.0 ? -1.0 : 1.0;
   const auto radius_at = [&](const Curve2& curve, double t) {
     const Vec2 along = derivative_at(curve, t).stableNormalized();
-    return touching_radius(opening, point_at(curve, t), turn * Vec2(-along.y(), along.x()));
+    return touching_radius(opening, point_at(curve, t), turn * perpendicular(along));
   };
   double best = 0.0;
   const Curve2* best_curve = nullptr;

@@ -115,7 +115,7 @@ void add_crossing(const Loop& loop, const std::optional<Vec2>& opening, double c
                   double chord, std::vector<Finding>& findings) {
   std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);
   std::erase_if(crossings, [&](const Vec2& p) {
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
+    return std::ranges::any_of(findings, [&](const Finding& finding) {
       Box2 box;
       for (const Vec2& corner : finding.at)
         box.add(corner);
@@ -158,11 +158,9 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
   std::vector<SharedByParts::const_iterator> order;
   for (auto it = by_parts.begin(); it != by_parts.end(); ++it)
     order.push_back(it);
-  std::stable_sort(order.begin(), order.end(),
-                   [](auto a, auto b) { return a->second.area > b->second.area; });
-  std::vector<Finding> findings;
-  for (const auto& it : order)
-    findings.push_back(overlap_finding(pattern, it->first, it->second));
+  std::ranges::stable_sort(order, [](auto a, auto b) { return a->second.area > b->second.area; });
+  auto findings = mapped(
+      order, [&](const auto& it) { return overlap_finding(pattern, it->first, it->second); });
 
   add_crossings(pattern, clearance, chord, findings);
   return findings;

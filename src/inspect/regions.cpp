@@ -5,6 +5,7 @@
 
 #include "regions.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <fmt/format.h>
@@ -42,13 +43,6 @@ void add_sharp_bends(const Sheet& sheet, const Layout& layout, Regions& regions)
   }
 }
 
-double ring_length(const std::vector<Vec2>& ring) {
-  double sum = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i)
-    sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
-  return sum;
-}
-
 }  // namespace
 
 double contact_clearance(const FlatPattern& pattern) {
@@ -70,7 +64,8 @@ std::vector<Shared> shared_areas(const Regions& regions, double clearance) {
     // Shrinking both regions removed a rim as wide as the clearance from the shared area.
     double area = overlap.area;
     for (const auto& ring : overlap.outline)
-      area += clearance * ring_length(ring);
+      area += clearance *
+              sum_of(sides_of(ring), [](const Segment& s) { return (s.b - s.a).norm(); });
     const auto allowed = regions.shared.find(
         std::minmax(regions.faces[first], regions.faces[second]));
     constexpr double kSameArea = 1e-6;  // left by shrinking and rounding

@@ -16,18 +16,13 @@ RingIndex::RingIndex(const std::vector<std::vector<Vec2>>& rings)
 std::vector<RingIndex::Edge> RingIndex::edges_of(const std::vector<std::vector<Vec2>>& rings) {
   std::vector<Edge> edges;
   for (size_t r = 0; r < rings.size(); ++r)
-    for (size_t i = 0; i < rings[r].size(); ++i)
-      edges.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()], r});
+    for (const auto& [a, b] : sides_of(rings[r]))
+      edges.push_back({a, b, r});
   return edges;
 }
 
 std::vector<Box2> RingIndex::boxes_of(const std::vector<Edge>& edges) {
-  std::vector<Box2> boxes(edges.size());
-  for (size_t i = 0; i < edges.size(); ++i) {
-    boxes[i].add(edges[i].a);
-    boxes[i].add(edges[i].b);
-  }
-  return boxes;
+  return mapped(edges, [](const Edge& edge) { return box_of({edge.a, edge.b}); });
 }
 
 int RingIndex::winding(const Vec2& p) const {

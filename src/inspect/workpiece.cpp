@@ -30,8 +30,6 @@ namespace {
 constexpr double kMeasuredShare = 1e-3;
 constexpr double kCoarseShare = 2e-2;
 
-Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
-
 double chord_of(const FlatPattern& pattern, double share) {
   return std::max(share * pattern.thickness, FlattenOptions{}.curve_tolerance);
 }
@@ -134,8 +132,8 @@ bool at_loop(const Opening& opening, const Vec2& p) {
   Box2 box;
   box.add(p);
   if (box_distance(box, opening.boxed.box) > kDrawn) return false;
-  return std::any_of(opening.loop->begin(), opening.loop->end(),
-                     [&](const Curve2& curve) { return nearest(curve, p).distance <= kDrawn; });
+  return std::ranges::any_of(
+      *opening.loop, [&](const Curve2& curve) { return nearest(curve, p).distance <= kDrawn; });
 }
 
 /// Bends from whose faces the opening was cut.
@@ -175,17 +173,14 @@ void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
     const auto ends_there = [&](const Segment& s) {
       return at_loop(opening, s.a) || at_loop(opening, s.b);
     };
-    if (cut.contains(bend.bend) || std::any_of(bend.lines.begin(), bend.lines.end(), ends_there) ||
-        std::any_of(bend.tangent_lines.begin(), bend.tangent_lines.end(), ends_there))
+    if (cut.contains(bend.bend) || std::ranges::any_of(bend.lines, ends_there) ||
+        std::ranges::any_of(bend.tangent_lines, ends_there))
       opening.reaches_in.insert(b);
   });
 }
 
 std::vector<std::vector<Vec2>> slit_rings(const FlatPattern& pattern) {
-  std::vector<std::vector<Vec2>> rings;
-  for (const Curve2& slit : pattern.slits)
-    rings.push_back(sampled(slit, 0.1 * kDrawn));
-  return rings;
+  return mapped(pattern.slits, [&](const Curve2& slit) { return sampled(slit, 0.1 * kDrawn); });
 }
 
 }  // namespace

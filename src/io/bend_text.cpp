@@ -23,9 +23,4 @@ std::string bend_text(const FlatBend& bend) {
                      from == to ? from : from + " … " + to);
 }
 
-const Segment& longest_line(const FlatBend& bend) {
-  return *std::ranges::max_element(bend.lines, {},
-                                   [](const Segment& line) { return (line.b - line.a).norm(); });
-}
-
 }  // namespace planish::io_detail

@@ -10,7 +10,4 @@ namespace planish::io_detail {
 /// known, the number of its first one comes before it: "3: B1 UP 90° R2.5".
 std::string bend_text(const FlatBend& bend);
 
-/// The line of a bend that its text stands at: the longest. Requires one.
-const Segment& longest_line(const FlatBend& bend);
-
 }  // namespace planish::io_detail

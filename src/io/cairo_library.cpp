@@ -2,8 +2,6 @@
 
 #include "refusals.hpp"
 
-#include <planish/io/codes.hpp>
-
 #include <dlfcn.h>
 namespace planish::io_detail {
 namespace {

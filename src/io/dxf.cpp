@@ -3,7 +3,6 @@
 
 #include <planish/base/assert.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/moved_pattern.hpp>
 
 #include <algorithm>

@@ -3,6 +3,9 @@
 #include "bend_text.hpp"
 #include "room_for_text.hpp"
 
+#include <planish/geometry/plane.hpp>
+#include <planish/sheet/pattern_facts.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,8 +60,8 @@ void Drawing::add(const FlatPattern& pattern) {
 void Drawing::add_sheet(double length, double width) {
   const std::vector<Vec2> corners{{0.0, 0.0}, {length, 0.0}, {length, width}, {0.0, width}};
   Loop edge;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    edge.emplace_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
+  for (const Segment& side : sides_of(corners))
+    edge.emplace_back(side);
   add_outline({"SHEET", 9}, edge);
 }
 
@@ -125,7 +128,7 @@ void Drawing::add_bend(const FlatBend& bend) {
 void Drawing::add_text(const FlatBend& bend) {
   constexpr double kHighest = 3.0;  // mm
   if (!options_.bend_text || bend.lines.empty()) return;
-  const Segment& line = longest_line(bend);
+  const Segment line = *longest_line(bend);
   const std::string text = bend_text(bend);
   Vec2 along = line.b - line.a;
   const double length = along.norm();
@@ -134,7 +137,7 @@ void Drawing::add_text(const FlatBend& bend) {
   if (along.x() < -kShortestMark || (along.x() < kShortestMark && along.y() < 0.0)) along = -along;
   const double height = std::min(kHighest,
                                  length / (kLetterWidth * static_cast<double>(text.size())));
-  const Vec2 above = height / length * Vec2(-along.y(), along.x());
+  const Vec2 above = height / length * perpendicular(along);
   entities_.push_back(
       {styles_.text, DxfText{(0.5 * (line.a + line.b) + above) * scale_, height * scale_,
                              Angle::radians(std::atan2(along.y(), along.x())), text}});

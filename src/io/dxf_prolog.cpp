@@ -14,15 +14,7 @@ namespace {
 constexpr int kViewportTable = 0x8;
 
 int insertion_units(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::mm:
-      return 4;
-    case LengthUnit::inch:
-      return 1;
-    case LengthUnit::m:
-      return 6;
-  }
-  return 0;
+  return unit == LengthUnit::mm ? 4 : unit == LengthUnit::inch ? 1 : 6;
 }
 
 void write_header(DL_Dxf& dxf, DxfWriter& w, const DxfProlog& prolog) {

@@ -4,7 +4,6 @@
 
 #include <dxflib/dl_dxf.h>
 
-#include <set>
 #include <string>
 
 namespace planish::io_detail {

@@ -121,10 +121,7 @@ double number_in(const FlatJson& json) { return json.get<double>(); }
 template <typename Read>
 auto rows_in(const FlatJson& json, Read read) {
   require(json.is_array());
-  std::vector<decltype(read(json))> result;
-  for (const FlatJson& row : json)
-    result.push_back(read(row));
-  return result;
+  return mapped(json, [&](const FlatJson& row) { return read(row); });
 }
 
 Vec2 point_in(const FlatJson& json) {

@@ -10,8 +10,8 @@ namespace planish {
 
 std::string obj_text(const Mesh& mesh, const std::string& name) {
   std::string object = name;
-  std::replace_if(
-      object.begin(), object.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+  std::ranges::replace_if(
+      object, [](unsigned char c) { return c < 0x20; }, ' ');
   object.erase(0, std::min(object.size(), object.find_first_not_of(' ')));
   std::string text = fmt::format("o {}\n", object);
   for (const Vec3& p : mesh.points)

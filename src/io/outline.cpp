@@ -148,7 +148,7 @@ Loop chain_of(const Loop& loop) {
 Curve2 bulge_curve(const Vec2& a, const Vec2& b, double bulge) {
   if (std::abs(bulge) < kStraightBulge) return Segment{a, b};
   const Vec2 chord = b - a;
-  const Vec2 left(-chord.y(), chord.x());
+  const Vec2 left = perpendicular(chord);
   const Vec2 center = 0.5 * (a + b) + (1.0 - bulge * bulge) / (4.0 * bulge) * left;
   const double radius = chord.norm() * (1.0 + bulge * bulge) / (4.0 * std::abs(bulge));
   const Vec2 from = a - center;

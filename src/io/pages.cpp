@@ -1,11 +1,9 @@
 #include "cairo_library.hpp"
 #include "refusals.hpp"
 
-#include <planish/io/codes.hpp>
 #include <planish/io/pages.hpp>
 
 #include <memory>
-#include <type_traits>
 
 namespace planish {
 namespace {

@@ -1,5 +1,6 @@
 #include "room_for_text.hpp"
 
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -14,8 +15,7 @@ using Rings = std::vector<std::vector<Vec2>>;
 double clearance(const Rings& rings, const Vec2& p) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::vector<Vec2>& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      least = std::min(least, nearest(Segment{ring[i], ring[(i + 1) % ring.size()]}, p).distance);
+    least = std::min(least, distance_to_ring(ring, p));
   return least;
 }
 

@@ -1,7 +1,6 @@
 #include <planish/base/assert.hpp>
 #include <planish/io/mesh_writers.hpp>
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 

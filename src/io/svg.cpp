@@ -2,6 +2,10 @@
 #include "svg_labels.hpp"
 #include "svg_shapes.hpp"
 
+#include <planish/geometry/plane.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <planish/sheet/pattern_facts.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -130,8 +134,7 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
   std::vector<Segment> segments;
   const auto add_loop = [&](const Loop& loop) {
     const std::vector<Vec2> corners = sampled(loop, 0.1 * font);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+    std::ranges::copy(sides_of(corners), std::back_inserter(segments));
   };
   if (!pattern.outer.loop.empty()) add_loop(pattern.outer.loop);
   for (const Contour& opening : pattern.openings)
@@ -151,7 +154,7 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
 /// Half the width of the bend zone.
 double half_width(const FlatBend& bend, const Segment& line) {
   const Vec2 along = (line.b - line.a).normalized();
-  const Vec2 across(-along.y(), along.x());
+  const Vec2 across = perpendicular(along);
   double width = 0.0;
   for (const Segment& tangent : bend.tangent_lines) {
     width = std::max(width, std::abs(across.dot(0.5 * (tangent.a + tangent.b) - line.a)));
@@ -170,9 +173,9 @@ std::vector<std::vector<Vec2>> rings(const FlatPattern& pattern, double chord) {
 std::vector<PlacedLabel> point_labels(const FlatPattern& pattern, double font) {
   constexpr double kSmaller = 0.75;  // than the bends' labels
   if (pattern.labels.empty()) return {};
-  std::vector<PointRequest> requests;
-  for (const FlatLabel& label : pattern.labels)
-    requests.push_back({label.text, label.at});
+  const auto requests = mapped(pattern.labels, [&](const FlatLabel& label) {
+    return PointRequest{label.text, label.at};
+  });
   return place_point_labels(requests, rings(pattern, 0.1 * font), obstacles(pattern, font),
                             kSmaller * font);
 }
@@ -183,7 +186,7 @@ std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font,
   std::vector<BendDirection> directions;
   for (const FlatBend& bend : pattern.bends) {
     if (bend.lines.empty()) continue;
-    const Segment& line = longest_line(bend);
+    const Segment line = *longest_line(bend);
     requests.push_back({bend_text(bend), line, half_width(bend, line)});
     directions.push_back(bend.direction);
   }

@@ -1,5 +1,6 @@
 #include "svg_labels.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/box_tree.hpp>
 #include <planish/geometry/region.hpp>
@@ -79,10 +80,7 @@ class Lines {
 
  private:
   static std::vector<Box2> boxes(const std::vector<Segment>& lines) {
-    std::vector<Box2> boxes;
-    for (const Segment& line : lines)
-      boxes.push_back(bounds(line));
-    return boxes;
+    return mapped(lines, [&](const Segment& line) { return bounds(line); });
   }
 
   const std::vector<Segment>& lines_;

@@ -1,5 +1,7 @@
 #include "svg_shapes.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,7 +53,7 @@ struct Limit {
 };
 
 Limit limit_of(const Segment& tangent, const Vec2& origin, const Vec2& along) {
-  const Vec2 left(-along.y(), along.x());
+  const Vec2 left = perpendicular(along);
   Limit limit{along.dot(tangent.a - origin), along.dot(tangent.b - origin),
               left.dot(0.5 * (tangent.a + tangent.b) - origin), tangent.a, tangent.b};
   if (limit.from > limit.to) {
@@ -79,34 +81,13 @@ std::array<Vec2, 4> zone_between(const Limit& l, const Limit& r, bool whole) {
 
 }  // namespace
 
-std::string svg_number(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
+std::string svg_number(double value, int decimals) { return trimmed_number(value, decimals); }
 
 std::string xml_escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) result += c;
-    }
-  }
-  return result;
+  std::string escaped = replaced(text,
+                                 {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+  std::erase_if(escaped, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  return escaped;
 }
 
 std::string svg_point(const Vec2& p) {

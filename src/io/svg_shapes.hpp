@@ -1,7 +1,5 @@
 #pragma once
 
-#include <planish/io/flat_writers.hpp>
-
 #include <array>
 #include <string>
 #include <string_view>

@@ -34,11 +34,6 @@ File opened(const fs::path& path, const char* mode) {
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-tl::unexpected<Error> cannot_write(const fs::path& target, const std::error_code& reason) {
-  return fail(refuse::cannot_write, {{"file", target.string()}, {"reason", reason.message()}},
-              target.string());
-}
-
 /// Succeeds only if every byte was written, including on closing, where a full disk may show.
 std::error_code put(File file, const std::string& content) {
   if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size()) {
@@ -58,8 +53,9 @@ fs::path name_beside(const fs::path& target) {
 
 Result<void> write_directly(const fs::path& target, const std::string& content) {
   File file = opened(target, "wb");
-  if (!file) return cannot_write(target, last_error());
-  if (const auto reason = put(std::move(file), content)) return cannot_write(target, reason);
+  if (!file) return cannot_write(target, last_error().message());
+  if (const auto reason = put(std::move(file), content))
+    return cannot_write(target, reason.message());
   return {};
 }
 
@@ -76,9 +72,9 @@ Result<Target> place_of(const fs::path& target) {
   if (!fs::exists(status)) return Target{target, {}};
   if (!fs::is_regular_file(status) && !fs::is_directory(status)) return Target{target, {}, true};
   // Renaming would also replace a write-protected file; opening it shows that.
-  if (!opened(target, "r+b")) return cannot_write(target, last_error());
+  if (!opened(target, "r+b")) return cannot_write(target, last_error().message());
   const fs::path real = fs::canonical(target, error);
-  if (error) return cannot_write(target, error);
+  if (error) return cannot_write(target, error.message());
   return Target{real, status.permissions()};
 }
 
@@ -102,18 +98,18 @@ class Part {
     File file = opened(part_, "wbx");
     if (!file) {
       part_.clear();
-      return cannot_write(target_, last_error());
+      return cannot_write(target_, last_error().message());
     }
     std::error_code reason = put(std::move(file), content);
     if (!reason && place_.permissions) fs::permissions(part_, *place_.permissions, reason);
-    if (reason) return cannot_write(target_, reason);
+    if (reason) return cannot_write(target_, reason.message());
     return {};
   }
 
   Result<void> take_place() {
     std::error_code reason;
     fs::rename(part_, place_.real, reason);
-    if (reason) return cannot_write(target_, reason);
+    if (reason) return cannot_write(target_, reason.message());
     part_.clear();
     return {};
   }
@@ -125,6 +121,10 @@ class Part {
 };
 
 }  // namespace
+
+tl::unexpected<Error> cannot_write(const fs::path& file, const std::string& reason) {
+  return fail(refuse::cannot_write, {{"file", file.string()}, {"reason", reason}}, file.string());
+}
 
 Result<void> write_file(const fs::path& target, const std::string& content) {
   auto place = place_of(target);
@@ -168,7 +168,7 @@ Result<void> check_writable(const fs::path& target) {
   if (!place) return pass_on(place);
   const fs::path folder = place->real.has_parent_path() ? place->real.parent_path() : ".";
   const char* needed = place->direct ? target.c_str() : folder.c_str();
-  if (access(needed, W_OK) != 0) return cannot_write(target, last_error());
+  if (access(needed, W_OK) != 0) return cannot_write(target, last_error().message());
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "part_drawing.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/io/mesh_writers.hpp>
@@ -120,17 +121,7 @@ Result<std::vector<WrittenArtifact>> write(const Artifact& artifact, const Made&
 }
 
 std::string_view role_name(Role role) {
-  switch (role) {
-    case Role::flat:
-      return "flat";
-    case Role::folded:
-      return "folded";
-    case Role::mould:
-      return "mould";
-    case Role::report:
-      break;
-  }
-  return "report";
+  return word_of(role, {"flat", "folded", "mould", "report"});
 }
 
 }  // namespace planish::job

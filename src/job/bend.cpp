@@ -1,7 +1,5 @@
 #include <planish/job/bend.hpp>
 
-#include <algorithm>
-
 namespace planish::job {
 
 bool is_of_sheet_to_bend(const Option& option) {

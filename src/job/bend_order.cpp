@@ -43,9 +43,8 @@ Result<std::vector<OrderedStroke>> parse_order(const std::string& json, const Re
   if (reading.error()) return tl::unexpected(*reading.error());
   std::vector<OrderedStroke> order;
   for (const JsonPlace& row : JsonPlace(reading)["order"].items()) {
-    std::vector<std::string> names;
-    for (const JsonPlace& name : row["bends"].items())
-      names.push_back(name.text());
+    const auto names = mapped(row["bends"].items(),
+                              [&](const JsonPlace& name) { return name.text(); });
     auto bends = bends_named(report, names);
     if (!bends) {
       Error error = std::move(bends.error());
@@ -108,9 +107,7 @@ Result<std::string> BendOrder::plan(const Progress& progress) {
   auto plan = plan_bending(report.sheet, report.layout, state_->tools(), state_->bending.plan,
                            progress);
   if (!plan) return pass_on(plan);
-  std::vector<OrderedStroke> order;
-  for (const Stroke& stroke : plan->strokes)
-    order.push_back(ordered(stroke));
+  auto order = mapped(plan->strokes, [&](const Stroke& stroke) { return ordered(stroke); });
   if (order.empty())
     for (const BendId bend : state_->bending.plan.begin_with)
       order.push_back({{bend}});

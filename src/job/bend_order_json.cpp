@@ -18,17 +18,13 @@ const Units& millimetres() {
 }
 
 Json profile_json(const ToolProfile& profile) {
-  Json json = Json::array();
-  for (const Vec2& p : profile)
-    json.push_back(point_json(p, millimetres()));
-  return json;
+  return json_array(profile, [&](const Vec2& p) { return point_json(p, millimetres()); });
 }
 
 Json segments_json(const std::vector<StandingSegment>& segments) {
-  Json json = Json::array();
-  for (const StandingSegment& segment : segments)
-    json.push_back({number_json(segment.from), number_json(segment.length)});
-  return json;
+  return json_array(segments, [&](const StandingSegment& segment) {
+    return Json::array({number_json(segment.from), number_json(segment.length)});
+  });
 }
 
 Json moments_json(const std::vector<StrokeMoment>& moments) {

@@ -64,9 +64,8 @@ void find_ungauged(Report& report, const Plan& plan) {
     if (!stroke.gauge && !stroke.flattening)
       bends.insert(bends.end(), stroke.bends.begin(), stroke.bends.end());
   if (bends.empty()) return;
-  Facts facts;
-  for (const BendId bend : bends)
-    facts.emplace_back("bend", part_place(report.flat, bend));
+  Facts facts = mapped(bends,
+                       [&](BendId bend) { return Fact("bend", part_place(report.flat, bend)); });
   report.findings.push_back(
       finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {}));
 }
@@ -142,9 +141,7 @@ Result<std::vector<BendId>> bends_named(const Report& report,
   for (const std::string& name : names) {
     const auto found = std::ranges::find(report.flat.bends, name, &FlatBend::id);
     if (found == report.flat.bends.end()) {
-      std::vector<std::string> known;
-      for (const FlatBend& bend : report.flat.bends)
-        known.push_back(bend.id);
+      const auto known = mapped(report.flat.bends, &FlatBend::id);
       return fail(
           refuse::no_such_bend,
           {{"bend", place::bend(name)}, {"known", fmt::format("{}", fmt::join(known, ", "))}},

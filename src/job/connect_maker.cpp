@@ -48,12 +48,7 @@ class MadeConnection : public MadeReport<ConnectReport> {
     return page_text(json);
   }
   // Flange i is plate i.
-  std::vector<std::string> flange_names() const override {
-    std::vector<std::string> names;
-    for (const Plate& plate : plates_)
-      names.push_back(plate.id);
-    return names;
-  }
+  std::vector<std::string> flange_names() const override { return mapped(plates_, &Plate::id); }
 
  private:
   std::vector<Plate> plates_;  // as in the input, joined or not

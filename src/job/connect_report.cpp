@@ -3,10 +3,12 @@
 #include "report_schema.hpp"
 #include "report_text.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/connect.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
 #include <planish/schema/units.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,31 +24,17 @@ std::string_view facing_name(EdgeKind kind) {
 }
 
 std::string_view lateral_name(LateralBoundary lateral) {
-  switch (lateral) {
-    case LateralBoundary::straight:
-      return "straight";
-    case LateralBoundary::arc:
-      return "arc";
-    case LateralBoundary::corner:
-      return "corner";
-    case LateralBoundary::automatic:
-      break;
-  }
-  return "auto";
+  return word_of(lateral, {"auto", "straight", "arc", "corner"});
 }
 
 const FittedBend* fitted(const ConnectReport& report, BendId id) {
   const auto& bends = report.connection.bends;
-  const auto found = std::find_if(bends.begin(), bends.end(),
-                                  [&](const FittedBend& bend) { return bend.bend == id; });
+  const auto found = std::ranges::find(bends, id, &FittedBend::bend);
   return found == bends.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> plate_ids(const FittedBend& bend, const PlateStructure& structure) {
-  std::vector<std::string> ids;
-  for (const int plate : bend.plates)
-    ids.push_back(structure.plates[plate].id);
-  return ids;
+  return mapped(bend.plates, [&](int plate) { return structure.plates[plate].id; });
 }
 
 Json edges_json(const FittedBend& bend, const PlateStructure& structure) {
@@ -98,10 +86,9 @@ Json alternative_json(const BendAlternative& alternative, const Units& units) {
 
 Json radii_json(const FittedBend& bend, const Units& units) {
   const bool even = bend.kind == BendKind::cylinder;
-  Json json = Json::array();
-  for (const double radius : bend.inside_radii)
-    json.push_back(number_json(units.length(even ? bend.inside_radius : radius)));
-  return json;
+  return json_array(bend.inside_radii, [&](double radius) {
+    return number_json(units.length(even ? bend.inside_radius : radius));
+  });
 }
 
 void add_fit(Json& json, const FittedBend& bend, const PlateStructure& structure,

@@ -6,8 +6,6 @@
 #include <planish/connect/connect.hpp>
 #include <planish/job/connect.hpp>
 
-#include <string>
-
 namespace planish::job {
 
 /// The rest of `connect_plates` once the plates are joined: adds folded solid, flat pattern,

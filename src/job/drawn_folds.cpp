@@ -1,6 +1,7 @@
 #include "drawn_folds.hpp"
 
-#include <array>
+#include <planish/geometry/plane.hpp>
+
 #include <cmath>
 #include <utility>
 
@@ -24,8 +25,6 @@ double height_of(const Sheet& sheet, const Bend& bend, bool sharp) {
   const double to_middle = 0.5 * sheet.thickness - sheet.reference_depth;
   return bend.reference_inside ? to_middle : -to_middle;
 }
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Where the end of a border goes that moves by `beyond`, square to itself.
 Vec2 moved_end(const Vec2& end, const Vec2& beyond, const Curve2& beside) {

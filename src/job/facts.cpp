@@ -1,30 +1,14 @@
 #include "facts.hpp"
 
-#include <cmath>
+#include <planish/base/text.hpp>
 
 namespace planish::job {
 std::string_view severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::info:
-      return "info";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      break;
-  }
-  return "error";
+  return word_of(severity, {"info", "warning", "error"});
 }
 
 std::string_view status_name(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::warning:
-      return "warning";
-    case Status::refused:
-      break;
-  }
-  return "refused";
+  return word_of(status, {"ok", "warning", "refused"});
 }
 
 bool sheet_known(const Report& report) { return report.summary.thickness > 0.0; }

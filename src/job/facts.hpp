@@ -1,7 +1,6 @@
 #pragma once
 
 #include <planish/job/report.hpp>
-#include <planish/sheet/pattern_facts.hpp>
 
 #include <optional>
 #include <string_view>
@@ -9,7 +8,6 @@
 namespace planish::job {
 
 std::string_view severity_name(Severity severity);
-std::string_view status_name(Status status);
 
 /// A report may be incomplete (see Report).
 bool sheet_known(const Report& report);

@@ -31,8 +31,7 @@ std::vector<FlangeFaceInfo> flange_faces(const Sheet& sheet) {
       faces.push_back({*face.source_face, area_of(face)});
     }
   }
-  std::stable_sort(faces.begin(), faces.end(),
-                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  std::ranges::stable_sort(faces, [](const auto& a, const auto& b) { return a.area > b.area; });
   return faces;
 }
 

@@ -1,6 +1,7 @@
 #include "facts.hpp"
 #include "places_json.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/info.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/printable.hpp>
@@ -14,10 +15,7 @@ using namespace schema;
 namespace {
 
 Json size_json(const Vec3& size, const Units& units) {
-  Json json = Json::array();
-  for (const double extent : size)
-    json.push_back(number_json(units.length(extent)));
-  return json;
+  return json_array(size, [&](double extent) { return number_json(units.length(extent)); });
 }
 
 Json sheet_json(const SheetInfo& sheet, const Units& units) {

@@ -13,10 +13,7 @@ Json page_point(const Vec3& p) {
 }
 
 Json page_points(const std::vector<Vec3>& points) {
-  Json json = Json::array();
-  for (const Vec3& p : points)
-    json.push_back(page_point(p));
-  return json;
+  return json_array(points, [&](const Vec3& p) { return page_point(p); });
 }
 
 std::string page_text(const Json& json) {

@@ -66,13 +66,11 @@ Result<std::unique_ptr<Work>> open_input(const Maker& maker, const Request& requ
 }
 
 bool Maker::makes(Source source) const {
-  return source == Source::report ||
-         std::find(sources.begin(), sources.end(), source) != sources.end();
+  return source == Source::report || std::ranges::find(sources, source) != sources.end();
 }
 
 bool Maker::takes(std::string_view option) const {
-  return std::any_of(options.begin(), options.end(),
-                     [&](const OptionUse& use) { return use.name == option; });
+  return std::ranges::any_of(options, [&](const OptionUse& use) { return use.name == option; });
 }
 
 std::string Maker::input_kind() const { return fmt::format("{} file", input); }
@@ -80,8 +78,7 @@ std::string Maker::input_kind() const { return fmt::format("{} file", input); }
 std::string Maker::schema_name() const { return std::string(format.substr(format.rfind('/') + 1)); }
 
 const Maker* Catalogue::maker(std::string_view name) const {
-  const auto found = std::find_if(makers.begin(), makers.end(),
-                                  [&](const Maker& maker) { return maker.name == name; });
+  const auto found = std::ranges::find(makers, name, &Maker::name);
   return found == makers.end() ? nullptr : &*found;
 }
 

@@ -28,7 +28,7 @@ tl::unexpected<Error> must_be(const Option& option, const std::string& what,
 }
 
 bool is_word_of(const Option& option, const std::string& text) {
-  return std::find(option.words.begin(), option.words.end(), text) != option.words.end();
+  return std::ranges::find(option.words, text) != option.words.end();
 }
 
 std::optional<double> number_within(const Option& option, const std::string& text) {
@@ -165,8 +165,8 @@ Result<void> OptionValues::set_text(const Option& option, const std::string& tex
 }
 
 void OptionValues::set(const Option& option, OptionValue value) {
-  const auto known = std::find_if(values_.begin(), values_.end(),
-                                  [&](const auto& one) { return one.first == &option; });
+  const auto known = std::ranges::find_if(values_,
+                                          [&](const auto& one) { return one.first == &option; });
   if (known == values_.end()) {
     values_.emplace_back(&option, std::move(value));
   } else if (auto* rows = std::get_if<ByBend>(&known->second)) {
@@ -178,7 +178,7 @@ void OptionValues::set(const Option& option, OptionValue value) {
 }
 
 bool OptionValues::given(std::string_view name) const {
-  return std::any_of(values_.begin(), values_.end(), [&](const auto& one) {
+  return std::ranges::any_of(values_, [&](const auto& one) {
     const bool* flag = std::get_if<bool>(&one.second);
     return one.first->name == name && (!flag || *flag);
   });
@@ -235,8 +235,7 @@ Result<void> OptionValues::enter(Request& request) const {
 const Option* option_at(std::string_view where) {
   const std::string_view name = where.substr(0, where.find('/'));
   const auto all = options();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Option& one) { return one.name == name; });
+  const auto found = std::ranges::find(all, name, &Option::name);
   if (found == all.end()) return nullptr;
   // Behind any other name stands a file that happens to be called so.
   const bool has_places = found->kind == OptionKind::by_bend || found->kind == OptionKind::file;

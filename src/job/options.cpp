@@ -484,8 +484,7 @@ const Option& OptionUse::entry() const { return own ? *own : option(name); }
 
 const Option& option(std::string_view name) {
   const auto all = options();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Option& one) { return one.name == name; });
+  const auto found = std::ranges::find(all, name, &Option::name);
   PLANISH_ASSERT(found != all.end());
   return *found;
 }

@@ -1,4 +1,4 @@
-#include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/schema/units.hpp>
@@ -35,13 +35,6 @@ bool stays(char32_t c) {
     if (c >= block.first && c <= block.last) return true;
   }
   return false;
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
 }
 
 }  // namespace

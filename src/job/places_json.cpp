@@ -5,7 +5,6 @@
 
 #include <planish/job/reason.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace planish::job {
@@ -13,18 +12,13 @@ using namespace schema;
 namespace {
 
 Json coordinates_json(const std::vector<double>& at, const Units& units) {
-  Json json = Json::array();
-  for (const double x : at)
-    json.push_back(number_json(units.length(x)));
-  return json;
+  return json_array(at, [&](double x) { return number_json(units.length(x)); });
 }
 
 Json remedy_json(const Remedy& remedy) {
   Json json;
   if (!remedy.option.empty()) {
-    std::string flag = "--" + remedy.option;
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    json["option"] = flag;
+    json["option"] = flag_of(remedy.option);
     json["value"] = remedy.value;
   }
   if (!remedy.change.empty()) json["change"] = remedy.change;
@@ -32,10 +26,7 @@ Json remedy_json(const Remedy& remedy) {
 }
 
 Json points_json(const std::vector<Vec2>& points, const Units& units) {
-  Json json = Json::array();
-  for (const Vec2& p : points)
-    json.push_back(point_json(p, units));
-  return json;
+  return json_array(points, [&](const Vec2& p) { return point_json(p, units); });
 }
 
 /// A place where a rule is broken: what it is about, and the first of its points.
@@ -65,10 +56,7 @@ Json wording_json(const Error& error, const Units& units) {
 /// Of a finding that is no rule's: what it is about, else its points.
 Json about_json(const Finding& finding, const Units& units) {
   if (!finding.about.empty()) return places_json(finding.about, units);
-  Json json = Json::array();
-  for (const Vec2& p : finding.at)
-    json.push_back(place_json(place::point(p), units));
-  return json;
+  return json_array(finding.at, [&](const Vec2& p) { return place_json(place::point(p), units); });
 }
 
 }  // namespace
@@ -84,10 +72,7 @@ Json place_json(const Place& place, const Units& units) {
 }
 
 Json places_json(const std::vector<Place>& places, const Units& units) {
-  Json json = Json::array();
-  for (const Place& place : places)
-    json.push_back(place_json(place, units));
-  return json;
+  return json_array(places, [&](const Place& place) { return place_json(place, units); });
 }
 
 Json numbers_json(const std::vector<NamedQuantity>& numbers) {

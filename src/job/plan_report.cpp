@@ -3,6 +3,7 @@
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
 
@@ -20,10 +21,7 @@ Json id_json(const std::optional<FlangeId>& flange) {
 }
 
 Json lengths_json(const std::vector<double>& lengths, const Units& units) {
-  Json json = Json::array();
-  for (const double length : lengths)
-    json.push_back(number_json(units.length(length)));
-  return json;
+  return json_array(lengths, [&](double length) { return number_json(units.length(length)); });
 }
 
 /// All segments of a tool in one row, and where it begins; the rows where there are several.
@@ -115,24 +113,11 @@ std::string bend_id(const Report& report, BendId bend) {
 }
 
 std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId>& bends) {
-  std::vector<std::string> ids;
-  for (const BendId bend : bends)
-    ids.push_back(bend_id(report, bend));
-  return ids;
+  return mapped(bends, [&](BendId bend) { return bend_id(report, bend); });
 }
 
 std::string_view status_word(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return "optimal";
-    case PlanStatus::feasible:
-      return "feasible";
-    case PlanStatus::infeasible:
-      return "infeasible";
-    case PlanStatus::gave_up:
-      break;
-  }
-  return "gave_up";
+  return word_of(status, {"optimal", "feasible", "infeasible", "gave_up"});
 }
 
 Json stroke_json(const Stroke& stroke, const Report& report) {
@@ -216,12 +201,12 @@ std::string plan_text(const Plan& plan, const Report& report) {
   if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
     return fmt::format("plan: {} ({} examined)\n",
                        plan.status == PlanStatus::infeasible ? "impossible" : "none found",
-                       counted(static_cast<int>(plan.states), "stage")) +
+                       counted(plan.states, "stage")) +
            proposals_text(plan, report);
   return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
-                     counted(static_cast<int>(plan.strokes.size()), "stroke"),
-                     counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
-                     counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units));
+                     counted(plan.strokes.size(), "stroke"), counted(plan.turn_overs, "turn-over"),
+                     counted(plan.rotations, "rotation"), counted(plan.tool_changes, "tool change"),
+                     strokes_text(plan, report, units));
 }
 
 void number_bends(FlatPattern& flat, const Plan& plan) {

@@ -100,10 +100,7 @@ Schema make_plates_schema() {
 }
 
 std::vector<Vec3> polygon_at(const JsonPlace& place) {
-  std::vector<Vec3> corners;
-  for (const JsonPlace& corner : place.items())
-    corners.push_back(corner.point());
-  return corners;
+  return mapped(place.items(), [&](const JsonPlace& corner) { return corner.point(); });
 }
 
 Plate plate_at(const JsonPlace& place) {
@@ -117,8 +114,7 @@ std::vector<Plate> plates_at(const JsonPlace& place) {
   std::vector<Plate> plates;
   for (const JsonPlace& item : place.items()) {
     Plate plate = plate_at(item);
-    const auto same = std::find_if(plates.begin(), plates.end(),
-                                   [&](const Plate& other) { return other.id == plate.id; });
+    const auto same = std::ranges::find(plates, plate.id, &Plate::id);
     if (same != plates.end()) {
       item["id"].mistake(
           refuse::same_plate_id,
@@ -131,9 +127,7 @@ std::vector<Plate> plates_at(const JsonPlace& place) {
 }
 
 std::vector<std::string> ids_at(const JsonPlace& place) {
-  std::vector<std::string> ids;
-  for (const JsonPlace& item : place.items())
-    ids.push_back(item.text());
+  auto ids = mapped(place.items(), [&](const JsonPlace& item) { return item.text(); });
   if (ids.size() > 2) {
     place.mistake(refuse::many_plates_of_bend, {{"count", ids.size()}});
   } else if (ids.size() == 2 && ids[0] == ids[1]) {
@@ -146,7 +140,7 @@ std::vector<int> edges_at(const JsonPlace& place) {
   std::vector<int> edges;
   for (const JsonPlace& item : place.items()) {
     const int edge = item.whole();
-    if (std::find(edges.begin(), edges.end(), edge) != edges.end())
+    if (std::ranges::find(edges, edge) != edges.end())
       item.mistake(refuse::edge_listed_twice, {{"edge", edge}});
     edges.push_back(edge);
   }
@@ -155,7 +149,7 @@ std::vector<int> edges_at(const JsonPlace& place) {
 
 void read_edges(BendRequest& bend, const JsonPlace& place) {
   for (const auto& [id, list] : place.members()) {
-    const auto side = std::find(bend.between.begin(), bend.between.end(), id);
+    const auto side = std::ranges::find(bend.between, id);
     if (side == bend.between.end()) {
       list.mistake(
           refuse::not_of_this_bend,

@@ -33,10 +33,9 @@ std::vector<Vec2> corners_of(const std::vector<Curve2>& loop, double chord) {
 std::vector<Vec3> in_the_middle(const Sheet& sheet, const Face& face,
                                 const std::vector<Vec2>& polygon) {
   const double middle = sheet.reference_depth - 0.5 * sheet.thickness;
-  std::vector<Vec3> corners;
-  for (const Vec2& uv : polygon)
-    corners.push_back(skin_point(face, uv) + middle * outward_normal(face, uv));
-  return corners;
+  return mapped(polygon, [&](const Vec2& uv) -> Vec3 {
+    return skin_point(face, uv) + middle * outward_normal(face, uv);
+  });
 }
 
 std::vector<Vec3> polygon_of(const Sheet& sheet, FaceId face, int loop, const ToFoldLines& folds,
@@ -50,9 +49,7 @@ std::vector<Vec3> polygon_of(const Sheet& sheet, FaceId face, int loop, const To
 
 std::vector<Vec3> pilot_of(const Sheet& sheet, FaceId face, const FormedOpening& opening,
                            double chord) {
-  std::vector<Curve2> curves;
-  for (const Border& border : opening.pilot)
-    curves.push_back(border.curve);
+  const auto curves = mapped(opening.pilot, &Border::curve);
   return in_the_middle(sheet, sheet[face], corners_of(curves, chord));
 }
 
@@ -110,10 +107,9 @@ double rounded(double value) {
 }
 
 Json corners_json(const std::vector<Vec3>& polygon) {
-  Json corners = Json::array();
-  for (const Vec3& p : polygon)
-    corners.push_back({rounded(p.x()), rounded(p.y()), rounded(p.z())});
-  return corners;
+  return json_array(polygon, [&](const Vec3& p) {
+    return Json::array({rounded(p.x()), rounded(p.y()), rounded(p.z())});
+  });
 }
 
 }  // namespace

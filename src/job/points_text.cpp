@@ -59,7 +59,7 @@ Result<std::vector<Vec3>> parse_points(const std::string& text, const std::strin
     std::string with_points;
     if (has_decimal_commas(line)) {
       with_points = line;
-      std::replace(with_points.begin(), with_points.end(), ',', '.');
+      std::ranges::replace(with_points, ',', '.');
       line = with_points;
     }
     Vec3 p;

@@ -3,6 +3,7 @@
 #include "plan_report.hpp"
 #include "report_schema.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/schema/json_parts.hpp>
 
 #include <fmt/format.h>
@@ -15,23 +16,8 @@ namespace {
 using Kind = Proposal::Kind;
 
 std::string_view kind_word(Kind kind) {
-  switch (kind) {
-    case Kind::smaller_v:
-      return "smaller_v";
-    case Kind::punch:
-      return "punch";
-    case Kind::taller_punches:
-      return "taller_punches";
-    case Kind::shorter_flange:
-      return "shorter_flange";
-    case Kind::swap:
-      return "swap";
-    case Kind::any_order:
-      return "any_order";
-    case Kind::split:
-      break;
-  }
-  return "split";
+  return word_of(kind, {"smaller_v", "punch", "taller_punches", "shorter_flange", "swap",
+                        "any_order", "split"});
 }
 
 std::string flange_name(const Proposal& proposal) {

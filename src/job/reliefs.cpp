@@ -5,7 +5,6 @@
 
 #include <planish/inspect/missing_relief.hpp>
 #include <planish/schema/units.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/sheet/cutout.hpp>
 #include <planish/sheet/one_piece.hpp>
 
@@ -29,10 +28,8 @@ double largest_radius(const FlatPattern& pattern) {
 
 /// The parts that cover each other, each where they do.
 Facts parts_of(const DoubleCover& cover) {
-  Facts facts;
-  for (const Place& part : cover.parts)
-    facts.emplace_back("part", place::at(part, cover.middle));
-  return facts;
+  return mapped(cover.parts,
+                [&](const Place& part) { return Fact("part", place::at(part, cover.middle)); });
 }
 
 /// Whether a place is small enough that a shop would mend it without asking: a corner, and not a
@@ -86,9 +83,9 @@ constexpr double kMeets = 10.0 * kDrawnOnce;
 /// Whether the cutout has parted what was one piece, across slits that have no width.
 bool parts(const FlatPattern& before, const FlatPattern& after, const Cutout& cutout) {
   const auto ends_here = [&](const Vec2& p) { return std::abs(cutout.distance(p)) <= kMeets; };
-  int ends = 0;
-  for (const Curve2& slit : after.slits)
-    ends += ends_here(start_of(slit)) + ends_here(end_of(slit));
+  const int ends = sum_of(after.slits, [&](const Curve2& slit) {
+    return ends_here(start_of(slit)) + ends_here(end_of(slit));
+  });
   const bool apart = after.openings.size() == before.openings.size() + 1;  // from all contours
   if (ends == 0 || (ends == 1 && apart)) return false;
   return !is_one_piece(after, kMeets) && is_one_piece(before, kMeets);
@@ -166,7 +163,7 @@ Cutout cutout_beside(const MissingRelief& place, double web, double thickness, R
   cutout.along = place.beyond;
   cutout.half = {half, (top - bottom) / 2};
   cutout.corner_radius = radius;
-  const Vec2 across(-place.beyond.y(), place.beyond.x());
+  const Vec2 across = perpendicular(place.beyond);
   if (!place.on_both_sides) cutout.sharp_corner = across.dot(place.into_flange) > 0.0 ? 2 : 1;
   return cutout;
 }
@@ -189,7 +186,7 @@ struct PlacedRelief {
 
 /// Whether one of them is at the same end of the same bend.
 bool is_among(const std::vector<MissingRelief>& places, const MissingRelief& place) {
-  return std::any_of(places.begin(), places.end(), [&](const MissingRelief& other) {
+  return std::ranges::any_of(places, [&](const MissingRelief& other) {
     return other.bend == place.bend && other.beyond.dot(place.beyond) > 0.0;
   });
 }
@@ -209,8 +206,7 @@ std::vector<PlacedRelief> cut_missing(Relieved& relieved, const Sheet& sheet, co
       going_on = true;
       const Cutout wanted = cutout_beside(place, place.web, relieved.pattern.thickness, shape);
       const Box2 box = bounds(wanted.outline());
-      if (std::any_of(cut_now.begin(), cut_now.end(),
-                      [&](const Box2& other) { return other.overlaps(box); }))
+      if (std::ranges::any_of(cut_now, [&](const Box2& other) { return other.overlaps(box); }))
         continue;
       tried.push_back(place);
       if (const auto cutout = cut_at(relieved, area, place, shape)) {
@@ -223,9 +219,7 @@ std::vector<PlacedRelief> cut_missing(Relieved& relieved, const Sheet& sheet, co
 }
 
 Finding cut_beside(const std::vector<PlacedRelief>& reliefs, Relief shape) {
-  std::vector<Vec2> at;
-  for (const PlacedRelief& relief : reliefs)
-    at.push_back(relief.place.corner);
+  auto at = mapped(reliefs, [&](const PlacedRelief& relief) { return relief.place.corner; });
   const Vec2 size = 2 * reliefs.front().cutout.half;
   const int count = static_cast<int>(reliefs.size());
   Facts facts{{"shape", name_of(shape)},
@@ -249,9 +243,8 @@ void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const SheetArea& a
   std::vector<PlacedRelief> reliefs = cut_missing(with, sheet, area, shape, rules, {});
   std::vector<MissingRelief> useless = missing_reliefs(sheet, with.pattern, rules);
   std::erase_if(useless, [&](const MissingRelief& place) {
-    return std::none_of(reliefs.begin(), reliefs.end(), [&](const PlacedRelief& relief) {
-      return is_among({relief.place}, place);
-    });
+    return std::ranges::none_of(
+        reliefs, [&](const PlacedRelief& relief) { return is_among({relief.place}, place); });
   });
   if (!useless.empty()) {
     with = relieved;

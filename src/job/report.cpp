@@ -5,8 +5,8 @@
 namespace planish::job {
 
 bool Report::has_warnings() const {
-  return std::any_of(findings.begin(), findings.end(),
-                     [](const Finding& finding) { return finding.severity != Severity::info; });
+  return std::ranges::any_of(
+      findings, [](const Finding& finding) { return finding.severity != Severity::info; });
 }
 
 Status Report::status() const {

@@ -8,6 +8,7 @@
 #include <planish/job/unfold.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/units.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 namespace planish::job {
 using namespace schema;

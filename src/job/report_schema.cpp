@@ -66,7 +66,7 @@ Schema verification_schema() {
 
 void append(std::vector<Field>& all, std::vector<Field> more) {
   for (Field& field : more)
-    if (std::none_of(all.begin(), all.end(), [&](const Field& f) { return f.key == field.key; }))
+    if (std::ranges::none_of(all, [&](const Field& f) { return f.key == field.key; }))
       all.push_back(std::move(field));
 }
 

@@ -4,10 +4,12 @@
 #include "plan_report.hpp"
 #include "report_json.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/unfold.hpp>
 #include <planish/schema/printable.hpp>
 #include <planish/schema/table.hpp>
 #include <planish/schema/units.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 
@@ -47,7 +49,7 @@ std::string blank_line(const Report& report, const Units& units) {
       units.area_text(flat.area), unit, units.length_text(outer_cutting_length(flat)), unit);
   if (!flat.openings.empty()) {
     text += fmt::format(" + {} {} in {}", units.length_text(inner_cutting_length(flat)), unit,
-                        counted(static_cast<int>(flat.openings.size()), "opening"));
+                        counted(flat.openings.size(), "opening"));
   }
   return text + "\n";
 }

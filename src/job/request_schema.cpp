@@ -73,10 +73,7 @@ Schema input_schema() {
 }
 
 std::vector<std::string_view> artifact_names(const Catalogue& catalogue) {
-  std::vector<std::string_view> names;
-  for (const Artifact& artifact : catalogue.artifacts)
-    names.push_back(artifact.name);
-  return names;
+  return mapped(catalogue.artifacts, &Artifact::name);
 }
 
 Schema effort_schema() {
@@ -87,9 +84,7 @@ Schema sheets_schema() { return flag().said("of info: the sheet in each body, or
 
 /// All shared options, and the own ones of makers.
 std::vector<const Option*> entries(std::span<const Maker> makers) {
-  std::vector<const Option*> all;
-  for (const Option& option : options())
-    all.push_back(&option);
+  auto all = mapped(options(), [&](const Option& option) { return &option; });
   for (const Maker& maker : makers)
     for (const OptionUse& use : maker.options)
       if (use.own) all.push_back(use.own);
@@ -145,9 +140,7 @@ Schema options_schema(OptionFiles files, const Maker& maker) {
 }
 
 Schema request_schema(const Catalogue& catalogue) {
-  std::vector<std::string_view> names;
-  for (const Maker& maker : catalogue.makers)
-    names.push_back(maker.name);
+  auto names = mapped(catalogue.makers, &Maker::name);
   names.insert(names.end(), {kBend, kInfo});
   std::vector<Field> fields = header_fields("planish/request", 1);
   fields.push_back(required("maker", words(names).said("or bend or info, which are none")));

@@ -4,8 +4,6 @@
 #include <planish/job/run.hpp>
 #include <planish/schema/schema.hpp>
 
-#include <vector>
-
 namespace planish::job {
 
 /// An object with the options that several makers share and this one's own; null is the same as

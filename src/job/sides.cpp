@@ -3,7 +3,6 @@
 #include "refusals.hpp"
 
 #include <planish/schema/schema.hpp>
-#include <planish/sheet/codes.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +34,7 @@ std::vector<int> numbers(const Sheet& sheet, const FaceTest& wanted) {
   for (const Face& face : sheet.faces) {
     if (face.source_face && wanted(face)) found.push_back(*face.source_face);
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }

@@ -5,8 +5,6 @@
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/sheet/sheet.hpp>
 
-#include <optional>
-
 namespace planish::job {
 
 /// Options for `flatten`, from the words and face numbers of a request. Errors: `no_such_face` (the

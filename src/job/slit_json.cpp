@@ -197,10 +197,7 @@ SlitStrip strip_at(const JsonPlace& place) {
 std::vector<SlitStrip> strips_at(const JsonPlace& sheet) {
   if (!sheet["strips"].is_list())
     return equal_strips(sheet["strips"].whole(), sheet["strip_width"].length());
-  std::vector<SlitStrip> strips;
-  for (const JsonPlace& strip : sheet["strips"].items())
-    strips.push_back(strip_at(strip));
-  return strips;
+  return mapped(sheet["strips"].items(), [&](const JsonPlace& strip) { return strip_at(strip); });
 }
 
 SlitSheet sheet_at(const JsonPlace& place) {

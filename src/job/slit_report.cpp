@@ -3,6 +3,7 @@
 #include "report_schema.hpp"
 #include "report_text.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/slit.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
@@ -17,15 +18,7 @@ using namespace schema;
 namespace {
 
 std::string_view status_word(StripStatus status) {
-  switch (status) {
-    case StripStatus::open:
-      return "open";
-    case StripStatus::solved:
-      return "solved";
-    case StripStatus::out_of_reach:
-      break;
-  }
-  return "out_of_reach";
+  return word_of(status, {"open", "solved", "out_of_reach"});
 }
 
 Json ridge_json(const SlitRidge& ridge, const Units& units) {

@@ -1,12 +1,14 @@
 #include "facts.hpp"
 #include "report_json.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/unfold.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/printable.hpp>
 #include <planish/schema/table.hpp>
 #include <planish/schema/units.hpp>
 #include <planish/sheet/csv.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,15 +20,15 @@ using namespace schema;
 namespace {
 
 int unfolded(const std::vector<UnfoldReport>& reports) {
-  return static_cast<int>(std::count_if(reports.begin(), reports.end(),
-                                        [](const auto& report) { return report.has_pattern(); }));
+  return static_cast<int>(
+      std::ranges::count_if(reports, [](const auto& report) { return report.has_pattern(); }));
 }
 
 // Of all bodies together: refused only if no body has a pattern.
 Status status_of(const std::vector<UnfoldReport>& reports) {
   if (unfolded(reports) == 0) return Status::refused;
-  const bool clean = std::all_of(reports.begin(), reports.end(),
-                                 [](const auto& report) { return report.status() == Status::ok; });
+  const bool clean = std::ranges::all_of(
+      reports, [](const auto& report) { return report.status() == Status::ok; });
   return clean ? Status::ok : Status::warning;
 }
 
@@ -35,10 +37,7 @@ LengthUnit unit_of(const std::vector<UnfoldReport>& reports) {
 }
 
 int pieces(const std::vector<UnfoldReport>& reports) {
-  int sum = 0;
-  for (const UnfoldReport& report : reports)
-    sum += report.quantity;
-  return sum;
+  return sum_of(reports, &UnfoldReport::quantity);
 }
 
 std::string plain(double value) {
@@ -73,8 +72,8 @@ Cells fields(const UnfoldReport& report) {
   add(certified, plain(or_nan(report.certificate.volume_ratio)));
   add(certified, plain(units.length(report.certificate.length_error)));
   add(certified, plain(units.length(or_nan(report.certificate.refold_deviation))));
-  const auto warnings = std::count_if(report.findings.begin(), report.findings.end(),
-                                      [](const auto& f) { return f.severity != Severity::info; });
+  const auto warnings = std::ranges::count_if(
+      report.findings, [](const auto& f) { return f.severity != Severity::info; });
   cells.push_back(fmt::format("{}", warnings));
   cells.push_back(fmt::format("{}", fmt::join(report.files, ";")));
   return cells;

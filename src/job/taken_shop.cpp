@@ -2,6 +2,8 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,11 +11,6 @@
 namespace planish::job {
 using namespace shop;
 namespace {
-
-bool same_word(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::ranges::equal(a, b, {}, lower, lower);
-}
 
 void choose_material(Request& to, int material) {
   to.shop->material = material;
@@ -40,8 +37,9 @@ void take_shop(Request& to, Shop shop) {
 
 bool take_material(Request& to, const std::string& name) {
   const auto& materials = to.shop->shop.materials;
-  const auto found = std::ranges::find_if(
-      materials, [&](const ShopMaterial& material) { return same_word(material.name, name); });
+  const auto found = std::ranges::find_if(materials, [&](const ShopMaterial& material) {
+    return lower_case(material.name) == lower_case(name);
+  });
   if (found == materials.end()) return false;
   choose_material(to, static_cast<int>(found - materials.begin()));
   return true;

@@ -76,10 +76,7 @@ Schema make_transition_schema() {
 }
 
 std::vector<Vec2> plane_points_at(const JsonPlace& place) {
-  std::vector<Vec2> points;
-  for (const JsonPlace& item : place.items())
-    points.push_back(item.plane_point());
-  return points;
+  return mapped(place.items(), [&](const JsonPlace& item) { return item.plane_point(); });
 }
 
 Frame frame_at(const JsonPlace& place) {

@@ -7,6 +7,7 @@
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
 #include <planish/schema/units.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 

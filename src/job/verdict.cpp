@@ -4,15 +4,14 @@
 #include "refusals.hpp"
 #include "sentences.hpp"
 
-#include <planish/schema/units.hpp>
 #include <planish/sheet/codes.hpp>
+#include <planish/sheet/pattern_facts.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace planish::job {
 namespace {
@@ -119,9 +118,8 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
   std::vector<Finding> found;
   if (auto doubt = opening_doubt(certificate.openings)) found.push_back(std::move(*doubt));
   // A good explained ratio means that mitred corners or slanted cuts account for the difference.
-  const bool unformed = std::all_of(
-      flat.features.begin(), flat.features.end(),
-      [](const FlatFeature& feature) { return feature.kind == kSlantedCut; });
+  const bool unformed = std::ranges::all_of(
+      flat.features, [](const FlatFeature& feature) { return feature.kind == kSlantedCut; });
   const bool explained = unformed &&
                          !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
   if (solid_volume > 0.0 && !explained &&

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <planish/job/report.hpp>
-#include <planish/sheet/pattern_facts.hpp>
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "hulls.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace planish::nest_detail {

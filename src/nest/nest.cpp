@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -204,9 +202,7 @@ Sheets members(const Sheets& laid, const std::vector<Block>& blocks) {
 
 /// Whether each copy is there, and no outline covers another: libnest2d is not trusted.
 Result<void> verified(const Sheets& sheets, const Job& job) {
-  std::vector<int> missing;
-  for (const Shape& shape : job.shapes)
-    missing.push_back(shape.count);
+  auto missing = mapped(job.shapes, &Shape::count);
   for (const std::vector<Position>& sheet : sheets) {
     std::vector<Polygon> outlines;
     for (const Position& position : sheet) {
@@ -236,9 +232,7 @@ Result<Nesting> nest(const std::vector<NestPart>& parts, const NestOptions& opti
   const Room room{in_units(size.length - 2.0 * size.inset) + 2 * kEase,
                   in_units(size.width - 2.0 * size.inset) + 2 * kEase, options.grain};
   const std::vector<Block> blocks = blocks_of(job.shapes, room, progress);
-  std::vector<Shape> shapes;
-  for (const Block& block : blocks)
-    shapes.push_back(block.shape);
+  const auto shapes = mapped(blocks, &Block::shape);
   const Sheets sheets = members(lay_out(shapes, room, progress), blocks);
   if (progress.should_stop()) return fail(refuse::cancelled);
   if (auto good = verified(sheets, job); !good) return pass_on(good);

@@ -1,5 +1,7 @@
 #include "nester.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -197,10 +199,8 @@ bool overlap(const Item& a, const Item& b) {
   Paths common;
   clipper.Execute(ClipperLib::ctIntersection, common, ClipperLib::pftNonZero,
                   ClipperLib::pftNonZero);
-  double area = 0.0;
-  for (const Path& path : common)
-    area += std::abs(ClipperLib::Area(path));
-  return area > kSeam * static_cast<double>(high.X - low.X + high.Y - low.Y);
+  return sum_of(common, [&](const Path& path) { return std::abs(ClipperLib::Area(path)); }) >
+         kSeam * static_cast<double>(high.X - low.X + high.Y - low.Y);
 }
 
 constexpr double kNoPlace = std::numeric_limits<double>::max();

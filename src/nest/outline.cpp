@@ -1,6 +1,7 @@
 #include "outline.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/id_vector.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -60,9 +61,8 @@ Ring simplified(const Ring& ring, double tolerance) {
 }
 
 Path path_of(const Ring& ring) {
-  Path path;
-  for (const Vec2& p : ring)
-    path.emplace_back(in_units(p.x()), in_units(p.y()));
+  Path path = mapped(ring,
+                     [&](const Vec2& p) { return IntPoint(in_units(p.x()), in_units(p.y())); });
   if (!ClipperLib::Orientation(path)) ClipperLib::ReversePath(path);
   return path;
 }
@@ -135,9 +135,7 @@ cInt in_units(double mm) { return std::llround(mm / kUnit); }
 Path outline_around(const Loop& contour, double reach) {
   const Box2 box = bounds(contour);
   if (!has_curves(contour) && contour.size() <= kMostCorners) {
-    Ring ring;
-    for (const Curve2& curve : contour)
-      ring.push_back(start_of(curve));
+    Ring ring = mapped(contour, [&](const Curve2& curve) { return start_of(curve); });
     const Path outline = cleaned(
         reach > 0.0 ? common(grown(path_of(ring), reach), limits_of(box, reach)) : path_of(ring));
     if (outline.size() <= kMostCorners) return outline;

@@ -4,10 +4,7 @@
 
 namespace planish::pack {
 
-std::string csv_number(double value) {
-  const std::string text = trimmed_number(value, 3);
-  return text == "-0" ? "0" : text;
-}
+std::string csv_number(double value) { return trimmed_number(value, 3); }
 
 std::string csv_number(const std::optional<double>& value) {
   return value ? csv_number(*value) : std::string();

@@ -14,8 +14,6 @@
 namespace planish::pack {
 namespace {
 
-int whole(std::size_t n) { return static_cast<int>(n); }
-
 /// A length as drawings have it.
 std::string size_of(const PackPart& part, double mm) {
   constexpr int kMetric = 2, kFiner = 4;  // decimals
@@ -59,13 +57,13 @@ std::string origin_of(const PackPart& part) {
 
 drawing::ListedPart listed(const PackPart& part, const std::string& currency) {
   std::string work = fmt::format("blank {}, {}", blank_of(part),
-                                 counted(whole(part.flat.bends.size()), "bend"));
+                                 counted(part.flat.bends.size(), "bend"));
   if (part.mass) work += fmt::format(", {:.3g} kg", *part.mass);
   if (part.cost) work += fmt::format(", {:.2f} {}", *part.cost, currency);
   const bool alert = !part.warnings.empty();
   return {.name = part.stem,
           .work = work,
-          .state = alert ? part.plan + "; " + counted(whole(part.warnings.size()), "warning")
+          .state = alert ? part.plan + "; " + counted(part.warnings.size(), "warning")
                          : part.plan,
           .quantity = part.quantity,
           .flat = &part.flat,
@@ -78,7 +76,7 @@ std::string sums_of(const std::string& what, const Totals& totals, const std::st
   std::string text = fmt::format(
       "{}: {}, {}, {:.4g} m to cut, {}, {}", what, counted(totals.parts, "part"),
       counted(totals.quantity, "piece"), totals.cut_length / kMetre,
-      counted(whole(totals.pierces), "pierce"), counted(whole(totals.bends), "bend"));
+      counted(totals.pierces, "pierce"), counted(totals.bends, "bend"));
   if (totals.mass && *totals.mass > 0.0) text += fmt::format(", {:.4g} kg", *totals.mass);
   if (totals.cost) text += fmt::format(", {:.2f} {}", *totals.cost, currency);
   return text;
@@ -100,7 +98,7 @@ drawing::ListedLines sheets_of(const StockSheets& stock) {
   drawing::ListedLines section{{"Sheets"}, {}};
   for (const StockSheet& sheet : stock.sheets)
     section.lines.push_back({fmt::format("{}: {}, {:.1f} % used", sheet.stem,
-                                         counted(whole(sheet.nested.placed.size()), "piece"),
+                                         counted(sheet.nested.placed.size(), "piece"),
                                          100.0 * sheet.nested.use)});
   for (const std::string& note : stock.notes)
     section.lines.push_back({note, true});

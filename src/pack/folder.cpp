@@ -1,13 +1,11 @@
 #include "folder.hpp"
 
-#include "refusals.hpp"
-
 #include <planish/io/flat_writers.hpp>
 #include <planish/schema/text_file.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -44,8 +42,7 @@ Result<void> Folder::add(const std::string& name, const std::string& bytes) {
   const fs::path target = out_ / name;
   if (auto made = make_folder(target.parent_path()); !made) return made;
   if (known_.insert(name).second) record_ << name << '\n' << std::flush;
-  if (!record_)
-    return fail(refuse::pack_unwritten, {{"file", record_file().string()}}, record_file().string());
+  if (!record_) return cannot_write(record_file(), std::strerror(errno));
   if (auto written = write_file(target, bytes); !written) return written;
   files_.emplace_back(name);
   return {};

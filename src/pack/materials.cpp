@@ -2,13 +2,13 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/options.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace planish::pack {
 namespace {
@@ -46,12 +46,6 @@ bool is_colour(const std::string& text) {
 }
 
 }  // namespace
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool fits(const std::string& pattern, const std::string& name) {
   const std::string wanted = lower_case(pattern), given = lower_case(name);

@@ -37,9 +37,6 @@ class Materials {
   std::vector<Row> rows_;
 };
 
-/// ASCII letters alone.
-std::string lower_case(std::string text);
-
 /// Whether a name is like a pattern, in any case of ASCII letters.
 bool fits(const std::string& pattern, const std::string& name);
 

@@ -16,9 +16,8 @@ std::string money(const std::optional<double>& value) {
 }
 
 std::vector<std::string> cells_of(const PackPart& part) {
-  std::vector<std::string> sources;
-  for (const PartSource& source : part.sources)
-    sources.push_back(source_text(source));
+  const auto sources = mapped(part.sources,
+                              [&](const PartSource& source) { return source_text(source); });
   return {part.stem,
           part.name,
           part.material,

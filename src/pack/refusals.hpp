@@ -21,7 +21,6 @@ constexpr Refusal bad_density{
 
 // Parts and files.
 constexpr Refusal piece_unread{code::cannot_read, "{folder}: {reason}", "Run the batch again."};
-constexpr Refusal pack_unwritten{code::cannot_write, "Cannot write {file}."};
 constexpr Refusal zip_too_large{
     code::cannot_write, "The pack is too large for one zip file, which holds 4 GB and 65535 files.",
     "Leave out --zip."};

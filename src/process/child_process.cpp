@@ -1,12 +1,12 @@
 #include "messages.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -17,12 +17,6 @@ namespace planish::process {
 namespace {
 
 using Cause = ChildEnd::Cause;
-
-std::string small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// "assertion failed: …" of what a child said as it ended; empty where it says nothing of the kind.
 std::string assertion_in(const std::string& said) {
@@ -44,7 +38,7 @@ ChildEnd end_of(const siginfo_t& info, const std::string& said) {
   end.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP;
   // Mostly it is the system that ends it so, where its own memory runs short.
   if (signal == SIGKILL) end.cause = Cause::out_of_memory;
-  end.reason = small_letters(strsignal(signal));
+  end.reason = lower_case(strsignal(signal));
   return end;
 }
 

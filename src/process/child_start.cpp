@@ -2,6 +2,8 @@
 #include "lasting_thread.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -110,9 +112,7 @@ class SpawnPlan {
 
   /// 0, or the reason why not.
   int spawn(pid_t& process, std::vector<std::string> words) const {
-    std::vector<char*> arguments;
-    for (std::string& word : words)
-      arguments.push_back(word.data());
+    auto arguments = mapped(words, [&](std::string& word) { return word.data(); });
     arguments.push_back(nullptr);
     return posix_spawn(&process, "/proc/self/exe", &actions_, &attributes_, arguments.data(),
                        environ);

@@ -8,10 +8,19 @@
 namespace planish::schema {
 namespace {
 
-Schema of_kind(Schema::Kind kind, std::string said_as = {}) {
+using Kind = Schema::Kind;
+
+Schema of_kind(Kind kind, std::string said_as = {}, std::vector<Schema> parts = {}) {
   Schema schema;
   schema.kind = kind;
   schema.words = std::move(said_as);
+  schema.parts = std::move(parts);
+  return schema;
+}
+
+Schema with_fields(Kind kind, std::vector<Field> fields) {
+  Schema schema = of_kind(kind, "an object");
+  schema.fields = std::move(fields);
   return schema;
 }
 
@@ -50,8 +59,7 @@ Schema Schema::of_length(std::size_t fewest, std::size_t longest, std::string sa
 }
 
 const Field* Schema::field(std::string_view name) const {
-  const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&](const Field& field) { return field.key == name; });
+  const auto found = std::ranges::find(fields, name, &Field::key);
   return found == fields.end() ? nullptr : &*found;
 }
 
@@ -59,7 +67,7 @@ Field required(std::string key, Schema value) { return {std::move(key), std::mov
 Field optional(std::string key, Schema value) { return {std::move(key), std::move(value), false}; }
 
 Schema number(const Range& range) {
-  Schema schema = of_kind(Schema::Kind::number, std::string(range.words));
+  Schema schema = of_kind(Kind::number, std::string(range.words));
   schema.range = range;
   return schema;
 }
@@ -70,7 +78,7 @@ Schema volume() { return measured(number(), Quantity::volume); }
 Schema angle(const Range& range) { return measured(number(range), Quantity::angle); }
 
 Schema whole(int least, int most) {
-  Schema schema = of_kind(Schema::Kind::whole);
+  Schema schema = of_kind(Kind::whole);
   schema.range = {"", static_cast<double>(least), static_cast<double>(most)};
   schema.words = most == std::numeric_limits<int>::max()
                      ? fmt::format("a whole number of at least {}", least)
@@ -78,74 +86,52 @@ Schema whole(int least, int most) {
   return schema;
 }
 
-Schema text() { return of_kind(Schema::Kind::text, "a text that is not empty"); }
+Schema text() { return of_kind(Kind::text, "a text that is not empty"); }
 
 Schema any_text() {
-  Schema schema = of_kind(Schema::Kind::text, "a text");
+  Schema schema = of_kind(Kind::text, "a text");
   schema.may_be_empty = true;
   return schema;
 }
 
-Schema flag() { return of_kind(Schema::Kind::flag, "true or false"); }
+Schema flag() { return of_kind(Kind::flag, "true or false"); }
 
 Schema words(const std::vector<std::string_view>& words) {
-  Schema schema = of_kind(Schema::Kind::value, fmt::format("one of {}", fmt::join(words, ", ")));
+  Schema schema = of_kind(Kind::value, fmt::format("one of {}", fmt::join(words, ", ")));
   for (const std::string_view word : words)
     schema.values.emplace_back(std::string(word));
   return schema;
 }
 
 Schema values(std::vector<Json> values, std::string said_as) {
-  Schema schema = of_kind(Schema::Kind::value, std::move(said_as));
+  Schema schema = of_kind(Kind::value, std::move(said_as));
   schema.values = std::move(values);
   return schema;
 }
 
-Schema list(Schema item) {
-  Schema schema = of_kind(Schema::Kind::list, "a list");
-  schema.parts.push_back(std::move(item));
-  return schema;
-}
+Schema list(Schema item) { return of_kind(Kind::list, "a list", {std::move(item)}); }
 
 Schema tuple(std::size_t count, Schema item, std::string said_as) {
-  Schema schema = of_kind(Schema::Kind::tuple, std::move(said_as));
+  Schema schema = of_kind(Kind::tuple, std::move(said_as), {std::move(item)});
   schema.count = count;
-  schema.parts.push_back(std::move(item));
   return schema;
 }
 
-Schema object(std::vector<Field> fields) {
-  Schema schema = of_kind(Schema::Kind::object, "an object");
-  schema.fields = std::move(fields);
-  return schema;
-}
-
-Schema one_key(std::vector<Field> fields) {
-  Schema schema = of_kind(Schema::Kind::one_key, "an object");
-  schema.fields = std::move(fields);
-  return schema;
-}
-
-Schema map(Schema value) {
-  Schema schema = of_kind(Schema::Kind::map, "an object");
-  schema.parts.push_back(std::move(value));
-  return schema;
-}
+Schema object(std::vector<Field> fields) { return with_fields(Kind::object, std::move(fields)); }
+Schema one_key(std::vector<Field> fields) { return with_fields(Kind::one_key, std::move(fields)); }
+Schema map(Schema value) { return of_kind(Kind::map, "an object", {std::move(value)}); }
 
 Schema by_key(std::string key, Schema with, Schema without) {
-  Schema schema = of_kind(Schema::Kind::by_key, "an object");
+  Schema schema = of_kind(Kind::by_key, "an object", {std::move(with), std::move(without)});
   schema.key = std::move(key);
-  schema.parts = {std::move(with), std::move(without)};
   return schema;
 }
 
 Schema any_of(std::vector<Schema> parts, std::string said_as) {
-  Schema schema = of_kind(Schema::Kind::any_of, std::move(said_as));
-  schema.parts = std::move(parts);
-  return schema;
+  return of_kind(Kind::any_of, std::move(said_as), std::move(parts));
 }
 
-Schema anything() { return of_kind(Schema::Kind::anything, "anything"); }
+Schema anything() { return of_kind(Kind::anything, "anything"); }
 
 Schema space_point(const Range& each) { return tuple(3, length(each), "a point [x, y, z]"); }
 Schema space_direction() { return tuple(3, number(), "a direction [x, y, z]"); }

@@ -34,8 +34,8 @@ bool is_of_type(const Schema& schema, const Json& value) {
     case Kind::flag:
       return value.is_boolean();
     case Kind::value:
-      return std::any_of(schema.values.begin(), schema.values.end(),
-                         [&](const Json& one) { return same_type(one, value); });
+      return std::ranges::any_of(schema.values,
+                                 [&](const Json& one) { return same_type(one, value); });
     case Kind::list:
     case Kind::tuple:
       return value.is_array();
@@ -45,8 +45,8 @@ bool is_of_type(const Schema& schema, const Json& value) {
     case Kind::by_key:
       return value.is_object();
     case Kind::any_of:
-      return std::any_of(schema.parts.begin(), schema.parts.end(),
-                         [&](const Schema& part) { return is_of_type(part, value); });
+      return std::ranges::any_of(schema.parts,
+                                 [&](const Schema& part) { return is_of_type(part, value); });
     case Kind::null:
       break;
   }
@@ -71,8 +71,7 @@ class Check {
       case Kind::null:
         return is_of_type(*branch, value) || must_be(*branch, value);
       case Kind::value:
-        return std::count(branch->values.begin(), branch->values.end(), value) > 0 ||
-               must_be(*branch, value);
+        return std::ranges::count(branch->values, value) > 0 || must_be(*branch, value);
       case Kind::list:
       case Kind::tuple:
         return list_passes(*branch, value);
@@ -195,19 +194,6 @@ std::optional<Mistake> first_mistake(const Schema& schema, const Json& document,
   Check check(millimetres);
   check.passes(schema, document);
   return check.mistake();
-}
-
-std::string escaped_token(const std::string& key) {
-  std::string text;
-  for (const char c : key) {
-    if (c == '~')
-      text += "~0";
-    else if (c == '/')
-      text += "~1";
-    else
-      text += c;
-  }
-  return text;
 }
 
 std::string shown(const Json& value) {

@@ -1,3 +1,4 @@
+#include <planish/base/text.hpp>
 #include <planish/schema/schema.hpp>
 
 #include <cmath>
@@ -9,20 +10,8 @@ using Kind = Schema::Kind;
 
 Json schema_value(const Schema& schema);
 
-const char* quantity_name(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::length:
-      return "length";
-    case Quantity::area:
-      return "area";
-    case Quantity::volume:
-      return "volume";
-    case Quantity::angle:
-      return "degrees";
-    case Quantity::plain:
-      break;
-  }
-  return "";
+std::string_view quantity_name(Quantity quantity) {
+  return word_of(quantity, {"", "length", "area", "volume", "degrees"});
 }
 
 Json limit_json(double limit) {

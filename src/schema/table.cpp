@@ -16,7 +16,7 @@ std::string padded(const std::string& cell, std::size_t width, Table::Align alig
 }  // namespace
 
 std::size_t display_width(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u;  // not a continuation byte
   }));
 }

@@ -24,13 +24,16 @@ std::string all_of(std::istream& stream) {
 
 }  // namespace
 
+Error cannot_read(const std::string& what, const std::filesystem::path& file,
+                  const std::string& reason) {
+  return error_of(refuse::cannot_read,
+                  {{"what", what}, {"file", file.string()}, {"reason", reason}}, file.string());
+}
+
 Result<std::string> read_text(const std::filesystem::path& name, const std::string& what) {
   if (name == "-") return all_of(std::cin);
   std::error_code ignored;
-  const auto refuse = [&](const std::string& why) {
-    return fail(refuse::cannot_read, {{"what", what}, {"file", name.string()}, {"reason", why}},
-                name.string());
-  };
+  const auto refuse = [&](const std::string& why) { return fail(cannot_read(what, name, why)); };
   if (std::filesystem::is_directory(name, ignored)) return refuse("it is a folder");
   std::ifstream file(name, std::ios::binary);
   if (!file) return refuse(std::generic_category().message(errno));

@@ -1,33 +1,16 @@
+#include <planish/base/text.hpp>
 #include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
 
 namespace planish::schema {
 
-std::string_view Units::name() const {
-  switch (unit_) {
-    case LengthUnit::inch:
-      return "inch";
-    case LengthUnit::m:
-      return "m";
-    case LengthUnit::mm:
-      break;
-  }
-  return "mm";
-}
+std::string_view Units::name() const { return word_of(unit_, {"mm", "inch", "m"}); }
 
 std::string_view Units::symbol() const { return unit_ == LengthUnit::inch ? "in" : name(); }
 
 int Units::decimals() const {
-  switch (unit_) {
-    case LengthUnit::inch:
-      return 4;
-    case LengthUnit::m:
-      return 6;
-    case LengthUnit::mm:
-      break;
-  }
-  return 3;
+  return unit_ == LengthUnit::mm ? 3 : unit_ == LengthUnit::inch ? 4 : 6;
 }
 
 std::string Units::length_text(double mm) const {

@@ -1,12 +1,12 @@
 #include "framing.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <utility>
@@ -16,23 +16,16 @@ namespace {
 
 constexpr int kPace = 100;  // ms
 
-std::string small(std::string_view text) {
-  std::string letters(text);
-  std::ranges::transform(letters, letters.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return letters;
-}
-
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-bool is_header(std::string_view line) { return small(line.substr(0, 8)) == "content-"; }
+bool is_header(std::string_view line) { return lower_case(line.substr(0, 8)) == "content-"; }
 
 /// The number in "Content-Length: 12".
 std::optional<std::size_t> length_in(std::string_view line) {
   constexpr std::string_view kName = "content-length:";
-  if (small(line.substr(0, kName.size())) != kName) return std::nullopt;
+  if (lower_case(line.substr(0, kName.size())) != kName) return std::nullopt;
   line.remove_prefix(kName.size());
   const auto first = line.find_first_not_of(" \t");
   if (first == std::string_view::npos) return std::nullopt;

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 

@@ -117,21 +117,6 @@ std::size_t ask_for_writes(Json& request, const WorkTask& task) {
   return before;
 }
 
-/// The error with another pointer in its sentence for one that this names.
-Error renamed(Error error, const std::string& from, const std::string& to) {
-  const Place old = place::pointer(from);
-  std::size_t grown = 0;  // of the sentence so far
-  for (Named& named : error.named) {
-    named.at += grown;
-    if (!named.option.empty() || named.place != old) continue;
-    error.message.replace(named.at, named.text.size(), to);
-    grown += to.size() - named.text.size();  // may wrap, and back again
-    named.text = to;
-    named.place = place::pointer(to);
-  }
-  return error;
-}
-
 /// An artifact that is asked for only to be written is wrong where it is to be written.
 Error of_writes(Error error, const Json& request, std::size_t asked) {
   constexpr std::string_view kList = "/artifacts/";
@@ -140,8 +125,8 @@ Error of_writes(Error error, const Json& request, std::size_t asked) {
   if (!number || *number < static_cast<double>(asked)) return error;
   const Json& artifacts = request["artifacts"];
   const auto artifact = artifacts[static_cast<Json::size_type>(*number)].get<std::string>();
-  const std::string listed = error.where;
-  return at(artifact, renamed(std::move(error), listed, "/write/" + artifact));
+  rename_place(error, place::pointer(error.where), place::pointer("/write/" + artifact));
+  return at(artifact, std::move(error));
 }
 
 struct Wanted {
@@ -170,12 +155,10 @@ WorkDone done_of(job::RunResult made, std::map<std::string, Wanted> wanted) {
     }
     artifacts.push_back(std::move(row));
   }
-  const char* const status = made.status == job::Status::ok        ? "ok"
-                             : made.status == job::Status::warning ? "warning"
-                                                                   : "refused";
   Json report = Json::parse(made.report, nullptr, false);
-  done.result = text_of(
-      {{"status", status}, {"report", std::move(report)}, {"artifacts", std::move(artifacts)}});
+  done.result = text_of({{"status", job::status_name(made.status)},
+                         {"report", std::move(report)},
+                         {"artifacts", std::move(artifacts)}});
   return done;
 }
 

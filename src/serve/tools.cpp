@@ -2,6 +2,7 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/schemas.hpp>
 #include <planish/schema/fail_at.hpp>
 
@@ -68,14 +69,9 @@ Json parameters_of(const std::string& name, const job::Catalogue& catalogue) {
   return schema;
 }
 
-std::string sentence(std::string_view words) {
-  std::string text(words);
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
-
 Tool tool_of(const job::Maker& maker, const job::Catalogue& catalogue) {
-  std::string said = fmt::format("{} Reads a {}", sentence(maker.description), maker.input_kind());
+  std::string said = fmt::format("{}. Reads a {}", capitalized(std::string(maker.description)),
+                                 maker.input_kind());
   if (maker.schema)
     said += fmt::format(", JSON; `schema` with name \"{}\" says what it must hold",
                         maker.schema_name());
@@ -91,9 +87,8 @@ Json object_schema(Json properties) {
 }  // namespace
 
 std::vector<Tool> tools_of(const job::Catalogue& catalogue) {
-  std::vector<Tool> tools;
-  for (const job::Maker& maker : catalogue.makers)
-    tools.push_back(tool_of(maker, catalogue));
+  auto tools = mapped(catalogue.makers,
+                      [&](const job::Maker& maker) { return tool_of(maker, catalogue); });
   tools.push_back({"bend",
                    "Find the cheapest order of strokes in which a press brake bends a part, or "
                    "prove that there is none. Reads whatever a sheet is made of: a STEP file, or a "

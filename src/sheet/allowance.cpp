@@ -252,14 +252,4 @@ double din6935_k(double inside_radius, double thickness) {
   return ratio > 0.0 ? std::max(0.0, 0.65 + 0.5 * std::log10(ratio)) : 0.0;
 }
 
-double din6935_compensation(double inside_radius, double thickness, Angle opening_angle) {
-  const Angle bend_angle = Angle::degrees(180.0) - opening_angle;
-  const double allowance = bend_angle.radians() *
-                           (inside_radius + din6935_k(inside_radius, thickness) * thickness / 2.0);
-  const double setback = bend_angle >= Angle::degrees(kGivenForAngle)
-                             ? inside_radius + thickness
-                             : outside_setback(inside_radius, thickness, bend_angle);
-  return allowance - 2.0 * setback;
-}
-
 }  // namespace planish

@@ -24,17 +24,6 @@ namespace {
 
 using tolerance::kComputed;
 
-Box2 range_of(const Sheet& sheet, BendId bend) {
-  Box2 box;
-  for (const FaceId face : sheet[bend].faces)
-    box.add(parameter_box(sheet[face]));
-  return box;
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 }  // namespace
 
 BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
@@ -44,7 +33,7 @@ BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
       development_(*layout.development[bend]),
       placement_(layout.placement[sheet[bend].faces.front()]),
       chord_(options.chord) {
-  const Box2 range = range_of(sheet, bend);
+  const Box2 range = parameter_box(sheet, sheet[bend]);
   lo_ = range.lo.x();
   hi_ = range.hi.x();
   v_lo_ = range.lo.y();
@@ -164,14 +153,13 @@ std::vector<Vec2> BendFacets::sampled_in_strips(const Curve2& curve) const {
     for (const double t : crossings(curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
       if (t > 0.0 && t < 1.0) stops.push_back(t);
   add_stops(curve, stops);
-  std::sort(stops.begin(), stops.end());
+  std::ranges::sort(stops);
   std::vector<Vec2> points{start_of(curve)};
   for (size_t i = 0; i < stops.size(); ++i) {
     if (i > 0 && stops[i] - stops[i - 1] < tolerance::kRounding) continue;
     Vec2 p = point_at(curve, stops[i]);
     // A crossing lies on its ruling, not beside it.
-    const auto near = std::lower_bound(rulings_.begin(), rulings_.end(),
-                                       p.x() - kComputed * (hi_ - lo_));
+    const auto near = std::ranges::lower_bound(rulings_, p.x() - kComputed * (hi_ - lo_));
     if (near != rulings_.end() && std::abs(*near - p.x()) <= kComputed * (hi_ - lo_)) p.x() = *near;
     points.push_back(p);
   }
@@ -208,7 +196,7 @@ void BendFacets::close() {
       corners.push_back(side.a.x());
       corners.push_back(side.b.x());
     }
-    std::sort(corners.begin(), corners.end());
+    std::ranges::sort(corners);
     for (size_t i = 1; i < corners.size(); ++i) {
       const double from = corners[i - 1], to = corners[i];
       if (to - from <= tolerance::kRounding * (hi_ - lo_)) continue;
@@ -220,13 +208,12 @@ void BendFacets::close() {
         };
         heights.push_back({at(from), at(to)});
       }
-      std::sort(heights.begin(), heights.end(),
-                [](const auto& a, const auto& b) { return a[0] + a[1] < b[0] + b[1]; });
+      std::ranges::sort(heights, {}, [](const auto& h) { return h[0] + h[1]; });
       for (size_t k = 0; k + 1 < heights.size(); k += 2) {
         const auto &low = heights[k], &high = heights[k + 1];
         std::vector<Vec2> ring{image({from, low[0]}), image({to, low[1]}), image({to, high[1]}),
                                image({from, high[0]})};
-        if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+        if (ring_area(ring) < 0.0) std::ranges::reverse(ring);
         polygons_[strip].push_back({std::move(ring), {}});
       }
     }

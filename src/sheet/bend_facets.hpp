@@ -2,7 +2,6 @@
 
 #include <planish/sheet/facets.hpp>
 
-#include <array>
 #include <vector>
 
 namespace planish::sheet_detail {

@@ -24,14 +24,8 @@ namespace {
 using Intervals = std::vector<Interval>;
 
 Interval u_range(const Sheet& sheet, const Bend& bend) {
-  Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const FaceId id : bend.faces)
-    for (const Border& border : sheet[id].loops.front()) {
-      const Box2 box = bounds(border.curve);
-      range.lo = std::min(range.lo, box.lo.x());
-      range.hi = std::max(range.hi, box.hi.x());
-    }
-  return range;
+  const Box2 box = parameter_box(sheet, bend);
+  return {box.lo.x(), box.hi.x()};
 }
 
 /// v-intervals of material along the ruling u of a face, by even-odd crossing of its loops.
@@ -41,7 +35,7 @@ void add_material(const Face& face, double u, Intervals& intervals) {
     for (const Border& border : loop)
       for (const double t : crossings(border.curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
         heights.push_back(point_at(border.curve, t).y());
-  std::sort(heights.begin(), heights.end());
+  std::ranges::sort(heights);
   for (size_t i = 0; i + 1 < heights.size(); i += 2)
     intervals.push_back({heights[i], heights[i + 1]});
 }
@@ -133,10 +127,8 @@ void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
 
 /// Total length of the bend lines; for press lines, which lie side by side, their mean.
 double length_of(const Bend& bend, const std::vector<Segment>& lines) {
-  double sum = 0.0;
-  for (const Segment& line : lines)
-    sum += (line.b - line.a).norm();
-  return sum / std::max<double>(1.0, static_cast<double>(bend.press_lines.size()));
+  return sum_of(lines, [&](const Segment& line) { return (line.b - line.a).norm(); }) /
+         std::max<double>(1.0, static_cast<double>(bend.press_lines.size()));
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 // A bend table from CSV. Rows become numbers with the units and shifts of their columns
 // (bend_table_columns.cpp), and whatever cannot be is refused with its line: an impossible value,
@@ -23,7 +25,7 @@ using namespace sheet_detail;
 
 /// Reads a number; a comma alone is a decimal comma.
 std::optional<double> number(std::string text) {
-  if (text.find('.') == std::string::npos && std::count(text.begin(), text.end(), ',') == 1)
+  if (text.find('.') == std::string::npos && std::ranges::count(text, ',') == 1)
     text[text.find(',')] = '.';
   const char* first = text.data();
   const char* last = first + text.size();
@@ -82,20 +84,18 @@ Result<double> cell_value(const CsvRecord& record, const Heading& heading,
 
 Result<BendTable::Row> parse_row(const TableShape& shape, const CsvRecord& record,
                                  const std::string& name) {
-  BendTable::Row row;
-  const auto into = [&](Column column, double BendTable::Row::*member) -> std::optional<Error> {
-    if (!shape.has(column)) return std::nullopt;
+  using Row = BendTable::Row;
+  Row row;
+  for (const auto& [column, member] :
+       {std::pair{shape.by_ratio() ? Column::ratio : Column::radius, &Row::radius},
+        {Column::thickness, &Row::thickness},
+        {Column::angle, &Row::angle},
+        {shape.value(), &Row::value}}) {
+    if (!shape.has(column)) continue;
     const auto value = cell_value(record, shape.at(column), name);
-    if (!value) return value.error();
+    if (!value) return pass_on(value);
     row.*member = *value;
-    return std::nullopt;
-  };
-  if (auto error = into(shape.by_ratio() ? Column::ratio : Column::radius, &BendTable::Row::radius))
-    return tl::unexpected(*error);
-  if (auto error = into(Column::thickness, &BendTable::Row::thickness))
-    return tl::unexpected(*error);
-  if (auto error = into(Column::angle, &BendTable::Row::angle)) return tl::unexpected(*error);
-  if (auto error = into(shape.value(), &BendTable::Row::value)) return tl::unexpected(*error);
+  }
   return row;
 }
 
@@ -116,10 +116,8 @@ std::optional<Error> contradiction(const BendTable& table, const std::vector<int
     return std::array{r.thickness, r.angle, r.radius};
   };
   std::vector<size_t> order(table.rows.size());
-  for (size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return key(table.rows[a]) < key(table.rows[b]); });
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::ranges::stable_sort(order, {}, [&](size_t row) { return key(table.rows[row]); });
   for (size_t i = 0; i + 1 < order.size(); ++i) {
     const BendTable::Row& a = table.rows[order[i]];
     const BendTable::Row& b = table.rows[order[i + 1]];

@@ -89,16 +89,8 @@ constexpr std::array kUnits{
     UnitName{"rad", true, 180.0 / std::numbers::pi},
 };
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
-
 std::string squeezed(std::string_view text) {
-  std::string result = lower(text);
+  std::string result = lower_case(text);
   std::erase_if(result, [](char c) {
     return !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '/');
   });
@@ -106,14 +98,13 @@ std::string squeezed(std::string_view text) {
 }
 
 std::string without_blanks(std::string_view text) {
-  std::string result = lower(text);
+  std::string result = lower_case(text);
   std::erase(result, ' ');
   return result;
 }
 
 const Spelling* spelling_of(std::string_view name) {
-  const auto found = std::find_if(kSpellings.begin(), kSpellings.end(),
-                                  [&](const Spelling& s) { return s.text == name; });
+  const auto found = std::ranges::find(kSpellings, name, &Spelling::text);
   return found == kSpellings.end() ? nullptr : &*found;
 }
 

@@ -1,6 +1,7 @@
 // Distance of a point in space from a border on its surface: samples along the border, then golden
 // section about the nearest. It can only miss a second place that is equally near.
 
+#include <planish/geometry/minimum.hpp>
 #include <planish/sheet/certificate.hpp>
 
 #include <algorithm>
@@ -28,32 +29,13 @@ struct SpaceBorder {
   }
 };
 
-/// Coarse search, then golden section about the best sample.
-double distance_on_bend(const SpaceBorder& border, const Vec3& p) {
-  constexpr int kSamples = 64;
-  constexpr int kRefinements = 45;
-  constexpr double kGolden = 0.6180339887498949;
-  const auto squared = [&](double t) { return (border.point(t) - p).squaredNorm(); };
-  int best = 0;
-  double least = squared(0.0);
-  for (int i = 1; i <= kSamples; ++i) {
-    const double d = squared(double(i) / kSamples);
-    if (d >= least) continue;
-    least = d;
-    best = i;
-  }
-  double a = std::max(best - 1, 0) / double(kSamples);
-  double b = std::min(best + 1, kSamples) / double(kSamples);
-  for (int i = 0; i < kRefinements; ++i) {
-    const double c = b - kGolden * (b - a), d = a + kGolden * (b - a);
-    (squared(c) < squared(d) ? b : a) = squared(c) < squared(d) ? d : c;
-  }
-  return std::sqrt(std::min(least, squared((a + b) / 2)));
-}
-
 double distance_to(const SpaceBorder& border, const Vec3& p) {
   const auto* plane = std::get_if<Frame>(&border.face.surface);
-  if (!plane) return distance_on_bend(border, p);
+  if (!plane) {
+    constexpr int kSamples = 64, kSteps = 45;
+    const auto distance = [&](double t) { return (border.point(t) - p).norm(); };
+    return distance(least_at(distance, 0.0, 1.0, kSamples, kSteps));
+  }
   const Vec3 local = plane->local(p);
   return std::hypot(nearest(border.curve, local.head<2>()).distance, local.z() + border.depth);
 }

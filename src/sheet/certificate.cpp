@@ -97,8 +97,8 @@ double area_of_forms(const Sheet& sheet, const Topology& topology, const Relaid&
 Result<double> area_at_half(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
                             const Allowances& stated, double tolerance) {
   const double written = area_as_written(pattern);
-  const bool all_half = std::all_of(stated.begin(), stated.end(),
-                                    [](const BendAllowance& bend) { return bend.k_factor == 0.5; });
+  const bool all_half = std::ranges::all_of(
+      stated, [](const BendAllowance& bend) { return bend.k_factor == 0.5; });
   if (all_half) return written;
   const Allowances half = at_half(sheet, stated);
   const auto halfway = relaid(sheet, pattern, half);
@@ -133,14 +133,6 @@ Worst worst_length(const Sheet& sheet, const Relaid& laid, double tolerance) {
 }
 
 /// Everything that the pattern draws of the material's borders.
-std::vector<Curve2> written_curves(const FlatPattern& pattern) {
-  std::vector<Curve2> curves = pattern.outer.loop;
-  for (const Contour& opening : pattern.openings)
-    curves.insert(curves.end(), opening.loop.begin(), opening.loop.end());
-  curves.insert(curves.end(), pattern.slits.begin(), pattern.slits.end());
-  return curves;
-}
-
 std::vector<Curve2> drawn_curves(const FlatPattern& pattern) {
   std::vector<Curve2> curves = written_curves(pattern);
   for (const FlatFeature& feature : pattern.features)
@@ -165,14 +157,14 @@ IdVector<FaceId, std::vector<CutStrip>> cut_strips(const Sheet& sheet) {
     for (const BorderRef& ref : {joint.a, joint.b}) {
       const Vec2 from = start_of(sheet[ref].curve);
       const Vec2 along = (end_of(sheet[ref].curve) - from).normalized();
-      strips[ref.face].push_back({ref.loop, from, Vec2(-along.y(), along.x()), setback});
+      strips[ref.face].push_back({ref.loop, from, perpendicular(along), setback});
     }
   }
   return strips;
 }
 
 bool is_cut_off(const std::vector<CutStrip>& strips, int loop, const Vec2& uv) {
-  return std::any_of(strips.begin(), strips.end(), [&](const CutStrip& strip) {
+  return std::ranges::any_of(strips, [&](const CutStrip& strip) {
     return strip.loop == loop && (uv - strip.origin).dot(strip.inwards) < strip.depth;
   });
 }
@@ -224,8 +216,8 @@ Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid
       bands.push_back(hinge_band(sheet, laid, joint, stated[*joint.sharp].allowance));
   const CurveIndex index(std::move(borders));
   const auto across_hinge = [&](const Vec2& p) {
-    return std::any_of(bands.begin(), bands.end(),
-                       [&](const HingeBand& band) { return band.holds(p, 10.0 * tolerance); });
+    return std::ranges::any_of(
+        bands, [&](const HingeBand& band) { return band.holds(p, 10.0 * tolerance); });
   };
   Worst worst;
   for (const Curve2& curve : written_curves(pattern))

@@ -126,7 +126,7 @@ Fault fault_of_part(const Sheet& sheet, FaceId id) {
                           : sheet.flanges.has(std::get<FlangeId>(face.part_of));
   if (!known) return broken("A face names a flange or bend of its sheet.");
   const auto& faces = sheet.faces_of(face.part_of);
-  if (std::count(faces.begin(), faces.end(), id) != 1)
+  if (std::ranges::count(faces, id) != 1)
     return broken("The flange or bend of a face lists it once.");
   const auto* surface = std::get_if<Developable>(&face.surface);
   if ((surface != nullptr) != (bend != nullptr))
@@ -183,9 +183,7 @@ Fault fault_of_borders(const Sheet& sheet, FaceId id) {
 
 bool are_press_lines_of(const Sheet& sheet, const Bend& bend) {
   if (bend.press_lines.empty()) return true;
-  Box2 box;
-  for (const FaceId id : bend.faces)
-    box.add(parameter_box(sheet[id]));
+  const Box2 box = parameter_box(sheet, bend);
   const double slack = tolerance::kWrittenDigits * (1.0 + box.size().x());
   const auto falls = [](const PressLine& a, const PressLine& b) { return !(a.u < b.u); };
   return std::ranges::all_of(bend.press_lines,
@@ -198,8 +196,8 @@ bool are_press_lines_of(const Sheet& sheet, const Bend& bend) {
 
 Fault fault_of_lists(const Sheet& sheet) {
   const auto listed_by = [&](PartId part, const std::vector<FaceId>& faces) {
-    return std::all_of(faces.begin(), faces.end(),
-                       [&](FaceId id) { return sheet.faces.has(id) && sheet[id].part_of == part; });
+    return std::ranges::all_of(
+        faces, [&](FaceId id) { return sheet.faces.has(id) && sheet[id].part_of == part; });
   };
   for (const FlangeId id : sheet.flanges.ids())
     if (sheet[id].faces.empty() || !listed_by(id, sheet[id].faces))
@@ -243,7 +241,7 @@ Fault fault_of_joints(const Sheet& sheet) {
 }
 
 bool drawable(const BorderLoop& borders) {
-  return !borders.empty() && std::all_of(borders.begin(), borders.end(), [](const Border& border) {
+  return !borders.empty() && std::ranges::all_of(borders, [](const Border& border) {
     return is_regular(border.curve);
   });
 }
@@ -253,12 +251,12 @@ Fault fault_of_features(const Sheet& sheet) {
     const FormedFeature& feature = sheet[id];
     const SheetRow where = row_of("feature", index_of(id), "/features");
     if (!sheet.faces.has(feature.face)) return fault("A feature names a face of its sheet.", where);
-    const bool cuts_drawable = std::all_of(feature.openings.begin(), feature.openings.end(),
-                                           [](const FormedOpening& opening) {
-                                             return drawable(opening.pilot) &&
-                                                    drawable(opening.through);
-                                           }) &&
-                               std::all_of(feature.slits.begin(), feature.slits.end(), drawable);
+    const bool cuts_drawable = std::ranges::all_of(feature.openings,
+                                                   [](const FormedOpening& opening) {
+                                                     return drawable(opening.pilot) &&
+                                                            drawable(opening.through);
+                                                   }) &&
+                               std::ranges::all_of(feature.slits, drawable);
     for (const BorderLoop& loop : feature.outlines)
       for (const Border& border : loop)
         if (!is_regular(border.curve))

@@ -4,6 +4,7 @@
 
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/sheet/csv.hpp>
 
 #include <algorithm>
@@ -34,8 +35,8 @@ class CsvReader {
     while (at_ < text_.size()) {
       auto record = next();
       if (!record) return pass_on(record);
-      const bool empty = std::all_of(record->fields.begin(), record->fields.end(),
-                                     [](const std::string& field) { return field.empty(); });
+      const bool empty = std::ranges::all_of(
+          record->fields, [](const std::string& field) { return field.empty(); });
       if (!empty) result.push_back(std::move(*record));
     }
     return result;
@@ -157,10 +158,7 @@ std::string csv_row(const std::vector<std::string>& cells) {
       row += cell;
       continue;
     }
-    row += '"';
-    for (const char c : cell)
-      row += c == '"' ? std::string("\"\"") : std::string(1, c);
-    row += '"';
+    row += '"' + replaced(cell, {{'"', "\"\""}}) + '"';
   }
   return row + "\n";
 }

@@ -9,6 +9,7 @@
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/geometry/minimum.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/cutout.hpp>
@@ -45,19 +46,6 @@ double root(const Curve2& curve, const Cutout& cutout, double a, double b) {
   return (a + b) / 2;
 }
 
-/// The parameter between a and b at which the curve is nearest to the cutout's middle parts.
-double deepest(const Curve2& curve, const Cutout& cutout, double a, double b) {
-  constexpr int kThirds = 50;
-  for (int i = 0; i < kThirds; ++i) {
-    const double c = a + (b - a) / 3, d = b - (b - a) / 3;
-    if (cutout.distance(point_at(curve, c)) < cutout.distance(point_at(curve, d)))
-      b = d;
-    else
-      a = c;
-  }
-  return (a + b) / 2;
-}
-
 /// Parameters where the curve crosses the cutout's outline, ascending.
 std::vector<double> crossings_of(const Curve2& curve, const Cutout& cutout) {
   Box2 box = bounds(curve);
@@ -78,7 +66,8 @@ std::vector<double> crossings_of(const Curve2& curve, const Cutout& cutout) {
     if ((last < 0.0) != (next < 0.0)) {
       found.push_back(root(curve, cutout, at(i - 1), at(i)));
     } else if (last >= 0.0 && next >= 0.0) {
-      const double middle = deepest(curve, cutout, at(i - 1), at(i));
+      constexpr int kCuts = 45;
+      const double middle = least_at(off, at(i - 1), at(i), 2, kCuts);
       if (off(middle) < 0.0) {
         found.push_back(root(curve, cutout, at(i - 1), middle));
         found.push_back(root(curve, cutout, middle, at(i)));
@@ -180,7 +169,7 @@ Result<std::vector<Contour>> joined_along(std::vector<Stretch> paths, const Cuto
     ends.emplace_back(paths[i].from, i);
     ends.emplace_back(paths[i].to, -1 - i);
   }
-  std::sort(ends.begin(), ends.end());
+  std::ranges::sort(ends);
   // A slit leaves and enters at one place: out along its left bank, back along the other, from
   // where the outline goes on clockwise.
   for (size_t k = 0; k < ends.size(); ++k) {
@@ -229,9 +218,9 @@ std::vector<Segment> outside(const Segment& line, const Cutout& cutout) {
 
 /// Whether the middle of a cutout that no contour enters lies in the material.
 bool in_material(const std::vector<Contour>& contours, const Cutout& cutout) {
-  std::vector<std::vector<Vec2>> rings;
-  for (const Contour& contour : contours)
-    rings.push_back(sampled(contour.loop, cutout.half.minCoeff() / 2));
+  const auto rings = mapped(contours, [&](const Contour& contour) {
+    return sampled(contour.loop, cutout.half.minCoeff() / 2);
+  });
   return inside(rings, cutout.middle);
 }
 
@@ -262,7 +251,7 @@ double Cutout::distance(const Vec2& p) const {
 }
 
 Loop Cutout::outline() const {
-  const Vec2 across(-along.y(), along.x());
+  const Vec2 across = perpendicular(along);
   const double turned = std::atan2(along.y(), along.x());
   Loop loop;
   for (int corner = 0; corner < 4; ++corner) {

@@ -5,6 +5,7 @@
 
 #include "bend_facets.hpp"
 #include "feature_borders.hpp"
+#include "unplaced.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/base/search.hpp>
@@ -39,7 +40,7 @@ struct Band {
 };
 
 std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
-  if ((ring_area(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
+  if ((ring_area(ring) > 0.0) != counter_clockwise) std::ranges::reverse(ring);
   return ring;
 }
 
@@ -278,32 +279,17 @@ void FacetTree::add_band(const Joint& joint) {
   if (const auto band = band_at(joint)) hang_band(joint, *band);
 }
 
-/// The largest face of a flange; empty for sheets without flanges.
-std::optional<FaceId> largest_face(const Sheet& sheet, const Layout& layout) {
-  std::optional<FaceId> largest;
-  double most = 0.0;
-  for (const FaceId id : sheet.faces.ids()) {
-    if (!std::holds_alternative<FlangeId>(sheet[id].part_of)) continue;
-    double area = 2.0 * std::abs(signed_area(layout.outline(id)));
-    for (const Loop& loop : layout.images[id])
-      area -= std::abs(signed_area(loop));
-    if (largest && area <= most) continue;
-    largest = id;
-    most = area;
-  }
-  return largest;
-}
-
 /// From the reference surface to the middle of the material.
 double middle_depth(const Sheet& sheet) { return 0.5 * sheet.thickness - sheet.reference_depth; }
 
 /// Begins with the largest face, or in sheets without flanges with the middle of a bend. Returns
 /// the node added.
 int hang_root(const Sheet& sheet, const Layout& layout, FacetTree& tree) {
-  if (const auto face = largest_face(sheet, layout)) {
-    tree.set_root(flange_in_space(sheet, layout, *face));
-    tree.hang_flange(*face, {});
-    return tree.topology().node_of(*face);
+  const FaceId face = largest_flange_face(sheet);
+  if (std::holds_alternative<FlangeId>(sheet[face].part_of)) {
+    tree.set_root(flange_in_space(sheet, layout, face));
+    tree.hang_flange(face, {});
+    return tree.topology().node_of(face);
   }
   const BendId bend = std::get<BendId>(sheet.faces.front().part_of);
   const BendFacets& strips = tree.strips_of(bend);
@@ -329,7 +315,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
     for (const BorderRef& ref : {sheet.joints[number].a, sheet.joints[number].b})
       joints_of[topology.node_of(ref.face)].push_back(number);
   std::vector<int> kept = layout.tree;
-  std::sort(kept.begin(), kept.end());
+  std::ranges::sort(kept);
   Frontier<std::pair<double, int>, std::less<>> front;  // the longest first
   const auto enter = [&](int node) {
     hung[node] = true;
@@ -346,7 +332,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
   }
   // A bend in several lines, or one that closes a cycle, has a band at each of its joints.
   for (int number = 0; number < std::ssize(sheet.joints); ++number)
-    if (!std::binary_search(kept.begin(), kept.end(), number)) tree.add_band(sheet.joints[number]);
+    if (!std::ranges::binary_search(kept, number)) tree.add_band(sheet.joints[number]);
   return std::move(tree).take();
 }
 

@@ -5,15 +5,13 @@
 namespace planish::sheet_detail {
 
 Loop placed(const BorderLoop& borders, const Isometry2& placement) {
-  Loop loop;
-  for (const Border& border : borders)
-    loop.push_back(transformed(border.curve, placement));
-  return loop;
+  return mapped(borders,
+                [&](const Border& border) { return transformed(border.curve, placement); });
 }
 
 std::optional<FeatureId> outlined_form(const Face& face, int loop,
                                        const std::vector<bool>& joined) {
-  if (loop == 0 || std::find(joined.begin(), joined.end(), true) != joined.end()) return {};
+  if (loop == 0 || std::ranges::find(joined, true) != joined.end()) return {};
   for (const Border& border : face.loops[loop])
     if (border.feature) return border.feature;
   return {};

@@ -32,10 +32,8 @@ Contour as_opening(Loop loop) {
 bool is_smaller(const FormedOpening& opening) {
   constexpr double kSmaller = 1.0 - tolerance::kAside;
   const auto area = [](const BorderLoop& borders) {
-    double sum = 0.0;
-    for (const Border& border : borders)
-      sum += green_area(border.curve);
-    return std::abs(sum);
+    return std::abs(
+        sum_of(borders, [&](const Border& border) { return green_area(border.curve); }));
   };
   return area(opening.pilot) < kSmaller * area(opening.through);
 }
@@ -103,7 +101,7 @@ void transform(Contour& contour, const Isometry2& motion) {
       origin.image = transformed(origin.image, motion);
   if (motion.linear().determinant() > 0) return;
   contour.loop = reversed(contour.loop);
-  std::reverse(contour.origins.begin(), contour.origins.end());
+  std::ranges::reverse(contour.origins);
 }
 
 /// Moves the whole pattern; a reflection shows the sheet from its other side.
@@ -141,9 +139,7 @@ void move(FlatSheet& flat, const Isometry2& motion) {
 
 bool other_side_up(const FlatPattern& pattern, UpSide up) {
   if (up != UpSide::automatic) return up == UpSide::other;
-  const auto ups = std::count_if(
-      pattern.bends.begin(), pattern.bends.end(),
-      [](const FlatBend& bend) { return bend.direction == BendDirection::up; });
+  const auto ups = std::ranges::count(pattern.bends, BendDirection::up, &FlatBend::direction);
   return 2 * ups < static_cast<std::ptrdiff_t>(pattern.bends.size());
 }
 
@@ -178,9 +174,7 @@ void align(FlatSheet& flat) {
   constexpr double kClearlyHigher = 1.0 + tolerance::kComputed;
   if (const Vec2 size = bounds(pattern.outer.loop).size(); size.y() > size.x() * kClearlyHigher)
     move(flat, turn(0.0, 1.0));
-  Isometry2 shift = Isometry2::Identity();
-  shift.translation() = -bounds(pattern.outer.loop).lo;
-  move(flat, shift);
+  move(flat, Isometry2(Eigen::Translation2d(-bounds(pattern.outer.loop).lo)));
 }
 
 /// The pattern in the coordinates of the layout's root.

@@ -45,9 +45,7 @@ void add_corners(Block& block, const Face& face, const Vec2& uv, const Skins& sk
 }
 
 std::vector<Vec2> ring_of(const BorderLoop& loop, double chord) {
-  Loop curves;
-  for (const Border& border : loop)
-    curves.push_back(border.curve);
+  Loop curves = mapped(loop, &Border::curve);
   return sampled(curves, chord);
 }
 
@@ -63,7 +61,7 @@ std::optional<Polygon> beyond_mitre(const Sheet& sheet, const Joint& joint, cons
   const Vec2 along = (b - a).normalized();
   if (!(below > 0.0) || !along.allFinite()) return std::nullopt;
   const double wide = below * std::tan(half_angle) + inset;
-  const Vec2 inwards = wide * Vec2(-along.y(), along.x()), longer = inset * along;
+  const Vec2 inwards = wide * perpendicular(along), longer = inset * along;
   return Polygon{{a - longer, b + longer, b + longer + inwards, a - longer + inwards}, {}};
 }
 
@@ -126,7 +124,7 @@ class Rulings {
   }
   bool nearly_flat(double from, double to) const {
     const Vec3 first = outward_normal(face_, {from, 0.0}), last = outward_normal(face_, {to, 0.0});
-    const double turn = std::atan2(first.cross(last).norm(), first.dot(last));
+    const double turn = angle_between(first, last);
     double wide = 0.0;
     for (const double v : {box_.lo.y(), box_.hi.y()})
       for (const double height : {skins_.lower, skins_.upper})

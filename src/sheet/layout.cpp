@@ -41,23 +41,6 @@ Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
   return {};
 }
 
-/// The largest face of a flange; the first face if there is no flange.
-FaceId largest_flange_face(const Sheet& sheet) {
-  FaceId best{};
-  double best_area = -1.0;
-  for (const FaceId id : sheet.faces.ids()) {
-    if (!std::holds_alternative<FlangeId>(sheet[id].part_of)) continue;
-    double area = 0.0;
-    for (const BorderLoop& loop : sheet[id].loops)
-      for (const Border& border : loop)
-        area += green_area(border.curve);
-    if (area <= best_area) continue;
-    best_area = area;
-    best = id;
-  }
-  return best;
-}
-
 Loop image_of(const BorderLoop& loop, const std::optional<Development>& development,
               const Isometry2& placement, const FlattenOptions& options) {
   Loop image;
@@ -79,11 +62,9 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
                             const FlattenOptions& options) {
   static const std::optional<Development> kPlane;
   const auto* bend = std::get_if<BendId>(&sheet[id].part_of);
-  std::vector<Loop> images;
-  for (const BorderLoop& loop : sheet[id].loops)
-    images.push_back(
-        image_of(loop, bend ? layout.development[*bend] : kPlane, layout.placement[id], options));
-  return images;
+  return mapped(sheet[id].loops, [&](const BorderLoop& loop) {
+    return image_of(loop, bend ? layout.development[*bend] : kPlane, layout.placement[id], options);
+  });
 }
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
@@ -142,6 +123,22 @@ void Layout::move(const Isometry2& motion) {
 }
 
 namespace sheet_detail {
+
+FaceId largest_flange_face(const Sheet& sheet) {
+  FaceId best{};
+  double best_area = -1.0;
+  for (const FaceId id : sheet.faces.ids()) {
+    if (!std::holds_alternative<FlangeId>(sheet[id].part_of)) continue;
+    double area = 0.0;
+    for (const BorderLoop& loop : sheet[id].loops)
+      for (const Border& border : loop)
+        area += green_area(border.curve);
+    if (area <= best_area) continue;
+    best_area = area;
+    best = id;
+  }
+  return best;
+}
 
 std::string between_faces(const Sheet& sheet, const Joint& joint) {
   const auto number = [&](const BorderRef& ref) {

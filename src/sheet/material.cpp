@@ -35,8 +35,7 @@ bool is_regular(const MeasuredCurve& curve) {
     before = point.strain;
   }
   return !curve.points.empty() && curve.points.back().strain > 0.0 &&
-         std::any_of(curve.points.begin(), curve.points.end(),
-                     [](const auto& point) { return point.stress > 0.0; });
+         std::ranges::any_of(curve.points, [](const auto& point) { return point.stress > 0.0; });
 }
 
 double work(const PowerLaw& law, double strain) {

@@ -27,8 +27,8 @@ Vec2 nearest_within(const std::vector<std::vector<Vec2>>& rings, const Vec2& p) 
   if (inside(rings, p)) return p;
   Vec2 nearest = rings.front().front();
   for (const auto& ring : rings)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2 q = nearest_on({ring[i], ring[(i + 1) % ring.size()]}, p);
+    for (const Segment& side : sides_of(ring)) {
+      const Vec2 q = nearest_on(side, p);
       if ((q - p).norm() < (nearest - p).norm()) nearest = q;
     }
   return nearest;

@@ -19,8 +19,8 @@ bool is_near(const Curve2& curve, const Vec2& p, double tolerance) {
 }
 
 bool is_near(const Loop& loop, const Vec2& p, double tolerance) {
-  return std::any_of(loop.begin(), loop.end(),
-                     [&](const Curve2& curve) { return is_near(curve, p, tolerance); });
+  return std::ranges::any_of(loop,
+                             [&](const Curve2& curve) { return is_near(curve, p, tolerance); });
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ bool is_one_piece(const FlatPattern& pattern, double tolerance) {
   std::vector<Vec2> seen;
   for (const Curve2& slit : pattern.slits)
     for (const Vec2& end : {start_of(slit), end_of(slit)}) {
-      const bool again = std::any_of(seen.begin(), seen.end(),
-                                     [&](const Vec2& p) { return (p - end).norm() <= tolerance; });
+      const bool again = std::ranges::any_of(
+          seen, [&](const Vec2& p) { return (p - end).norm() <= tolerance; });
       if (again) continue;
       seen.push_back(end);
       std::vector<int> here;

@@ -131,15 +131,11 @@ Vec2 middle_of_contour(const Sheet& sheet, const Topology& topology, const Relai
 void add_missing_contours(std::vector<Vec2>& missing, const Sheet& sheet, const Topology& topology,
                           const Relaid& laid, const FlatPattern& pattern,
                           const std::vector<std::vector<BorderId>>& contours) {
-  std::vector<Curve2> written = pattern.outer.loop;
-  for (const Contour& opening : pattern.openings)
-    written.insert(written.end(), opening.loop.begin(), opening.loop.end());
-  written.insert(written.end(), pattern.slits.begin(), pattern.slits.end());
-  const CurveIndex index(std::move(written));
+  const CurveIndex index(written_curves(pattern));
   constexpr double kNear = 0.05;  // mm: setbacks and kerfs are not looked at here
   for (const std::vector<BorderId>& contour : contours) {
-    if (std::any_of(contour.begin(), contour.end(),
-                    [&](BorderId id) { return sheet[topology[id]].feature.has_value(); }))
+    if (std::ranges::any_of(contour,
+                            [&](BorderId id) { return sheet[topology[id]].feature.has_value(); }))
       continue;
     const BorderRef& first = topology[contour.front()];
     const auto hit = index.nearest(laid.image(first.face, point_at(sheet[first].curve, 0.5)));
@@ -164,15 +160,22 @@ void add_missing_in_forms(std::vector<Vec2>& missing, const Sheet& sheet, const 
     for (const BorderLoop& slit : feature.slits) {
       const Loop image = image_of_cut(laid, feature.face, slit);
       const Vec2 p = point_at(image[image.size() / 2], 0.5);
-      const bool cut = std::any_of(
-          pattern.slits.begin(), pattern.slits.end(),
-          [&](const Curve2& c) { return nearest(c, p).distance <= kSame; });
+      const bool cut = std::ranges::any_of(
+          pattern.slits, [&](const Curve2& c) { return nearest(c, p).distance <= kSame; });
       if (!cut) missing.push_back(p);
     }
   }
 }
 
 }  // namespace
+
+std::vector<Curve2> written_curves(const FlatPattern& pattern) {
+  std::vector<Curve2> curves = pattern.outer.loop;
+  for (const Contour& opening : pattern.openings)
+    curves.insert(curves.end(), opening.loop.begin(), opening.loop.end());
+  curves.insert(curves.end(), pattern.slits.begin(), pattern.slits.end());
+  return curves;
+}
 
 std::vector<const BorderLoop*> cuts_of(const FormedFeature& feature) {
   std::vector<const BorderLoop*> cuts;
@@ -186,10 +189,8 @@ std::vector<const BorderLoop*> cuts_of(const FormedFeature& feature) {
 }
 
 Loop image_of_cut(const Relaid& laid, FaceId face, const BorderLoop& cut) {
-  Loop image;
-  for (const Border& border : cut)
-    image.push_back(transformed(border.curve, laid.placement[face]));
-  return image;
+  return mapped(
+      cut, [&](const Border& border) { return transformed(border.curve, laid.placement[face]); });
 }
 
 double area_cut_in_forms(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid) {

@@ -6,6 +6,9 @@
 
 namespace planish::sheet_detail {
 
+/// Everything that the pattern cuts.
+std::vector<Curve2> written_curves(const FlatPattern& pattern);
+
 /// Everything that may be cut in a feature: pilot holes, holes as they will be, slits.
 std::vector<const BorderLoop*> cuts_of(const FormedFeature& feature);
 /// Such a cut as it lies in the pattern; the feature's face is plane.

@@ -15,10 +15,6 @@ Place part_place(const FlatPattern& pattern, const PartId& part) {
   return place::bend(fmt::format("B{}", index_of(id) + 1));
 }
 
-std::string part_name(const FlatPattern& pattern, const PartId& part) {
-  return text_of(part_place(pattern, part));
-}
-
 bool has_order(const FlatPattern& pattern) {
   return std::ranges::any_of(pattern.bends,
                              [](const FlatBend& bend) { return bend.stroke.has_value(); });

@@ -12,17 +12,7 @@
 
 namespace planish {
 std::string_view kind_name(BendKind kind) {
-  switch (kind) {
-    case BendKind::cylinder:
-      return "cylinder";
-    case BendKind::cone:
-      return "cone";
-    case BendKind::general:
-      return "general";
-    case BendKind::sharp:
-      break;
-  }
-  return "sharp";
+  return word_of(kind, {"cylinder", "cone", "general", "sharp"});
 }
 
 std::string_view direction_name(BendDirection direction) {
@@ -32,16 +22,13 @@ std::string_view direction_name(BendDirection direction) {
 double outer_cutting_length(const FlatPattern& flat) { return length(flat.outer.loop); }
 
 double inner_cutting_length(const FlatPattern& flat) {
-  double sum = 0.0;
-  for (const Contour& opening : flat.openings)
-    sum += length(opening.loop);
-  return sum + length(flat.slits);
+  return sum_of(flat.openings, [&](const Contour& opening) { return length(opening.loop); }) +
+         length(flat.slits);
 }
 
 std::optional<Segment> longest_line(const FlatBend& bend) {
-  const auto longest = std::max_element(
-      bend.lines.begin(), bend.lines.end(),
-      [](const Segment& a, const Segment& b) { return length(a) < length(b); });
+  const auto longest = std::ranges::max_element(bend.lines, {},
+                                                [](const Segment& line) { return length(line); });
   if (longest == bend.lines.end()) return std::nullopt;
   return *longest;
 }

@@ -143,10 +143,9 @@ double joint_length(const Sheet& sheet, const Joint& joint) {
 }
 
 std::vector<JointRank> longest_first(const Sheet& sheet) {
-  std::vector<JointRank> ranks;
-  for (const Joint& joint : sheet.joints)
-    ranks.push_back({{joint_length(sheet, joint), 0.0, 0.0}});
-  return ranks;
+  return mapped(sheet.joints, [&](const Joint& joint) {
+    return JointRank{{joint_length(sheet, joint), 0.0, 0.0}};
+  });
 }
 
 Result<Placed> placed_over(const std::vector<JointRank>& ranks, const Sheet& sheet,

@@ -24,11 +24,6 @@ namespace {
 
 using Stated = IdVector<BendId, BendAllowance>;
 
-double middle_u(const Face& face) {
-  const Box2 box = parameter_box(face);
-  return 0.5 * (box.lo.x() + box.hi.x());
-}
-
 /// The neutral surface of a bend's face, developed.
 Development neutral_development(const Sheet& sheet, const Face& face, double k) {
   const Bend& bend = sheet[std::get<BendId>(face.part_of)];
@@ -54,7 +49,7 @@ std::vector<int> spanning_joints(const Sheet& sheet, const Topology& topology) {
   std::vector<std::pair<double, int>> joints;
   for (int j = 0; j < std::ssize(sheet.joints); ++j)
     joints.emplace_back(-ends_apart(sheet, sheet.joints[j].a).norm(), j);
-  std::sort(joints.begin(), joints.end());
+  std::ranges::sort(joints);
   UnionFind parts(topology.node_count());
   std::vector<int> spanning;
   for (const auto& [length, j] : joints)

@@ -4,7 +4,6 @@
 #include <planish/sheet/topology.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace planish::sheet_detail {
 

@@ -123,9 +123,9 @@ Sheet without_bends(Sheet sheet, const std::set<BendId>& gone) {
 }
 
 tl::unexpected<Error> parted(const Sheet& sheet, const std::vector<Joint>& rips) {
-  Facts facts;
-  for (const Joint& rip : rips)
-    facts.emplace_back("edge", edge_at(sheet, rip, *sheet[rip.a].edge));
+  Facts facts = mapped(rips, [&](const Joint& rip) {
+    return Fact("edge", edge_at(sheet, rip, *sheet[rip.a].edge));
+  });
   return fail(rips.size() == 1 ? refuse::rip_parts : refuse::rips_part, facts);
 }
 

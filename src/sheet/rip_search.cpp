@@ -109,8 +109,8 @@ std::optional<std::vector<Misfit>> misfits(Keep keep, const Sheet& made,
   for (int j = 0; j < std::ssize(sheet.joints); ++j)
     if (const double off = mismatch(sheet, *layout, sheet.joints[j]); off > tolerance)
       found.push_back({j, off, sheet.joints[j].sharp.has_value()});
-  std::ranges::stable_sort(found, [](const Misfit& a, const Misfit& b) {
-    return std::pair(a.corner, a.off) > std::pair(b.corner, b.off);
+  std::ranges::stable_sort(found, std::ranges::greater(), [](const Misfit& misfit) {
+    return std::pair(misfit.corner, misfit.off);
   });
   return found;
 }

@@ -5,11 +5,13 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
+#include <planish/geometry/quadrature.hpp>
 #include <planish/sheet/same_part.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 // Whether two patterns are the same part, perhaps turned or turned over. Marks at contours, bends
 // and features give the motions that could take one to the other; each is tried, and the whole must
@@ -33,26 +35,18 @@ bool is_circle(const Loop& loop) {
   return arc && std::abs(arc->sweep) >= 2.0 * pi - tolerance::kComputed;
 }
 
-/// Integral of f(p, dp/dt) along a curve; exact for splines where it is of degree 15 at most.
+/// Integral of f(p, dp/dt) along a curve; exact for splines where it is of degree 9 at most.
 template <typename F>
 double integral(const Curve2& curve, F f) {
-  constexpr double kNodes[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                               0.9602898564975363};
-  constexpr double kWeights[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                 0.1012285362903763};
   int pieces = 1;
   if (const auto* arc = std::get_if<Arc>(&curve))
-    pieces = static_cast<int>(std::ceil(std::abs(arc->sweep) / (pi / 4.0)));
+    pieces = static_cast<int>(std::ceil(std::abs(arc->sweep) / (pi / 8.0)));
   if (const auto* spline = std::get_if<CubicSpline>(&curve))
     pieces = static_cast<int>(spline->poles.size() / 3);
-  double sum = 0.0;
-  for (int i = 0; i < pieces; ++i)
-    for (int k = 0; k < 4; ++k)
-      for (const double side : {-1.0, 1.0}) {
-        const double t = (i + 0.5 * (1.0 + side * kNodes[k])) / pieces;
-        sum += 0.5 * kWeights[k] / pieces * f(point_at(curve, t), derivative_at(curve, t));
-      }
-  return sum;
+  const auto at = [&](double t) { return f(point_at(curve, t), derivative_at(curve, t)); };
+  return sum_of(std::views::iota(0, pieces), [&](int i) {
+    return gauss(at, i / static_cast<double>(pieces), (i + 1) / static_cast<double>(pieces));
+  });
 }
 
 /// Centre of gravity of what a loop encloses; does not depend on where its curves begin.
@@ -108,9 +102,7 @@ std::vector<Mark> marks_of(const FlatPattern& pattern) {
 /// Whether each of `a` has one of `b` of its own that is the same.
 template <typename T, typename Same>
 bool one_to_one(const std::vector<T>& a, const std::vector<T>& b, Same same) {
-  std::vector<const T*> others;
-  for (const T& one : b)
-    others.push_back(&one);
+  auto others = mapped(b, [&](const T& one) { return &one; });
   return a.size() == b.size() && std::ranges::all_of(a, [&](const T& one) {
            const auto other = std::ranges::find_if(others,
                                                    [&](const T* row) { return same(one, *row); });
@@ -204,10 +196,7 @@ class Comparison {
 
   bool same_openings() const {
     const auto loops = [](const std::vector<Contour>& contours, auto moving) {
-      std::vector<Loop> there;
-      for (const Contour& contour : contours)
-        there.push_back(moving(contour.loop));
-      return there;
+      return mapped(contours, [&](const Contour& contour) { return moving(contour.loop); });
     };
     return same_loops(loops(a_.openings, [](const Loop& loop) { return loop; }),
                       loops(b_.openings, [&](const Loop& loop) { return moved(loop); }));
@@ -265,12 +254,8 @@ class Comparison {
   }
 
   bool same_feature(const FlatFeature& a, const FlatFeature& b) const {
-    std::vector<Loop> outlines;
-    for (const Loop& outline : b.outlines)
-      outlines.push_back(moved(outline));
-    std::vector<Vec2> pilots;
-    for (const Vec2& pilot : b.pilots)
-      pilots.push_back(motion_ * pilot);
+    const auto outlines = mapped(b.outlines, [&](const Loop& outline) { return moved(outline); });
+    const auto pilots = mapped(b.pilots, [&](const Vec2& at) -> Vec2 { return motion_ * at; });
     const FormSide side = turned_over_ ? other_side(b.side) : b.side;
     return a.kind == b.kind && a.side == side && a.uncut_openings == b.uncut_openings &&
            matched(
@@ -304,8 +289,6 @@ Isometry2 motion(const Vec2& from, const Vec2& to, double turn, bool over) {
   return motion;
 }
 
-double direction_of(const Vec2& p) { return std::atan2(p.y(), p.x()); }
-
 /// Whether `b` covers `a` after one of the motions that are possible, turned over or not.
 bool covers(const FlatPattern& a, const FlatPattern& b, double tolerance, bool over) {
   const Vec2 from = middle_of(b.outer.loop), to = middle_of(a.outer.loop);
@@ -320,7 +303,7 @@ bool covers(const FlatPattern& a, const FlatPattern& b, double tolerance, bool o
   return std::ranges::any_of(others, [&](const Mark& mark) {
     const Vec2 arm = over ? mirrored(mark.at - from) : Vec2(mark.at - from);
     if (mark.kind != farthest->kind || std::abs(arm.norm() - reach) > tolerance) return false;
-    const double turn = direction_of(farthest->at - to) - direction_of(arm);
+    const double turn = angle_of(farthest->at - to) - angle_of(arm);
     return Comparison(a, b, motion(from, to, turn, over), tolerance).holds();
   });
 }

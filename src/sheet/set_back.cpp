@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // Sharp bends whose reference skin is outside: borders are moved to where the bend begins,
 // t·tan(α/2) into their faces (math.md#setback). From a moved border the loop is walked both ways
@@ -30,7 +29,7 @@ struct MovedLine {
 MovedLine moved_line(const Curve2& border, double distance) {
   const Vec2 start = start_of(border);
   const Vec2 direction = (end_of(border) - start).normalized();
-  const Vec2 inwards(-direction.y(), direction.x());
+  const Vec2 inwards = perpendicular(direction);
   return {start + distance * inwards, direction, inwards};
 }
 
@@ -86,9 +85,9 @@ bool outward(const Sheet& sheet, const Joint& joint) {
 }  // namespace
 
 bool needs_setback(const Sheet& sheet) {
-  return sheet.reference_depth == 0.0 &&
-         std::any_of(sheet.joints.begin(), sheet.joints.end(),
-                     [&](const Joint& joint) { return outward(sheet, joint); });
+  return sheet.reference_depth == 0.0 && std::ranges::any_of(sheet.joints, [&](const Joint& joint) {
+           return outward(sheet, joint);
+         });
 }
 
 Result<Sheet> with_setback(const Sheet& sheet) {

@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/sheet/sheet.hpp>
 
 namespace planish {
@@ -30,17 +31,14 @@ FormSide other_side(FormSide side) {
   return side == FormSide::up ? FormSide::down : FormSide::up;
 }
 
-const char* side_name(FormSide side) {
-  switch (side) {
-    case FormSide::both:
-      return "both";
-    case FormSide::up:
-      return "up";
-    case FormSide::down:
-      return "down";
-  }
-  PLANISH_ASSERT(false);
-  return "";
+std::string_view side_name(FormSide side) { return word_of(side, {"both", "up", "down"}); }
+
+Bend sharp_bend(double angle) {
+  Bend bend;
+  bend.kind = BendKind::sharp;
+  bend.angle = Angle::radians(std::abs(angle));
+  bend.reference_inside = angle < 0.0;
+  return bend;
 }
 
 Vec3 outward_normal(const Face& face, const Vec2& uv) {
@@ -53,10 +51,19 @@ Vec3 skin_point(const Face& face, const Vec2& uv) {
   return point_on(std::get<Developable>(face.surface), uv);
 }
 
-Box2 parameter_box(const Face& face) {
+Box2 bounds(const BorderLoop& loop) {
   Box2 box;
-  for (const Border& border : face.loops.front())
+  for (const Border& border : loop)
     box.add(bounds(border.curve));
+  return box;
+}
+
+Box2 parameter_box(const Face& face) { return bounds(face.loops.front()); }
+
+Box2 parameter_box(const Sheet& sheet, const Bend& bend) {
+  Box2 box;
+  for (const FaceId id : bend.faces)
+    box.add(parameter_box(sheet[id]));
   return box;
 }
 

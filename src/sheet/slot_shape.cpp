@@ -26,9 +26,6 @@ namespace {
 
 using std::numbers::pi;
 
-Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
-double angle_of(const Vec2& direction) { return std::atan2(direction.y(), direction.x()); }
-
 /// Curves that follow one another from a point.
 class Chain {
  public:
@@ -57,7 +54,7 @@ class Chain {
 std::array<Vec2, 2> banks_at_end(const Slot& slot, const Vec2& end, const Vec2& along) {
   const double radius = slot.end_radius(),
                back = std::sqrt(std::max(0.0, radius * radius - slot.half_width * slot.half_width));
-  const Vec2 foot = end - back * along, aside = slot.half_width * left_of(along);
+  const Vec2 foot = end - back * along, aside = slot.half_width * perpendicular(along);
   return {foot + aside, foot - aside};
 }
 
@@ -100,7 +97,8 @@ std::optional<Stretch> inside_disc(const Segment& line, const Vec2& center, doub
 }
 
 std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
-  const Vec2 axis = slot.axis.b - slot.axis.a, along = axis.normalized(), across = left_of(along);
+  const Vec2 axis = slot.axis.b - slot.axis.a, along = axis.normalized(),
+             across = perpendicular(along);
   Stretch range{0.0, 1.0};
   const auto clip = [&](const Vec2& direction, double low, double high) {
     const double at = direction.dot(line.a - slot.axis.a), speed = direction.dot(line.b - line.a);
@@ -148,8 +146,8 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
     return fail(refuse::slit_meets_curve, {{"at", place::point(slot.axis.a)}});
   const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();
   const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
-  const MouthCorner in = mouth_corner(slot, along, left_of(along), from),
-                    out = mouth_corner(slot, along, -left_of(along), to);
+  const MouthCorner in = mouth_corner(slot, along, perpendicular(along), from),
+                    out = mouth_corner(slot, along, -perpendicular(along), to);
   const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
   const bool long_enough = along.dot(left - in.on_bank) > 0.0 &&
                            along.dot(right - out.on_bank) > 0.0;
@@ -189,7 +187,7 @@ std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots
       for (const Vec2& hole : slot.holes())
         cut(inside_disc(line, hole, slot.end_radius()));
   }
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   const auto at = [&](double t) -> Vec2 {
     return t <= 0.0 ? line.a : t >= 1.0 ? line.b : Vec2(line.a + t * (line.b - line.a));
   };

@@ -159,8 +159,7 @@ Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot
 /// From the back, so that the remaining corners keep their indices.
 Result<void> open_slots(FlatPattern& pattern, std::vector<Slot> slots, double tolerance) {
   std::erase_if(slots, [](const Slot& slot) { return !slot.opens_at; });
-  std::sort(slots.begin(), slots.end(),
-            [](const Slot& a, const Slot& b) { return a.opens_at->at > b.opens_at->at; });
+  std::ranges::sort(slots, std::ranges::greater(), [](const Slot& s) { return s.opens_at->at; });
   const auto contours = contours_of(pattern);
   for (const Slot& slot : slots) {
     Contour& contour = *contours[slot.opens_at->contour];

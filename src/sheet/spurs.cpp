@@ -126,7 +126,7 @@ std::vector<Segment> joined(std::vector<Segment> curves, double tolerance) {
       }
     whole.push_back(slit);
   }
-  std::reverse(whole.begin(), whole.end());
+  std::ranges::reverse(whole);
   return whole;
 }
 

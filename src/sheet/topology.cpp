@@ -86,10 +86,4 @@ int Topology::node_of(PartId part) const {
   return flange ? row : flange_count_ + row;
 }
 
-PartId Topology::part_at(int node) const {
-  PLANISH_ASSERT(node >= 0 && node < node_count());
-  if (node < flange_count_) return FlangeId{node};
-  return BendId{node - flange_count_};
-}
-
 }  // namespace planish

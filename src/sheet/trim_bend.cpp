@@ -6,10 +6,7 @@ namespace planish::sheet_detail {
 namespace {
 
 double total_length(const std::vector<Segment>& lines) {
-  double sum = 0.0;
-  for (const Segment& line : lines)
-    sum += (line.b - line.a).norm();
-  return sum;
+  return sum_of(lines, [&](const Segment& line) { return (line.b - line.a).norm(); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/shop/rates.hpp>
 
 #include <fmt/format.h>
@@ -23,14 +24,6 @@ constexpr std::array kRateKeys{
     RateKey{"bend", &Rates::Row::bend}, RateKey{"setup", &Rates::Row::setup},
     RateKey{"kg", &Rates::Row::kg},     RateKey{"area", &Rates::Row::area}};
 
-/// A key as part of a JSON pointer.
-std::string in_pointer(const std::string& key) {
-  std::string escaped;
-  for (const char c : key)
-    escaped += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return escaped;
-}
-
 tl::unexpected<Error> wrong_rates(const std::string& file, const std::string& pointer,
                                   const Refusal& refusal, Facts facts = {}) {
   facts.emplace_back("file", file);
@@ -43,12 +36,10 @@ Result<Rates::Row> rates_row(const std::string& file, const std::string& pointer
   if (!json.is_object()) return wrong_rates(file, pointer, refuse::row_no_object);
   Rates::Row row;
   for (const auto& [key, value] : json.items()) {
-    const std::string at = pointer + "/" + in_pointer(key);
+    const std::string at = pointer + "/" + escaped_token(key);
     const auto found = std::ranges::find(kRateKeys, key, &RateKey::name);
     if (found == kRateKeys.end()) {
-      std::vector<std::string_view> known;
-      for (const RateKey& one : kRateKeys)
-        known.push_back(one.name);
+      const auto known = mapped(kRateKeys, &RateKey::name);
       return wrong_rates(file, at, refuse::unknown_rate,
                          {{"known", fmt::format("{}", fmt::join(known, ", "))}});
     }
@@ -76,7 +67,7 @@ Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
   Rates rates;
   rates.name_ = file;
   for (const auto& [key, value] : json.items()) {
-    const std::string at = "/" + in_pointer(key);
+    const std::string at = "/" + escaped_token(key);
     if (key == "format" || key == "version") {
       const bool fits = key == "format" ? value == "planish/rates" : value == 1;
       if (!fits) return wrong_rates(file, at, refuse::not_rates);
@@ -84,7 +75,7 @@ Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
       rates.currency_ = value.get<std::string>();
     } else if (key == "materials" && value.is_object()) {
       for (const auto& [material, row] : value.items()) {
-        auto read = rates_row(file, at + "/" + in_pointer(material), row);
+        auto read = rates_row(file, at + "/" + escaped_token(material), row);
         if (!read) return pass_on(read);
         rates.rows_.emplace(material, *read);
       }
@@ -99,9 +90,7 @@ Result<Rates> Rates::parse(const std::string& text, const std::string& file) {
 Result<double> Rates::cost_of(const PricedPart& part) const {
   const auto row = rows_.find(part.material);
   if (row == rows_.end()) {
-    std::vector<std::string> known;
-    for (const auto& [material, rates] : rows_)
-      known.push_back(material);
+    const auto known = mapped(rows_, [](const auto& entry) { return entry.first; });
     return fail(refuse::no_rates_of,
                 {{"file", name_},
                  {"material", part.material},

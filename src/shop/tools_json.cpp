@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/base/id_vector.hpp>
 #include <planish/base/text.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -92,9 +93,8 @@ Schema make_tools_schema() {
 class Profiles {
  public:
   ToolProfile at(const JsonPlace& place) {
-    ToolProfile corners;
-    for (const JsonPlace& corner : place.items())
-      corners.push_back(corner.plane_point());
+    ToolProfile corners = mapped(place.items(),
+                                 [&](const JsonPlace& corner) { return corner.plane_point(); });
     if (ring_area(corners) < 0.0) {
       std::reverse(corners.begin() + 1, corners.end());
       turned_[place.pointer()] = corners.size();
@@ -118,10 +118,7 @@ class Profiles {
 };
 
 std::vector<double> lengths_at(const JsonPlace& place) {
-  std::vector<double> lengths;
-  for (const JsonPlace& item : place.items())
-    lengths.push_back(item.length());
-  return lengths;
+  return mapped(place.items(), [&](const JsonPlace& item) { return item.length(); });
 }
 
 Punch punch_at(const JsonPlace& place, Profiles& profiles) {
@@ -169,7 +166,6 @@ const Schema& tools_schema() {
 
 Result<BrakeTools> parse_tools(const std::string& json, const std::string& name) {
   JsonReading reading(json, "tools file", name, tools_schema());
-  if (reading.error()) return tl::unexpected(*reading.error());
   const JsonPlace file(reading);
   Profiles profiles;
   BrakeTools tools;

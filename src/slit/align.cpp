@@ -112,9 +112,8 @@ Step step_from(const Eigen::Isometry3d& motion, const std::vector<ScannedStrip>&
 }  // namespace
 
 Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans) {
-  std::vector<Surface> surfaces;
-  for (const ScannedStrip& scan : scans)
-    surfaces.emplace_back(scan.strip);
+  const auto surfaces = mapped(scans,
+                               [&](const ScannedStrip& scan) { return Surface(scan.strip); });
   const Extent extent = extent_of(scans);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for (int round = 0; round < kRounds; ++round) {

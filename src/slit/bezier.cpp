@@ -1,5 +1,7 @@
 #include <planish/base/assert.hpp>
+#include <planish/geometry/minimum.hpp>
 #include <planish/geometry/plane.hpp>
+#include <planish/geometry/quadrature.hpp>
 #include <planish/slit/bezier.hpp>
 
 #include <algorithm>
@@ -22,27 +24,8 @@ int sample_count(const BezierCurve& curve) {
   return kSamplesPerDegree * std::max<int>(1, static_cast<int>(curve.poles.size()) - 1);
 }
 
-/// Gauss–Legendre on five points.
-double gauss_length(const BezierCurve& curve, double from, double to) {
-  constexpr std::array<double, 5> kNodes{-0.9061798459386640, -0.5384693101056831, 0.0,
-                                         0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 5> kWeights{0.2369268850561891, 0.4786286704993665,
-                                           0.5688888888888889, 0.4786286704993665,
-                                           0.2369268850561891};
-  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kNodes.size(); ++i)
-    sum += kWeights[i] * bezier_at(curve, middle + half * kNodes[i]).first.norm();
-  return half * sum;
-}
-
-double adaptive_length(const BezierCurve& curve, double from, double to, double whole,
-                       double tolerance, int depth) {
-  const double middle = 0.5 * (from + to);
-  const double left = gauss_length(curve, from, middle), right = gauss_length(curve, middle, to);
-  if (depth == 0 || std::abs(left + right - whole) <= tolerance) return left + right;
-  return adaptive_length(curve, from, middle, left, tolerance, depth - 1) +
-         adaptive_length(curve, middle, to, right, tolerance, depth - 1);
+auto speed_of(const BezierCurve& curve) {
+  return [&](double t) { return bezier_at(curve, t).first.norm(); };
 }
 
 double radius_at(const BezierCurve& curve, double t) {
@@ -51,24 +34,6 @@ double radius_at(const BezierCurve& curve, double t) {
   const double turn = std::abs(cross(p.first, p.second));
   if (turn > 0.0) return speed * speed * speed / turn;
   return speed > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
-}
-
-/// Golden section between two parameters around a sampled minimum.
-TightestBend refined(const BezierCurve& curve, double low, double high) {
-  constexpr double kGolden = 0.6180339887498949;
-  constexpr int kSteps = 60;
-  double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-  double at_a = radius_at(curve, a), at_b = radius_at(curve, b);
-  for (int i = 0; i < kSteps; ++i) {
-    if (at_a <= at_b) {
-      high = b, b = a, at_b = at_a;
-      a = high - kGolden * (high - low), at_a = radius_at(curve, a);
-    } else {
-      low = a, a = b, at_a = at_b;
-      b = low + kGolden * (high - low), at_b = radius_at(curve, b);
-    }
-  }
-  return at_a <= at_b ? TightestBend{at_a, a} : TightestBend{at_b, b};
 }
 
 }  // namespace
@@ -100,13 +65,13 @@ double length(const BezierCurve& curve) {
   double polygon = 0.0;
   for (std::size_t i = 0; i + 1 < curve.poles.size(); ++i)
     polygon += (curve.poles[i + 1] - curve.poles[i]).norm();
-  constexpr int kPieces = 4, kDepth = 24;
+  constexpr int kPieces = 4, kHalvings = 24;
   constexpr double kAllowed = 1e-13;  // of the control polygon, in each piece
+  const auto speed = speed_of(curve);
   double sum = 0.0;
   for (int i = 0; i < kPieces; ++i) {
     const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
-    sum += adaptive_length(curve, from, to, gauss_length(curve, from, to), kAllowed * polygon,
-                           kDepth);
+    sum += adaptive_gauss(speed, from, to, gauss(speed, from, to), kAllowed * polygon, kHalvings);
   }
   return sum;
 }
@@ -116,8 +81,8 @@ std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<
   const int count = sample_count(curve);
   std::vector<double> until{0.0};
   for (int i = 0; i < count; ++i)
-    until.push_back(until.back() + gauss_length(curve, static_cast<double>(i) / count,
-                                                static_cast<double>(i + 1) / count));
+    until.push_back(until.back() + gauss(speed_of(curve), static_cast<double>(i) / count,
+                                         static_cast<double>(i + 1) / count));
   std::vector<Vec2> points;
   for (const double length : lengths) {
     const auto after = std::upper_bound(until.begin() + 1, until.end() - 1, length);
@@ -131,16 +96,10 @@ std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<
 
 TightestBend tightest_bend(const BezierCurve& curve, double from, double to) {
   PLANISH_ASSERT(is_regular(curve));
-  const int count = sample_count(curve);
-  const auto at = [&](int i) { return from + (to - from) * i / count; };
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= count; ++i)
-    if (const double radius = radius_at(curve, at(i)); radius < least) least = radius, best = i;
-  if (!(least < std::numeric_limits<double>::infinity())) return {least, from};
-  const TightestBend between = refined(curve, at(std::max(0, best - 1)),
-                                       at(std::min(count, best + 1)));
-  return between.radius < least ? between : TightestBend{least, at(best)};
+  constexpr int kSteps = 60;
+  const auto radius = [&](double t) { return radius_at(curve, t); };
+  const double t = least_at(radius, from, to, sample_count(curve), kSteps);
+  return {radius(t), t};
 }
 
 BezierSearch::BezierSearch(BezierCurve curve) : curve_(std::move(curve)) {
@@ -151,10 +110,8 @@ BezierSearch::BezierSearch(BezierCurve curve) : curve_(std::move(curve)) {
 }
 
 BezierSearch::Foot BezierSearch::nearest(const Vec2& p) const {
-  const auto closer = [&](const Vec2& a, const Vec2& b) {
-    return (a - p).squaredNorm() < (b - p).squaredNorm();
-  };
-  const auto best = std::min_element(samples_.begin(), samples_.end(), closer) - samples_.begin();
+  const auto away = [&](const Vec2& sample) { return (sample - p).squaredNorm(); };
+  const auto best = std::ranges::min_element(samples_, {}, away) - samples_.begin();
   const double step = 1.0 / (static_cast<double>(samples_.size()) - 1.0);
   const double low = std::max(0.0, (static_cast<double>(best) - 1.0) * step),
                high = std::min(1.0, (static_cast<double>(best) + 1.0) * step);

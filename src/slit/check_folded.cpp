@@ -1,7 +1,6 @@
 #include "refusals.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/sheet/codes.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 // What a slit design must hold before anything is solved: numbers in their range, curves no tighter
@@ -171,9 +172,7 @@ Result<void> check_seat_curve(const SlitDesign& design) {
     return fail(refuse::seat_curve_without_symmetry, {{"field", field("/seat_curve")}});
   if (auto sound = check_curve(*design.seat_curve, "The seat curve", "/seat_curve"); !sound)
     return sound;
-  double width = 0.0;
-  for (const SlitStrip& strip : design.sheet.strips)
-    width += strip.width;
+  const double width = sum_of(design.sheet.strips, &SlitStrip::width);
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
     return fail(refuse::seat_curve_too_short, {{"length", long_is, unit::mm},
                                                {"width", width, unit::mm},
@@ -194,8 +193,7 @@ Result<void> check_scan(const SlitDesign& design, int index) {
   if (points.empty())
     return fail(refuse::empty_scan,
                 {{"strip", place::strip(strip)}, {"field", field(where, "/points")}});
-  const auto bad = std::find_if(points.begin(), points.end(),
-                                [](const Vec3& p) { return !in_range(p); });
+  const auto bad = std::ranges::find_if(points, [](const Vec3& p) { return !in_range(p); });
   if (bad != points.end())
     return fail(refuse::bad_scan_point,
                 {{"strip", place::strip(strip)},
@@ -231,23 +229,16 @@ Result<void> check_far_side(const SlitDesign& design) {
 
 Result<void> check_sheet(const SlitDesign& design) {
   const SlitSheet& sheet = design.sheet;
-  if (auto sound = check_length(sheet.thickness, {"The thickness"}, "/thickness"); !sound)
-    return sound;
-  if (auto sound = check_length(sheet.panel_height, {"The height of the panel"},
-                                "/sheet/panel_height");
-      !sound)
-    return sound;
-  if (auto sound = check_length(sheet.half_length, {"The half-length"}, "/sheet/half_length");
-      !sound)
-    return sound;
-  if (auto sound = check_from_zero({sheet.margin, unit::mm}, kLargest, {"The margin"},
-                                   "/sheet/margin");
-      !sound)
-    return sound;
-  if (auto sound = check_from_zero({sheet.min_inside_radius, unit::mm}, kLargest,
-                                   {"The smallest inside radius"}, "/min_inside_radius");
-      !sound)
-    return sound;
+  for (const auto& [value, name, key] :
+       {std::tuple{sheet.thickness, "The thickness", "/thickness"},
+        std::tuple{sheet.panel_height, "The height of the panel", "/sheet/panel_height"},
+        std::tuple{sheet.half_length, "The half-length", "/sheet/half_length"}})
+    if (auto sound = check_length(value, {name}, key); !sound) return sound;
+  for (const auto& [value, name, key] :
+       {std::tuple{sheet.margin, "The margin", "/sheet/margin"},
+        std::tuple{sheet.min_inside_radius, "The smallest inside radius", "/min_inside_radius"}})
+    if (auto sound = check_from_zero({value, unit::mm}, kLargest, {name}, key); !sound)
+      return sound;
   const int count = static_cast<int>(sheet.strips.size());
   if (count < 1 || count > kMostStrips)
     return fail(refuse::bad_number_of_strips,

@@ -18,21 +18,12 @@
 namespace planish::slit_detail {
 namespace {
 
-struct Box3 {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = -low;
-  void add(const Vec3& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
-  bool meets(const Box3& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
-
 /// A quad with its corners in turn.
 struct Quad {
   const Frame* frame = nullptr;
   std::array<Vec2, 4> flat;
   std::array<Vec3, 4> corners;
-  Box3 box;
+  Eigen::AlignedBox3d box;
 };
 
 std::vector<Quad> quads_of(const FoldedStrip& strip) {
@@ -44,7 +35,7 @@ std::vector<Quad> quads_of(const FoldedStrip& strip) {
               {from.folded[0], to.folded[0], to.folded[1], from.folded[1]},
               {}};
     for (const Vec3& corner : quad.corners)
-      quad.box.add(corner);
+      quad.box.extend(corner);
     quads.push_back(quad);
   }
   return quads;
@@ -88,7 +79,7 @@ bool cross(const FoldedStrip& a, const FoldedStrip& b) {
   const std::vector<Quad> first = quads_of(a), second = quads_of(b);
   for (const Quad& p : first)
     for (const Quad& q : second)
-      if (p.box.meets(q.box) && (edges_pierce(p, q, margin) || edges_pierce(q, p, margin)))
+      if (p.box.intersects(q.box) && (edges_pierce(p, q, margin) || edges_pierce(q, p, margin)))
         return true;
   return false;
 }

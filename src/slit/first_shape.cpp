@@ -39,8 +39,7 @@ struct Bow {
 };
 
 const EndCondition* condition_of(const StripProblem& problem, EndCondition::Of of) {
-  const auto found = std::find_if(problem.ends.begin(), problem.ends.end(),
-                                  [&](const EndCondition& c) { return c.of == of; });
+  const auto found = std::ranges::find(problem.ends, of, &EndCondition::of);
   return found == problem.ends.end() ? nullptr : &*found;
 }
 
@@ -208,7 +207,7 @@ std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& want
   candidates.resize(kRefined);
   for (Candidate& candidate : candidates)
     candidate = refined(candidate, problem, wanted);
-  std::sort(candidates.begin(), candidates.end(), cheaper);
+  std::ranges::sort(candidates, cheaper);
   return candidates;
 }
 

@@ -26,8 +26,6 @@ using namespace slit_detail;
 
 namespace {
 
-Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
-
 WholeStrip whole_strip(const FoldedStrip& strip, double sign) {
   WholeStrip whole;
   for (const SlitRidge& ridge : strip.ridges)
@@ -148,10 +146,9 @@ bool leans_up(const Vec3& towards_mould, const Setting& setting) {
 Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at,
                                           const Setting& setting, int number) {
   const auto& [left, right] = strip.ridges[at];
-  const auto normal = [&](int quad) -> const Vec3& { return strip.towards_mould[quad]; };
-  const Vec3 step = at == first ? normal(first)
-                    : at > last ? normal(last)
-                                : mitre(normal(at - 1), normal(at));
+  const auto normals = std::span(strip.towards_mould)
+                           .subspan(static_cast<std::size_t>(first), last - first + 1);
+  const Vec3 step = mitre(normals, static_cast<std::size_t>(at - first));
   const double share = std::min(
       std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
@@ -223,8 +220,7 @@ Frame base_frame(double height, const Vec3& up) {
 /// The facet of a panel at which a strip ends, as a quad before or behind its own.
 std::optional<WholeStrip> facet_below(const std::vector<PanelFacet>& panel, int strip,
                                       const Setting& setting) {
-  const auto facet = std::ranges::find_if(panel,
-                                          [&](const PanelFacet& f) { return f.strip == strip; });
+  const auto facet = std::ranges::find(panel, strip, &PanelFacet::strip);
   if (facet == panel.end()) return std::nullopt;
   const Vec3 normal = setting.sign * facet->frame.z;
   if (std::abs(normal.dot(setting.up)) <= kUprightPanel) return std::nullopt;

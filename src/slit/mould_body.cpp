@@ -3,6 +3,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/mesh_volume.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
@@ -36,7 +37,6 @@ struct Standing {
 };
 
 Vec3 itself(const Vec3& v) { return v; }
-Vec3 image(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 /// The panel, or its mirror image.
 Standing standing(const std::vector<PanelFacet>& panel, const WallSetting& setting,
@@ -65,16 +65,13 @@ bool is_upright(const Standing& panel, const Vec3& up) {
 /// The strip between two offsets from the panel.
 std::vector<Vec2> band(const Standing& panel, const Frame& plan, double from, double to) {
   std::vector<Vec2> near, far;
-  const auto& normals = panel.towards_mould;
   for (std::size_t i = 0; i < panel.free_edge.size(); ++i) {
-    const Vec3 step = i == 0                ? normals.front()
-                      : i == normals.size() ? normals.back()
-                                            : mitre(normals[i - 1], normals[i]);
+    const Vec3 step = mitre(panel.towards_mould, i);
     near.push_back(plan.local2(panel.free_edge[i] + from * step));
     far.push_back(plan.local2(panel.free_edge[i] + to * step));
   }
   near.insert(near.end(), far.rbegin(), far.rend());
-  if (ring_area(near) < 0.0) std::reverse(near.begin(), near.end());
+  if (ring_area(near) < 0.0) std::ranges::reverse(near);
   return near;
 }
 
@@ -94,15 +91,6 @@ Result<MouldWall> wall_behind(const Standing& panel, const WallSetting& setting)
 std::vector<Vec2> seen(const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far,
                        const Frame& plan) {
   return {plan.local2(near[0]), plan.local2(far[0]), plan.local2(far[1]), plan.local2(near[1])};
-}
-
-/// A ridge on the skin towards the mould.
-std::array<Vec3, 2> skin_ridge(const WholeStrip& strip, std::size_t at, double offset) {
-  const auto& normals = strip.towards_mould;
-  const Vec3 step = offset * (at == 0                ? normals.front()
-                              : at == normals.size() ? normals.back()
-                                                     : mitre(normals[at - 1], normals[at]));
-  return {strip.ridges[at][0] + step, strip.ridges[at][1] + step};
 }
 
 /// The lowest that the skin of a quad comes over a footprint.
@@ -170,17 +158,6 @@ void stand(Mesh& body, const Mesh& part, const Frame& plan, double plate) {
       body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-bool is_closed(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> runs;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  return std::ranges::all_of(runs, [&](const auto& run) {
-    const auto back = runs.find({run.first.second, run.first.first});
-    return run.second == 1 && back != runs.end() && back->second == 1;
-  });
-}
-
 using Triangles = std::vector<std::array<int, 3>>;
 
 /// Divides the triangle at the line from a ring's corner to a later one, so that it has the corners
@@ -193,7 +170,7 @@ bool divide(Triangles& triangles, const std::vector<int>& line) {
       const bool forwards = from == line.front() && to == line.back();
       if (!forwards && !(from == line.back() && to == line.front())) continue;
       std::vector<int> run = line;
-      if (!forwards) std::reverse(run.begin(), run.end());
+      if (!forwards) std::ranges::reverse(run);
       triangles[i] = {run[0], run[1], opposite};
       for (std::size_t k = 1; k + 1 < run.size(); ++k)
         triangles.push_back({run[k], run[k + 1], opposite});
@@ -257,7 +234,8 @@ Result<std::vector<MouldWall>> walls_of(const FoldedSlitSheet& folded, const Wal
   std::vector<Standing> panels;
   for (const auto* panel : {&folded.panel, &folded.second_panel})
     if (!panel->empty()) panels.push_back(standing(*panel, setting, itself));
-  if (folded.symmetric && !panels.empty()) panels.push_back(standing(folded.panel, setting, image));
+  if (folded.symmetric && !panels.empty())
+    panels.push_back(standing(folded.panel, setting, mirrored));
   std::vector<MouldWall> walls;
   for (const Standing& panel : panels) {
     if (!is_upright(panel, setting.plan.z)) continue;
@@ -302,7 +280,7 @@ double lowest_of_panels(const FoldedSlitSheet& folded, const Vec3& up) {
     for (const PanelFacet& facet : *panel)
       for (const Vec2& corner : facet.corners) {
         const Vec3 p = facet.frame.point(corner);
-        lowest = std::min({lowest, p.dot(up), folded.symmetric ? image(p).dot(up) : p.dot(up)});
+        lowest = std::min({lowest, p.dot(up), folded.symmetric ? mirrored(p).dot(up) : p.dot(up)});
       }
   return lowest;
 }
@@ -366,7 +344,7 @@ Result<Mesh> body_of(const Mould& mould, double plate, double beyond) {
   const auto top_of_plate = triangles_around(rim, standing, corners);
   if (!top_of_plate) return touching();
   body.triangles.insert(body.triangles.end(), top_of_plate->begin(), top_of_plate->end());
-  if (!is_closed(body)) return touching();
+  if (!open_sides(body).empty()) return touching();
   return body;
 }
 

@@ -96,13 +96,8 @@ class View {
   }
 
   void add(const WholeStrip& strip, int number) {
-    const auto skin = [&](std::size_t ridge, double sense) -> std::array<Vec3, 2> {
-      const auto& normals = strip.towards_mould;
-      const Vec3 step = sense * offset_ *
-                        (ridge == 0                ? normals.front()
-                         : ridge == normals.size() ? normals.back()
-                                                   : mitre(normals[ridge - 1], normals[ridge]));
-      return {strip.ridges[ridge][0] + step, strip.ridges[ridge][1] + step};
+    const auto skin = [&](std::size_t ridge, double sense) {
+      return skin_ridge(strip, ridge, sense * offset_);
     };
     for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad) {
       const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) {

@@ -4,6 +4,8 @@
 #include <planish/slit/mould.hpp>
 
 #include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace planish::slit_detail {
@@ -16,8 +18,23 @@ struct WholeStrip {
   int first = 0;  ///< number of its first quad
 };
 
-/// From a ridge to where the facets beside it meet, half the thickness from both quads.
-inline Vec3 mitre(const Vec3& a, const Vec3& b) { return (a + b) / (1.0 + a.dot(b)); }
+/// From a ridge to where the facets beside it meet, half the thickness from both quads: of the
+/// ridge `at` of these normals and one more.
+inline Vec3 mitre(std::span<const Vec3> normals, std::size_t at) {
+  if (at == 0) return normals.front();
+  if (at == normals.size()) return normals.back();
+  const Vec3 &a = normals[at - 1], &b = normals[at];
+  return (a + b) / (1.0 + a.dot(b));
+}
+
+/// A ridge on the skin towards the mould, `offset` from the middle of the sheet.
+inline std::array<Vec3, 2> skin_ridge(const WholeStrip& strip, std::size_t at, double offset) {
+  const Vec3 step = offset * mitre(strip.towards_mould, at);
+  return {strip.ridges[at][0] + step, strip.ridges[at][1] + step};
+}
+
+/// The image in the plane of symmetry.
+inline Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 /// Checks that ribs stand apart and none comes up through the sheet; they may stand below it, even
 /// below parts that they do not carry. `strips`: by strip, whole or both halves; `offset`: half the

@@ -3,11 +3,9 @@
 #include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/slit/codes.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 
 // The panel over its leg curve: the sheet's widths are stepped along the curve as chords, so each

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 // Shapes that meet the end conditions (math.md#strip-conditions, docs/decisions/0002). Damped

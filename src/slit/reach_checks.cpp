@@ -21,8 +21,7 @@ namespace planish::slit_detail {
 namespace {
 
 const PanelFacet& facet_of(const std::vector<PanelFacet>& panel, int strip) {
-  return *std::find_if(panel.begin(), panel.end(),
-                       [&](const PanelFacet& facet) { return facet.strip == strip; });
+  return *std::ranges::find(panel, strip, &PanelFacet::strip);
 }
 
 /// How much too far from the panel's edge a place is for the middle of a strip's end, mm.

@@ -44,7 +44,7 @@ std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
   for (auto facet = rib.facets.rbegin(); facet != rib.facets.rend(); ++facet)
     ring.push_back(base.local2((*facet)[2]));
   ring.push_back(base.local2(rib.facets.front()[3]));
-  if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+  if (ring_area(ring) < 0.0) std::ranges::reverse(ring);
   return ring;
 }
 

@@ -5,12 +5,10 @@
 #include "strip_work.hpp"
 
 #include <planish/base/assert.hpp>
-#include <planish/slit/codes.hpp>
 #include <planish/slit/session.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <iterator>
 #include <memory>
 #include <string>

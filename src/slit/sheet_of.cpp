@@ -197,12 +197,10 @@ Face face_of(const PlaneRegion& region, FlangeId flange) {
   face.surface = region.frame;
   face.part_of = flange;
   BorderLoop& loop = face.loops.emplace_back();
-  for (std::size_t i = 0; i < region.corners.size(); ++i) {
-    const Vec2 &from = region.corners[i], &to = region.corners[(i + 1) % region.corners.size()];
-    Border border{Segment{from, to}};
-    border.edge_length = (region.frame.point(to) - region.frame.point(from)).norm();
-    loop.push_back(border);
-  }
+  for (const Segment& side : sides_of(region.corners))
+    loop.push_back(
+        {.curve = side,
+         .edge_length = (region.frame.point(side.b) - region.frame.point(side.a)).norm()});
   return face;
 }
 
@@ -220,13 +218,7 @@ void add_joints(SheetBuilder& builder, const JoinedRegions& joined,
   for (std::size_t s = 0; s < joined.shared.size(); ++s) {
     const SharedBorder& border = joined.shared[s];
     std::optional<BendId> sharp;
-    if (!planes.same(border.a, border.b)) {
-      Bend bend;
-      bend.kind = BendKind::sharp;
-      bend.angle = Angle::radians(std::abs(folds[s]));
-      bend.reference_inside = folds[s] < 0.0;
-      sharp = builder.add_bend(std::move(bend));
-    }
+    if (!planes.same(border.a, border.b)) sharp = builder.add_bend(sharp_bend(folds[s]));
     builder.join({static_cast<FaceId>(border.a), 0, border.border_a},
                  {static_cast<FaceId>(border.b), 0, border.border_b}, sharp);
   }
@@ -249,9 +241,9 @@ void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
 Sheet sheet_of(const FoldedSlitSheet& folded) {
   require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
-  std::vector<double> folds;
-  for (const SharedBorder& border : joined.shared)
-    folds.push_back(fold_between(joined.all[border.a], border.border_a, joined.all[border.b]));
+  const auto folds = mapped(joined.shared, [&](const SharedBorder& border) {
+    return fold_between(joined.all[border.a], border.border_a, joined.all[border.b]);
+  });
   UnionFind planes = planes_of(joined.all.size(), joined.shared, folds);
   SheetBuilder builder(folded.thickness, 0.5 * folded.thickness);
   add_faces(builder, joined, planes);

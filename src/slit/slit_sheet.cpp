@@ -2,7 +2,6 @@
 #include <planish/slit/slit_sheet.hpp>
 
 #include <algorithm>
-#include <cstddef>
 
 namespace planish {
 

@@ -63,7 +63,7 @@ std::vector<EndCondition> at_free_end(const StripEnd& end) {
 }
 
 auto facet_at(const std::vector<PanelFacet>& panel, int strip) {
-  return std::ranges::find_if(panel, [&](const PanelFacet& f) { return f.strip == strip; });
+  return std::ranges::find(panel, strip, &PanelFacet::strip);
 }
 
 const StripParameters& parameters_of(const Snapshot& now, int strip, StripParameters& room) {

@@ -106,13 +106,6 @@ Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold,
   return derivative;
 }
 
-Eigen::Matrix3Xd direction_derivative(const std::vector<Twist>& twists, const Vec3& direction) {
-  Eigen::Matrix3Xd derivative(3, static_cast<Eigen::Index>(twists.size()));
-  for (std::size_t q = 0; q < twists.size(); ++q)
-    derivative.col(static_cast<Eigen::Index>(q)) = twists[q].axis.cross(direction);
-  return derivative;
-}
-
 FoldedStrip folded_strip(const StripBase& base, const StripParameters& p) {
   const StripFold fold = folded(base, p);
   FoldedStrip strip;

@@ -62,8 +62,6 @@ std::vector<Twist> twists(const StripBase& base, const StripFold& fold);
 /// Derivative of a ridge's end with respect to all parameters.
 Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold,
                                 const std::vector<Twist>& twists, int side, int ridge);
-/// Derivative of a vector fixed to the last quad.
-Eigen::Matrix3Xd direction_derivative(const std::vector<Twist>& twists, const Vec3& direction);
 
 /// The fold as the public type.
 FoldedStrip folded_strip(const StripBase& base, const StripParameters& p);

@@ -4,7 +4,6 @@
 #include "reach.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>

@@ -151,7 +151,7 @@ void note_crossings(Snapshot& now, const std::vector<int>& moved) {
     }
   for (int strip = 0; strip < now.count(); ++strip) {
     auto& found = crosses[strip];
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     if (found == now.slot(strip).state.crosses) continue;
     Slot slot = now.slot(strip);
     slot.state.crosses = std::move(found);
@@ -166,18 +166,16 @@ int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentO
   std::vector<int> pairs;
   for (int strip = 0; strip + 1 < now.count(); ++strip) {
     const auto& crosses = now.slot(strip).state.crosses;
-    if (std::find(crosses.begin(), crosses.end(), strip + 1) != crosses.end())
-      pairs.push_back(strip);
+    if (std::ranges::find(crosses, strip + 1) != crosses.end()) pairs.push_back(strip);
   }
   // By their properties, not their numbers, so that a mirrored sheet gives the mirrored result.
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [&](int a, int b) { return both(now, a) < both(now, b); });
+  std::ranges::stable_sort(pairs, [&](int a, int b) { return both(now, a) < both(now, b); });
   int iterations = 0;
   for (const int pair : pairs) {
     std::optional<Snapshot> best;
     for (const int strip : {pair, pair + 1}) {
       if (options.stop && options.stop()) return iterations;
-      if (std::find(moved.begin(), moved.end(), strip) == moved.end()) continue;
+      if (std::ranges::find(moved, strip) == moved.end()) continue;
       Snapshot tried = now;
       iterations += work_on(tried, strip, Clear::of_neighbours, options).iterations;
       if (cross(folded_of(tried, pair), folded_of(tried, pair + 1))) continue;

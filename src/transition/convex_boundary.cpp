@@ -36,7 +36,7 @@ Element placed(const PlaneElement& plane_element, const Frame& frame, bool turne
   element.period = plane_element.period;
   element.knots = plane_element.knots;
   if (turned) {
-    std::reverse(element.knots.begin(), element.knots.end());
+    std::ranges::reverse(element.knots);
     for (double& t : element.knots)
       t = -t;
   }

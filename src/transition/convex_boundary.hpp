@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/base/result.hpp>
 #include <planish/geometry/general_cone.hpp>
 #include <planish/transition/profile.hpp>
 

@@ -10,12 +10,10 @@
 #include "roots.hpp"
 
 #include <planish/base/tolerance.hpp>
-#include <planish/transition/codes.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 // The lateral hull of two convex profiles (math.md#lateral-hull): planes that touch both. A plane
 // is carried over from the tangent line where an element of one begins or ends to the place of the

@@ -46,7 +46,7 @@ double RuledPatch::turn(double from, double to) const {
 
 double RuledPatch::turned(double from, double to) const {
   const Vec3 a = normal(from), b = normal(to);
-  const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double between = angle_between(a, b);
   // How far the normals turn about their common axis, in steps of less than half a turn.
   constexpr int kSteps = 16;
   std::vector<Vec3> normals;

@@ -33,10 +33,7 @@ std::vector<RuledPatch::Press> RuledPatch::evenly_turned(double from, double to,
     middles.push_back((i + 0.5) / count);
   const auto [whole, rulings] = divided([&](double at) { return local(at).turn_rate; }, from, to,
                                         middles);
-  std::vector<Press> presses;
-  for (const double at : rulings)
-    presses.push_back({at, whole / count});
-  return presses;
+  return mapped(rulings, [&](double at) { return Press{at, whole / count}; });
 }
 
 std::vector<RuledPatch::Press> RuledPatch::evenly_along(int side, double from, double to,

@@ -40,14 +40,7 @@ Bend bend_of(const RuledPatch& patch, const PartFace& face, const TransitionSpec
       0.0, patch.smallest_radii(range.from, range.to).middle - spec.k_factor * spec.thickness);
   for (const RuledPatch::Press& press : presses)
     bend.press_lines.push_back({part.u(press.at), Angle::radians(press.turn)});
-  if (part.u1 < part.u0) std::reverse(bend.press_lines.begin(), bend.press_lines.end());
-  return bend;
-}
-
-Bend sharp_bend(double angle) {
-  Bend bend;
-  bend.kind = BendKind::sharp;
-  bend.angle = Angle::radians(angle);
+  if (part.u1 < part.u0) std::ranges::reverse(bend.press_lines);
   return bend;
 }
 
@@ -126,9 +119,8 @@ void add_labels(SheetBuilder& sheet, const Ring& ring, const std::vector<PartFac
 
 Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
                           const std::vector<PatchPart>& parts, int piece, RulingNames& names) {
-  std::vector<PartFace> faces;
-  for (const PatchPart& part : parts)
-    faces.push_back(face_of(ring, part, spec.pressing, {}));
+  const auto faces = mapped(
+      parts, [&](const PatchPart& part) { return face_of(ring, part, spec.pressing, {}); });
   SheetBuilder sheet = assembled(ring, spec, faces);
   add_labels(sheet, ring, faces, piece, names);
   return std::move(sheet).build();
@@ -136,10 +128,9 @@ Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
 
 Result<Sheet> cut_sheet(const Ring& ring, const TransitionSpec& spec,
                         const std::vector<PatchPart>& parts, const TipCuts& cuts) {
-  std::vector<PartFace> faces;
-  for (const PatchPart& part : parts)
-    faces.push_back(
-        face_of(ring, part, spec.pressing, cuts.of(ring.patch(part.patch), part.from, part.to)));
+  const auto faces = mapped(parts, [&](const PatchPart& part) {
+    return face_of(ring, part, spec.pressing, cuts.of(ring.patch(part.patch), part.from, part.to));
+  });
   return assembled(ring, spec, faces).build();
 }
 

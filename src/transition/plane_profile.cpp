@@ -7,6 +7,7 @@
 #include "profile_check.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ struct ConvexPolygon {
 Result<ConvexPolygon> convex(const PolygonProfile& given, const std::string& place) {
   if (auto sound = check_polygon(given.corners, place); !sound) return pass_on(sound);
   ConvexPolygon polygon{given.corners, ring_area(given.corners) < 0.0, {}};
-  if (polygon.reversed) std::reverse(polygon.corners.begin(), polygon.corners.end());
+  if (polygon.reversed) std::ranges::reverse(polygon.corners);
   const auto number = [&](int i) { return polygon.given_corner(i); };
   if (auto sound = check_convex(polygon.corners, number, place); !sound) return pass_on(sound);
   for (int i = 0; i < polygon.count(); ++i)
@@ -113,9 +114,7 @@ struct Shaper {
     const std::string place = pointer + "/polygon";
     const auto polygon = convex(given, place);
     if (!polygon) return pass_on(polygon);
-    std::vector<Vec2> turning;
-    for (const int i : polygon->turns)
-      turning.push_back(polygon->corners[i]);
+    const auto turning = mapped(polygon->turns, [&](int i) { return polygon->corners[i]; });
     const std::vector<Vec2> moved = mitred(turning, outwards);
     std::vector<PlaneElement> plane_elements;
     for (std::size_t k = 0; k < turning.size(); ++k) {
@@ -172,7 +171,7 @@ struct Shaper {
     const std::string place = pointer + "/spline";
     std::vector<Vec2> points = given.points;
     if (auto sound = check_polygon(points, place); !sound) return pass_on(sound);
-    if (ring_area(points) < 0.0) std::reverse(points.begin(), points.end());
+    if (ring_area(points) < 0.0) std::ranges::reverse(points);
     const PeriodicSpline spline(points);
     if (auto sound = check_convex(spline, outwards, place); !sound) return pass_on(sound);
     const PlaneCurve curve = set_off(spline, outwards);

@@ -5,7 +5,6 @@
 #include <planish/base/angle.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
-#include <planish/transition/codes.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -28,7 +28,7 @@ std::vector<double> knots_between(const Element& element, double t0, double t1) 
          here += element.period)
       if (here > t0) knots.push_back(here);
   }
-  std::sort(knots.begin(), knots.end());
+  std::ranges::sort(knots);
   return knots;
 }
 
@@ -180,7 +180,7 @@ void RuledPatch::find_breaks() {
     for (const double t : knots_between(*curves_[side], stretch.t0, stretch.t1))
       breaks_.push_back(ruling_at(static_cast<int>(side), t));
   }
-  std::sort(breaks_.begin(), breaks_.end());
+  std::ranges::sort(breaks_);
 }
 
 std::vector<double> RuledPatch::breaks_between(double from, double to) const {

@@ -17,7 +17,7 @@ std::string letter(int corner, char first) {
 
 std::array<std::string, 2> RulingNames::add(const std::array<Vec3, 2>& points,
                                             const std::string& press, int piece) {
-  const auto known = std::find_if(lengths_.begin(), lengths_.end(), [&](const TrueLength& other) {
+  const auto known = std::ranges::find_if(lengths_, [&](const TrueLength& other) {
     return same(other.points[0], points[0]) && same(other.points[1], points[1]);
   });
   if (known != lengths_.end()) return {known->from, known->to};
@@ -34,8 +34,7 @@ std::string RulingNames::name(int side, const Vec3& p) {
       return letter(corner.number, side == 0 ? 'A' : 'a');
   }
   auto& known = points_[side];
-  const auto found = std::find_if(known.begin(), known.end(),
-                                  [&](const Vec3& other) { return same(other, p); });
+  const auto found = std::ranges::find_if(known, [&](const Vec3& other) { return same(other, p); });
   const auto number = found - known.begin() + 1;
   if (found == known.end()) known.push_back(p);
   return fmt::format("{}{}", number, side == 0 ? "" : "'");

@@ -7,7 +7,7 @@
 #include "refusals.hpp"
 #include "roots.hpp"
 
-#include <planish/transition/codes.hpp>
+#include <planish/geometry/minimum.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,6 @@ constexpr double kAsLong = tolerance::kComputed;
 /// profile's length.
 constexpr double kAtCorner = tolerance::kComputed;
 constexpr double kSliver = tolerance::kComputed;
-/// Accuracy with which the shortest ruling of a patch is sought, in rulings.
-constexpr double kShortestFound = 1e-6;
 
 double length_of(const RuledPatch& patch, double at) {
   const auto [p, q] = patch.ruling(at);
@@ -107,10 +105,7 @@ class Cutter {
   }
 
   double perimeter() const {
-    double whole = 0.0;
-    for (const Element& element : boundary_.elements)
-      whole += length_of(element);
-    return whole;
+    return sum_of(boundary_.elements, [&](const Element& element) { return length_of(element); });
   }
 
   /// One between every two edges: at corners, or in the middle of the round part between them.
@@ -150,23 +145,11 @@ class Cutter {
   }
 
  private:
-  /// Among some rulings of a patch, then by golden section about the shortest.
   Cut shortest_in(int number) const {
     const RuledPatch& patch = ring_.patch(number);
-    constexpr int kSamples = 32;
-    int least = 0;
-    for (int i = 1; i < kSamples; ++i)
-      if (length_of(patch, i / double(kSamples)) < length_of(patch, least / double(kSamples)))
-        least = i;
-    double low = std::max(0.0, (least - 1) / double(kSamples)),
-           high = (least + 1) / double(kSamples);
-    constexpr double kGolden = 0.6180339887498949;
-    while (high - low > kShortestFound) {
-      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      const bool left = length_of(patch, a) < length_of(patch, b);
-      (left ? high : low) = left ? b : a;
-    }
-    return {number, 0.5 * (low + high)};
+    constexpr int kSamples = 32, kSteps = 24;  // a millionth of the patch
+    const auto length = [&](double at) { return length_of(patch, at); };
+    return {number, least_at(length, 0.0, 1.0, kSamples, kSteps)};
   }
 
   Cut at_share(int element, double share) const {
@@ -250,12 +233,10 @@ class Cutter {
       else
         standing.push_back(i);
     }
-    double whole = 0.0;
-    for (const int i : standing)
-      whole += ring_.patch(i).turn(0.0, 1.0);
+    const double whole = sum_of(standing, [&](int i) { return ring_.patch(i).turn(0.0, 1.0); });
     if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
     // Standing patches in order, which may wrap past the ring's end.
-    std::sort(standing.begin(), standing.end(), [&](int a, int b) {
+    std::ranges::sort(standing, [&](int a, int b) {
       return (a - after + ring_.count()) % ring_.count() <
              (b - after + ring_.count()) % ring_.count();
     });
@@ -301,7 +282,7 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
   }
   for (Cut& cut : cuts)
     cut = cutter.settled(cut);
-  std::sort(cuts.begin(), cuts.end());
+  std::ranges::sort(cuts);
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
 }

@@ -33,10 +33,6 @@ bool same_corner(const auto& a, const auto& b, double near) {
   return a.side == b.side && (a.at - b.at).norm() <= near;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /// A corner of a plane part, and the folds along the two borders that meet there (0: none).
 struct PanelCorner {
   int side = 0;
@@ -133,8 +129,7 @@ void TipCuts::add_fans(const Ring& ring, const PieceParts& pieces, double inside
   const std::vector<Tip> cones = tips_;
   for (const PanelCorner& corner : corners) {
     const auto here = [&](const Tip& tip) { return same_corner(tip, corner, near_); };
-    const auto ending = std::count_if(folds.begin(), folds.end(), here) +
-                        std::count_if(cones.begin(), cones.end(), here);
+    const auto ending = std::ranges::count_if(folds, here) + std::ranges::count_if(cones, here);
     if (ending > 1) tips_.push_back({corner.side, corner.at, cut_of(corner, inside, radius)});
   }
   for (const PanelCorner& corner : corners)

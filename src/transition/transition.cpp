@@ -92,9 +92,9 @@ Result<double> with_tips(double area, const Ring& ring, const std::vector<PatchP
 
 Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, double cut,
                        const TransitionSpec& spec) {
-  double whole = 0.0;
-  for (const PatchPart& part : parts)
-    whole += ring.patch(part.patch).area(part.from, part.to);
+  const double whole = sum_of(parts, [&](const PatchPart& part) {
+    return ring.patch(part.patch).area(part.from, part.to);
+  });
   if (cut <= kMostCut * whole) return {};
   return fail(refuse::too_much_cut, {{"thickness", spec.thickness, unit::mm},
                                      {"share", 100.0 * cut / whole, unit::percent},

@@ -3,6 +3,7 @@
 #include "part_work.hpp"
 #include "results.hpp"
 #include "state.hpp"
+#include "support/flat_plate.hpp"
 
 #include <planish/io/flat_json.hpp>
 
@@ -39,17 +40,6 @@ class BatchFolder : public ::testing::Test {
                  ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-/// A plate of one thickness.
-inline FlatPattern plate_of(double length, double width) {
-  FlatPattern flat;
-  flat.thickness = 2.0;
-  flat.outer.loop = {Segment{{0, 0}, {length, 0}}, Segment{{length, 0}, {length, width}},
-                     Segment{{length, width}, {0, width}}, Segment{{0, width}, {0, 0}}};
-  flat.area = length * width;
-  flat.perimeter = 2 * (length + width);
-  return flat;
-}
-
 /// A part that was made, with one file.
 inline batch::PartDone made_part(const std::string& input, const FlatPattern& flat) {
   const nlohmann::json report{{"input", input},
@@ -79,7 +69,7 @@ class RunFolder : public BatchFolder {
     ASSERT_TRUE(state);
     for (const std::string& name : names) {
       const batch::PartDone part = name == "r" ? refused_part(name, "overlap")
-                                               : made_part(name, plate_of(100, 10 * name[0]));
+                                               : made_part(name, flat_plate(100, 10 * name[0]));
       ASSERT_TRUE(state->store({part}, {}));
       ASSERT_TRUE(state->journal().add(name, "key of " + name, {part}));
     }

@@ -41,21 +41,21 @@ FlatPattern turned(FlatPattern flat) {
 }
 
 TEST_F(Identical, PartsHaveOneNumberHoweverTheyLie) {
-  const FlatPattern plate = test::plate_of(100, 60);
+  const FlatPattern plate = test::flat_plate(100, 60);
   FlatPattern thicker = plate;
   thicker.thickness = 3.0;
-  EXPECT_EQ(numbers_of({{plate}, {test::plate_of(100, 61)}, {plate}, {turned(plate)}, {thicker}}),
+  EXPECT_EQ(numbers_of({{plate}, {test::flat_plate(100, 61)}, {plate}, {turned(plate)}, {thicker}}),
             (std::vector<int>{0, 1, 0, 0, 2}));
   EXPECT_EQ(count_, 3u);
 }
 
 TEST_F(Identical, RefusedPartsHaveNone) {
-  EXPECT_EQ(numbers_of({{}, {test::plate_of(100, 60)}, {}}), (std::vector<int>{-1, 0, -1}));
+  EXPECT_EQ(numbers_of({{}, {test::flat_plate(100, 60)}, {}}), (std::vector<int>{-1, 0, -1}));
   EXPECT_EQ(count_, 1u);
 }
 
 TEST_F(Identical, PartsOfSeveralPiecesAreThoseOfTheSamePieces) {
-  const FlatPattern a = test::plate_of(100, 60), b = test::plate_of(50, 20);
+  const FlatPattern a = test::flat_plate(100, 60), b = test::flat_plate(50, 20);
   EXPECT_EQ(numbers_of({{a, b}, {b, a}, {a}, {a, a}, {a, b, b}}),
             (std::vector<int>{0, 0, 1, 2, 3}));
 }

@@ -17,11 +17,11 @@ TEST_F(Results, AreWrittenFromTheJournalInTheOrderAsked) {
   const auto enter = [&](const std::string& name, const PartDone& part) {
     ASSERT_TRUE(state->journal().add(name, "k", {part}));
   };
-  enter("c", test::made_part("c", test::plate_of(100, 60)));
-  enter("a", test::made_part("a", test::plate_of(100, 60)));
+  enter("c", test::made_part("c", test::flat_plate(100, 60)));
+  enter("a", test::made_part("a", test::flat_plate(100, 60)));
   enter("b", test::refused_part("b", "overlap"));
-  enter("d", test::made_part("d", test::plate_of(70, 60)));
-  enter("old", test::made_part("old", test::plate_of(1, 1)));
+  enter("d", test::made_part("d", test::flat_plate(70, 60)));
+  enter("old", test::made_part("old", test::flat_plate(1, 1)));
   const auto result = write_results({"a", "b", "c", "d"}, *state);
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_EQ(result->inputs, 4u);
@@ -63,7 +63,7 @@ TEST_F(Results, LeaveTheOldOnesWhereTheyFail) {
   auto state = State::open(folder_);
   ASSERT_TRUE(state);
   write("summary.csv", "old");
-  PartDone damaged = test::made_part("a", test::plate_of(100, 60));
+  PartDone damaged = test::made_part("a", test::flat_plate(100, 60));
   damaged.record.shapes = {"{}"};
   ASSERT_TRUE(state->journal().add("a", "k", {damaged}));
   EXPECT_EQ(write_results({"a"}, *state).error().code, code::cannot_read);

@@ -37,7 +37,7 @@ TEST(Gauge, TouchesTheBorderBehindTheBend) {
       EXPECT_NEAR(stroke.gauge_direction.dot(p - line.origin), stroke.gauge->distance, 1e-9);
     EXPECT_NEAR((stroke.gauge->edge.b - stroke.gauge->edge.a).norm(), 80.0, 1e-9);
   }
-  std::sort(distances.begin(), distances.end());
+  std::ranges::sort(distances);
   ASSERT_EQ(distances.size(), 2u);
   EXPECT_NEAR(distances[0], 45.0 + half_zone, 1e-9);
   EXPECT_NEAR(distances[1], 60.0 + half_zone, 1e-9);

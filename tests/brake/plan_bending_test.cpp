@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <cmath>
 #include <numbers>
 
 namespace planish::test {
@@ -254,7 +253,7 @@ TEST_F(PlanInvariants, MirroredToolsOnlyTurnTheSheetRound) {
     Case mirrored = asked;
     for (ToolProfile* profile :
          {&mirrored.tools.punches[0].profile, &mirrored.tools.dies[0].profile}) {
-      std::reverse(profile->begin(), profile->end());
+      std::ranges::reverse(*profile);
       for (Vec2& p : *profile)
         p.x() = -p.x();
     }

@@ -108,8 +108,8 @@ Ring points_of(const Side& side, double t) {
 
 /// A ring with the corner at `at` rounded: the circle of radius r that touches both its sides.
 Ring rounded(Ring ring, const Vec2& at, double r) {
-  const auto found = std::find_if(ring.begin(), ring.end(),
-                                  [&](const Vec2& p) { return (p - at).norm() < 1e-9; });
+  const auto found = std::ranges::find_if(ring,
+                                          [&](const Vec2& p) { return (p - at).norm() < 1e-9; });
   const size_t n = ring.size(), i = static_cast<size_t>(found - ring.begin());
   const Vec2 u = (ring[(i + n - 1) % n] - at).normalized(),
              v = (ring[(i + 1) % n] - at).normalized();
@@ -175,9 +175,8 @@ Lower lower_of(const Die& die) {
 double height_on(const Side& side, double t, const Lower& lower, double turn, double* touched) {
   const double h = 0.5 * turn;
   // The outside line of the plane side, by the first station that has its full slope.
-  const auto plane = std::find_if(
-      side.stations.begin(), side.stations.end(),
-      [&](const Station& at) { return std::abs(at.heading - h) < 1e-12; });
+  const auto plane = std::ranges::find_if(
+      side.stations, [&](const Station& at) { return std::abs(at.heading - h) < 1e-12; });
   const Vec2 up(-std::sin(h), std::cos(h)), along(std::cos(h), std::sin(h));
   const Vec2 p = plane->middle - 0.5 * t * up;
   // (across, z) is `radius` below the line: up·((across, z) − p) = −radius.

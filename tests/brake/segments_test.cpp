@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <numeric>
 
 namespace planish::test {
@@ -22,7 +21,7 @@ TEST(Segments, AddUpToEveryLengthThatASubsetHas) {
       if (subset >> i & 1U) sum += segments[i];
     all.push_back(sum);
   }
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   const SegmentSums sums(segments);
   ASSERT_EQ(sums.sums().size(), all.size());

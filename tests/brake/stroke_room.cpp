@@ -58,8 +58,7 @@ Room::Room(Sheet sheet, BrakeTools tools, const PlanOptions& options,
 int Room::line_of(int bend) const {
   const auto& lines = work().lines;
   for (int i = 0; i < std::ssize(lines); ++i)
-    if (std::count(lines[i].bends.begin(), lines[i].bends.end(), static_cast<BendId>(bend - 1)))
-      return i;
+    if (std::ranges::count(lines[i].bends, static_cast<BendId>(bend - 1))) return i;
   ADD_FAILURE() << "no line of bend " << bend;
   return -1;
 }

@@ -3,12 +3,9 @@
 #include <planish/brake/stroke_search.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <map>
 #include <optional>
-#include <random>
-#include <set>
 #include <tuple>
 #include <vector>
 

@@ -164,9 +164,8 @@ TEST(CheckTools, FindsRepeatedCorners) {
 }
 
 TEST(CheckTools, FindsProfilesThatRunClockwise) {
-  expect_wrong("/punches/0/profile", "clockwise", [](BrakeTools& t) {
-    std::reverse(t.punches[0].profile.begin(), t.punches[0].profile.end());
-  });
+  expect_wrong("/punches/0/profile", "clockwise",
+               [](BrakeTools& t) { std::ranges::reverse(t.punches[0].profile); });
 }
 
 TEST(CheckTools, FindsATipAwayFromTheOrigin) {

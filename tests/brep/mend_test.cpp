@@ -2,6 +2,7 @@
 
 #include "face_volume.hpp"
 #include "guarded.hpp"
+#include "made_faces.hpp"
 #include "mend_where_needed.hpp"
 #include "patch_volume.hpp"
 #include "solid_reader.hpp"
@@ -101,29 +102,6 @@ TopoDS_Shape with(const TopoDS_Shape& shape, const TopoDS_Shape& face, const Top
   BRepTools_ReShape change;
   change.Replace(face, other);
   return change.Apply(shape);
-}
-
-/// A face of the same surface, its edges in loops of the caller's making.
-TopoDS_Face with_loops(const TopoDS_Face& face,
-                       const std::vector<std::vector<TopoDS_Edge>>& loops) {
-  BRep_Builder builder;
-  TopoDS_Face made;
-  builder.MakeFace(made, BRep_Tool::Surface(face), 1e-7);
-  for (const auto& edges : loops) {
-    TopoDS_Wire wire;
-    builder.MakeWire(wire);
-    for (const TopoDS_Edge& edge : edges)
-      builder.Add(wire, edge);
-    builder.Add(made, wire);
-  }
-  return TopoDS::Face(made.Oriented(face.Orientation()));
-}
-
-std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
-  std::vector<TopoDS_Edge> edges;
-  for (TopExp_Explorer at(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); at.More(); at.Next())
-    edges.push_back(TopoDS::Edge(at.Current()));
-  return edges;
 }
 
 /// The drilled block as read, the wall of its hole between two circles and without a seam.

@@ -80,7 +80,7 @@ std::vector<fs::path> some_parts() {
         (name.starts_with("sm") || name.starts_with("sharp")) && entry.file_size() < kLargest)
       parts.push_back(entry.path());
   }
-  std::sort(parts.begin(), parts.end());
+  std::ranges::sort(parts);
   constexpr size_t kEvery = 6;
   std::vector<fs::path> chosen;
   for (size_t i = 0; i < parts.size(); i += kEvery)

@@ -19,7 +19,7 @@ TEST(Extent, IsTheBoxOfAllLoops) {
   face.surface = Frame{};
   face.loops = {{{Segment{{1, 2}, {8, 2}}}, {Segment{{8, 2}, {8, 9}}}},
                 {{Arc{{5, 5}, 6, 0.0, 1.0}}}};
-  const Box2 box = extent(face);
+  const Box2 box = parameter_box(face);
   EXPECT_NEAR((box.lo - Vec2(1, 2)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((box.hi - Vec2(11, 5 + 6 * std::sin(1.0))).norm(), 0.0, 1e-9);
 }
@@ -32,7 +32,7 @@ TEST(SpeedAcross, IsTheRadiusAtThatDepth) {
     const double radius = std::get<Cylinder>(std::get<Developable>(plain.surface)).radius;
     const Sheet ruled = as_ruled(sheet, Angle::degrees(1));
     const Face& face = bend_of(ruled);
-    const Box2 box = extent(face);
+    const Box2 box = parameter_box(face);
     for (const double depth : {0.0, 1.0, 2.0})
       EXPECT_NEAR(speed_across(face, {box.lo.x() + 0.4 * box.size().x(), 7.0}, depth),
                   radius - plain.sense * depth, 1e-4);
@@ -40,7 +40,7 @@ TEST(SpeedAcross, IsTheRadiusAtThatDepth) {
   // Of a cone v sin ω, less the depth's cosine; the ruled surface counts v from the nearer end.
   const Sheet cone = planish::test::truncated_cone(20, 40, 50, Angle::degrees(300), 1.5);
   const Face& plain = bend_of(cone);
-  const double near = extent(plain).lo.y();
+  const double near = parameter_box(plain).lo.y();
   const double half = std::get<Cone>(std::get<Developable>(plain.surface)).half_angle;
   const Sheet ruled = as_ruled(cone, Angle::degrees(3));
   for (const double v : {0.0, 20.0, 50.0})
@@ -75,7 +75,7 @@ Face narrow_face(double lower) {
 TEST(RulingRange, IsTheExtentWhereNothingNarrows) {
   const Sheet ruled = planish::test::as_ruled(planish::test::l_bracket(), Angle::degrees(5));
   const RulingRange range = ruling_range(bend_of(ruled), 0.0);
-  const Box2 box = extent(bend_of(ruled));
+  const Box2 box = parameter_box(bend_of(ruled));
   EXPECT_TRUE(range.constant());
   for (const double u : {box.lo.x(), (box.lo.x() + box.hi.x()) / 2}) {
     EXPECT_EQ(range.lo(u), box.lo.y());

@@ -9,7 +9,6 @@
 #include <gp_Pln.hxx>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 namespace planish::brep {

@@ -25,7 +25,7 @@ void expect_skins(const Sheet& sheet, double accuracy) {
   for (const Face& face : sheet.faces)
     for (const double depth : {0.0, sheet.thickness, -0.3}) {
       const SkinSurface skin = skin_surface(face, depth, 1e-7);
-      const Box2 box = extent(face);
+      const Box2 box = parameter_box(face);
       for (const BorderLoop& loop : face.loops)
         for (const Border& border : loop) {
           const BorderCurve curve = border_curve(face, border.curve, 1e-6);

@@ -53,10 +53,9 @@ Result<SawnPart> read_sawn(const TopoDS_Shape& shape) {
 }
 
 bool is_noted(const SawnPart& part) {
-  return std::any_of(part.flat.features.begin(), part.flat.features.end(),
-                     [](const FlatFeature& feature) {
-                       return feature.kind == "slanted cut" && !feature.along.empty();
-                     });
+  return std::ranges::any_of(part.flat.features, [](const FlatFeature& feature) {
+    return feature.kind == "slanted cut" && !feature.along.empty();
+  });
 }
 
 TEST(SlantedCut, OfAPlateKeepsTheWiderSkin) {

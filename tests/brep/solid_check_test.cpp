@@ -15,7 +15,6 @@
 #include <TopoDS_Shell.hxx>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 namespace planish::brep {

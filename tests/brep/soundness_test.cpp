@@ -1,5 +1,7 @@
 #include "soundness.hpp"
 
+#include "made_faces.hpp"
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -27,28 +29,6 @@ TopoDS_Face face_of_kind(const TopoDS_Shape& shape, GeomAbs_SurfaceType kind) {
   return {};
 }
 
-std::vector<TopoDS_Edge> loop_of(const TopoDS_Face& face) {
-  std::vector<TopoDS_Edge> edges;
-  for (TopExp_Explorer at(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); at.More(); at.Next())
-    edges.push_back(TopoDS::Edge(at.Current()));
-  return edges;
-}
-
-/// The face's surface with these edges as loops.
-TopoDS_Face relooped(const TopoDS_Face& face, const std::vector<std::vector<TopoDS_Edge>>& loops) {
-  BRep_Builder builder;
-  TopoDS_Face made;
-  builder.MakeFace(made, BRep_Tool::Surface(face), 1e-7);
-  for (const auto& edges : loops) {
-    TopoDS_Wire wire;
-    builder.MakeWire(wire);
-    for (const TopoDS_Edge& edge : edges)
-      builder.Add(wire, edge);
-    builder.Add(made, wire);
-  }
-  return made;
-}
-
 TEST(IsReadable, HoldsForTheKernelsOwnFaces) {
   for (const TopoDS_Shape& shape :
        {BRepPrimAPI_MakeBox(3, 4, 5).Shape(), BRepPrimAPI_MakeCylinder(5, 8).Shape(),
@@ -63,19 +43,19 @@ TEST(IsReadable, HoldsForTheKernelsOwnFaces) {
 
 TEST(IsReadable, WantsEdgesThatFollowEachOtherForwardsOrBackwards) {
   const TopoDS_Face side = face_of_kind(BRepPrimAPI_MakeBox(3, 4, 5).Shape(), GeomAbs_Plane);
-  std::vector<TopoDS_Edge> edges = loop_of(side);
-  EXPECT_TRUE(is_readable(relooped(side, {edges})));
+  std::vector<TopoDS_Edge> edges = edges_of(side);
+  EXPECT_TRUE(is_readable(with_loops(side, {edges})));
   std::rotate(edges.begin(), edges.begin() + 1, edges.end());
-  EXPECT_TRUE(is_readable(relooped(side, {edges})));
-  std::reverse(edges.begin(), edges.end());
-  EXPECT_TRUE(is_readable(relooped(side, {edges}))) << "written the other way round";
+  EXPECT_TRUE(is_readable(with_loops(side, {edges})));
+  std::ranges::reverse(edges);
+  EXPECT_TRUE(is_readable(with_loops(side, {edges}))) << "written the other way round";
   std::swap(edges[0], edges[1]);
-  EXPECT_FALSE(is_readable(relooped(side, {edges})));
-  edges = loop_of(side);
+  EXPECT_FALSE(is_readable(with_loops(side, {edges})));
+  edges = edges_of(side);
   edges.pop_back();
-  EXPECT_FALSE(is_readable(relooped(side, {edges}))) << "open";
-  EXPECT_FALSE(is_readable(relooped(side, {}))) << "without a loop";
-  EXPECT_FALSE(is_readable(TopoDS_Face(TopoDS::Face(relooped(side, {loop_of(side), {}})))));
+  EXPECT_FALSE(is_readable(with_loops(side, {edges}))) << "open";
+  EXPECT_FALSE(is_readable(with_loops(side, {}))) << "without a loop";
+  EXPECT_FALSE(is_readable(TopoDS_Face(TopoDS::Face(with_loops(side, {edges_of(side), {}})))));
 }
 
 TEST(IsReadable, WantsASeamWhereALoopRunsRoundTheAxis) {
@@ -84,15 +64,15 @@ TEST(IsReadable, WantsASeamWhereALoopRunsRoundTheAxis) {
         {BRepPrimAPI_MakeCone(5, 2, 4).Shape(), GeomAbs_Cone}}) {
     const TopoDS_Face wall = face_of_kind(shape, kind);
     std::vector<std::vector<TopoDS_Edge>> circles;
-    for (const TopoDS_Edge& edge : loop_of(wall)) {
+    for (const TopoDS_Edge& edge : edges_of(wall)) {
       double t0, t1;
       if (!BRep_Tool::IsClosed(edge, wall)) circles.push_back({edge});
       EXPECT_FALSE(BRep_Tool::Curve(edge, t0, t1).IsNull());
     }
     ASSERT_EQ(circles.size(), 2u);
-    EXPECT_TRUE(is_readable(relooped(wall, {loop_of(wall)})));
-    EXPECT_FALSE(is_readable(relooped(wall, circles)));
-    EXPECT_FALSE(is_readable(relooped(wall, {circles[0]})));
+    EXPECT_TRUE(is_readable(with_loops(wall, {edges_of(wall)})));
+    EXPECT_FALSE(is_readable(with_loops(wall, circles)));
+    EXPECT_FALSE(is_readable(with_loops(wall, {circles[0]})));
   }
 }
 
@@ -105,7 +85,7 @@ TEST(HasParameterCurves, IsWhatMeshingNeedsBesidesPlanes) {
   builder.MakeFace(bare, Handle(Geom_Surface)::DownCast(BRep_Tool::Surface(wall)->Copy()), 1e-7);
   TopoDS_Wire wire;
   builder.MakeWire(wire);
-  for (const TopoDS_Edge& edge : loop_of(wall))
+  for (const TopoDS_Edge& edge : edges_of(wall))
     builder.Add(wire, edge);
   builder.Add(bare, wire);
   EXPECT_FALSE(has_parameter_curves(bare));

@@ -9,7 +9,6 @@
 #include <TopoDS.hxx>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>

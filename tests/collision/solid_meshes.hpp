@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 // Closed surfaces as triangles, made by hand: blocks, and strips of sheet given by the path of

@@ -55,7 +55,7 @@ TEST(Assembled, SaysOnWhichSideABendIs) {
   // The reference skin of the floor is the one that the walls stand on, or the other.
   for (const bool turned : {false, true}) {
     PlateStructure s = tray();
-    if (turned) std::reverse(s.plates[0].outline.begin(), s.plates[0].outline.end());
+    if (turned) std::ranges::reverse(s.plates[0].outline);
     for (const Bend& bend : made(parts_of(s)).sheet.bends)
       EXPECT_EQ(bend.reference_inside, !turned);
   }

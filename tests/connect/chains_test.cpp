@@ -15,8 +15,8 @@ Outline rectangle_at(double y0 = 10, double y1 = 50) {
 }
 
 const Chain* of_kind(const std::vector<Chain>& chains, EdgeKind kind) {
-  const auto found = std::find_if(chains.begin(), chains.end(),
-                                  [&](const Chain& chain) { return chain.kind == kind; });
+  const auto found = std::ranges::find_if(chains,
+                                          [&](const Chain& chain) { return chain.kind == kind; });
   return found == chains.end() ? nullptr : &*found;
 }
 
@@ -34,7 +34,7 @@ TEST(ViableChains, OfARectangleAreItsLowerAndItsUpperEdge) {
 TEST(ViableChains, AreTheSameEitherWayRound) {
   Outline outline{{0, 30}, {40, 10}, {80, 12}, {100, 40}, {50, 70}};
   const auto forward = viable_chains(outline);
-  std::reverse(outline.begin(), outline.end());
+  std::ranges::reverse(outline);
   const auto backward = viable_chains(outline);
   for (const EdgeKind kind : {EdgeKind::facing, EdgeKind::averted}) {
     ASSERT_TRUE(of_kind(forward, kind) && of_kind(backward, kind));
@@ -71,9 +71,8 @@ TEST(ViableChains, AreDividedByEdgesAcrossTheAxis) {
   // A notch with upright sides: its bottom and both feet are three chains.
   const auto chains = viable_chains(
       {{0, 10}, {40, 10}, {40, 30}, {60, 30}, {60, 10}, {100, 10}, {100, 80}, {0, 80}});
-  EXPECT_EQ(std::count_if(chains.begin(), chains.end(),
-                          [](const Chain& c) { return c.kind == EdgeKind::facing; }),
-            3);
+  EXPECT_EQ(
+      std::ranges::count_if(chains, [](const Chain& c) { return c.kind == EdgeKind::facing; }), 3);
   for (std::size_t i = 1; i < chains.size(); ++i)
     EXPECT_LT(chains[i - 1].edges.front(), chains[i].edges.front()) << "in order";
 }

@@ -209,24 +209,6 @@ TEST(Connect, CurvesOnBehindAnEdge) {
   EXPECT_NEAR(flat(cone, 0.5).area, 200 * 100 + 0.5 * (s1 * s1 - s0 * s0) * (pi / 2) * sine, 1e-6);
 }
 
-/// Two truncated triangles of a square-to-round piece: their edges run to one corner of the square.
-PlateStructure lofted(double t = 2.0) {
-  PlateStructure s;
-  s.thickness = t;
-  s.plates = {{"A",
-               {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}},
-               {}},
-              {"B",
-               {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}},
-               {}}};
-  s.bends = {{.between = {"A", "B"},
-              .edges = {std::vector{2}, std::vector{3}},
-              .surface = SurfaceChoice::general,
-              .tangent_point = Vec3(120, 120, 300),
-              .lateral = LateralBoundary::arc}};
-  return s;
-}
-
 TEST(Connect, LoftsAnObliqueConeToARoundOpening) {
   const Connection c = joined(lofted());
   ASSERT_EQ(c.bends.size(), 1u);
@@ -271,12 +253,12 @@ TEST(Connect, DoesNotDependOnPlaceHandScaleOrOrder) {
     EXPECT_NEAR(flat(joined(mirrored(s))).area, area, 1e-9 * area);
     EXPECT_NEAR(flat(joined(scaled(s, 10.0))).area, 100 * area, 1e-7 * area);
     PlateStructure turned = s;
-    std::reverse(turned.plates.begin(), turned.plates.end());
+    std::ranges::reverse(turned.plates);
     for (Plate& plate : turned.plates)
       std::rotate(plate.outline.begin(), plate.outline.begin() + 1, plate.outline.end());
     EXPECT_NEAR(flat(joined(turned)).area, area, 1e-9 * area);
     for (Plate& plate : turned.plates)
-      std::reverse(plate.outline.begin(), plate.outline.end());
+      std::ranges::reverse(plate.outline);
     EXPECT_NEAR(flat(joined(turned)).area, area, 1e-9 * area);
   }
 }

@@ -7,7 +7,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -298,7 +297,7 @@ TEST(ViableChains, SplitsAnOutlineIntoFacingAndAvertedEdges) {
   const std::vector<Vec2> outline{{0, 30}, {50, 20}, {100, 30}, {100, 90}, {0, 90}};
   for (const bool reversed : {false, true}) {
     std::vector<Vec2> corners = outline;
-    if (reversed) std::reverse(corners.begin(), corners.end());
+    if (reversed) std::ranges::reverse(corners);
     const auto chains = viable_chains(corners);
     ASSERT_EQ(chains.size(), 2u);
     for (const Chain& chain : chains) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
 namespace planish::test {
@@ -12,21 +11,21 @@ namespace {
 
 using namespace connect_detail;
 
-using Sections = std::vector<std::pair<double, double>>;
+using Sections = std::vector<Spread>;
 
 using std::numbers::pi;
 
 TEST(LegalSections, AreWhereNoMaterialLiesBelowTheRuling) {
   const std::vector<Vec2> tab{{10, -5}, {20, -5}, {20, 5}, {10, 5}};
-  EXPECT_EQ(legal_sections(tab, 0, 30, 1e-9), (Sections{{0, 10}, {20, 30}}));
-  EXPECT_EQ(legal_sections(tab, 12, 18, 1e-9), Sections{});
+  EXPECT_EQ(legal_sections({tab}, 0, 30, 1e-9), (Sections{{0, 10}, {20, 30}}));
+  EXPECT_EQ(legal_sections({tab}, 12, 18, 1e-9), Sections{});
   const std::vector<Vec2> above{{10, 0}, {20, 0}, {20, 5}, {10, 5}};
-  EXPECT_EQ(legal_sections(above, 0, 30, 1e-9), (Sections{{0, 30}}));
+  EXPECT_EQ(legal_sections({above}, 0, 30, 1e-9), (Sections{{0, 30}}));
 }
 
 TEST(LegalSections, TakeCornersOnTheRulingAsAbove) {
   const std::vector<Vec2> nearly{{10, -1e-10}, {20, 0}, {20, 5}, {10, 5}};
-  EXPECT_EQ(legal_sections(nearly, 0, 30, 1e-9), (Sections{{0, 30}}));
+  EXPECT_EQ(legal_sections({nearly}, 0, 30, 1e-9), (Sections{{0, 30}}));
 }
 
 /// A quarter of a cylinder of radius 14 between plates at a right angle.

@@ -32,7 +32,7 @@ TEST(OrientationOf, GoesOnOverEveryBendWhicheverWayThePlatesRun) {
   for (int turned = 0; turned < 32; ++turned) {
     PlateStructure s = tray();
     for (int p = 0; p < 5; ++p)
-      if (turned >> p & 1) std::reverse(s.plates[p].outline.begin(), s.plates[p].outline.end());
+      if (turned >> p & 1) std::ranges::reverse(s.plates[p].outline);
     expect_consistent(parts_of(s, turned % 5));
   }
 }

@@ -71,20 +71,18 @@ TEST(OutlineRun, GoesRoundAHoleToo) {
 
 TEST(TakeRun, NotesWholeEdgesAndPartsOfThem) {
   const PlacedPlate plate = holed_plate();
-  std::set<int> whole;
-  std::map<int, EdgeParts> parts;
-  take(plate, outline_run(plate, {2, 3, 0}, {{150, 100, 0}, {50, 0, 0}}), whole, parts);
-  EXPECT_THAT(whole, ElementsAre(3));
-  ASSERT_EQ(parts.size(), 2u);
-  EXPECT_NEAR(parts.at(2).front().first, 0.25, 1e-12);
-  EXPECT_EQ(parts.at(2).front().second, 1.0);
-  EXPECT_EQ(parts.at(0).front().first, 0.0);
-  EXPECT_NEAR(parts.at(0).front().second, 0.25, 1e-12);
-  whole.clear();
-  parts.clear();
-  take(plate, outline_run(plate, {0}, {{0, 0, 0}, {200, 0, 0}}), whole, parts);
-  EXPECT_THAT(whole, ElementsAre(0));
-  EXPECT_TRUE(parts.empty());
+  UsedEdges used;
+  take(plate, outline_run(plate, {2, 3, 0}, {{150, 100, 0}, {50, 0, 0}}), used);
+  EXPECT_THAT(used.whole, ElementsAre(3));
+  ASSERT_EQ(used.parts.size(), 2u);
+  EXPECT_NEAR(used.parts.at(2).front().first, 0.25, 1e-12);
+  EXPECT_EQ(used.parts.at(2).front().second, 1.0);
+  EXPECT_EQ(used.parts.at(0).front().first, 0.0);
+  EXPECT_NEAR(used.parts.at(0).front().second, 0.25, 1e-12);
+  used = {};
+  take(plate, outline_run(plate, {0}, {{0, 0, 0}, {200, 0, 0}}), used);
+  EXPECT_THAT(used.whole, ElementsAre(0));
+  EXPECT_TRUE(used.parts.empty());
 }
 
 /// Two plates at a right angle: x of the frame runs along the edge that they could share.

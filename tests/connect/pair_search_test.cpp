@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace planish::test {
 namespace {
@@ -65,7 +64,7 @@ TEST(SearchPair, FindsTheEdgesThatFaceEachOther) {
 
 TEST(SearchPair, LeavesEdgesToTheBendsThatUseThem) {
   PairTask pair(angle_pair(14.0));
-  pair.task.taken[0] = {2};
+  pair.task.taken[0].whole = {2};
   const auto choice = search_pair(pair.task, {});
   ASSERT_TRUE(choice);
   EXPECT_EQ(choice->edges(choice->search.best)[0], std::vector{0}) << "round the back";

@@ -39,8 +39,8 @@ TEST(Placed, RunsOutlinesOneWayAndHolesTheOther) {
   for (const bool turned : {false, true}) {
     Plate plate = tilted_plate();
     if (turned) {
-      std::reverse(plate.outline.begin(), plate.outline.end());
-      std::reverse(plate.holes[0].begin(), plate.holes[0].end());
+      std::ranges::reverse(plate.outline);
+      std::ranges::reverse(plate.holes[0]);
     }
     const PlacedPlate made = laid(plate);
     EXPECT_NEAR(ring_area(made.outline), 5000.0, 1e-9);

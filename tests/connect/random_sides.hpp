@@ -24,7 +24,7 @@ inline std::vector<Vec2> random_outline(std::mt19937& random, const OutlineStyle
     std::vector<double> xs{0.0, 200.0};
     for (int i = 1; i < style.edges; ++i)
       xs.push_back(style.equal ? 200.0 * i / style.edges : 200.0 * unit(random));
-    std::sort(xs.begin(), xs.end());
+    std::ranges::sort(xs);
     std::vector<Vec2> corners;
     for (const double x : xs) {
       const double bulge = (x - 100.0) * (x - 100.0) / 10000.0;

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <string>
 #include <utility>
 
 // Single plates and pairs of plates to test one step of joining with.

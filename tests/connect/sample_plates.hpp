@@ -4,10 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cmath>
-#include <numbers>
 #include <string>
-#include <vector>
 
 namespace planish::test {
 
@@ -81,6 +78,24 @@ inline PlateStructure scaled(PlateStructure s, double factor) {
   for (Plate& plate : s.plates)
     for (Vec3& p : plate.outline)
       p *= factor;
+  return s;
+}
+
+/// Two truncated triangles of a square-to-round piece: their edges run to one corner of the square.
+inline PlateStructure lofted(double t = 2.0) {
+  PlateStructure s;
+  s.thickness = t;
+  s.plates = {{"A",
+               {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}},
+               {}},
+              {"B",
+               {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}},
+               {}}};
+  s.bends = {{.between = {"A", "B"},
+              .edges = {std::vector{2}, std::vector{3}},
+              .surface = SurfaceChoice::general,
+              .tangent_point = Vec3(120, 120, 300),
+              .lateral = LateralBoundary::arc}};
   return s;
 }
 

@@ -114,7 +114,7 @@ TEST(FitSection, RefusesWhatDoesNotSayEnough) {
 
 TEST(FitSection, RefusesAnEdgeThatAnotherBendUses) {
   Section section({.inside_radius = 30.0, .angle = Angle::degrees(90)}, true);
-  section.task.taken[0] = {2};
+  section.task.taken[0].whole = {2};
   EXPECT_EQ(fit_section(section.task, {}).error().code, code::unknown_edge);
 }
 

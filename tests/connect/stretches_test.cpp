@@ -297,7 +297,7 @@ PlateStructure window_tab(bool turned) {
   s.plates = {lying("floor", {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}),
               upright("tab", {{-30, kGap}, {30, kGap}, {30, 30}, {-30, 30}})};
   std::vector<Vec3> window{{-30, -10, 0}, {30, -10, 0}, {30, 30, 0}, {-30, 30, 0}};
-  if (turned) std::reverse(window.begin(), window.end());
+  if (turned) std::ranges::reverse(window);
   s.plates[0].holes = {window};
   return s;
 }

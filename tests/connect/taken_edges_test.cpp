@@ -60,9 +60,9 @@ TEST(FitTasks, KnowTheirPlatesAndWhatOthersHaveTaken) {
   EXPECT_EQ(task.plates[1], &tray.plates[0]);
   EXPECT_EQ(task.thickness, 3.0);
   EXPECT_EQ(task.request.inside_radius, 4.5);
-  EXPECT_THAT(task.taken[0], ElementsAre(2));
-  EXPECT_TRUE(task.taken[1].empty());
-  EXPECT_THAT(task.taken_parts[1].at(1), ElementsAre(std::pair{0.0, 0.25}));
+  EXPECT_THAT(task.taken[0].whole, ElementsAre(2));
+  EXPECT_TRUE(task.taken[1].whole.empty());
+  EXPECT_THAT(task.taken[1].parts.at(1), ElementsAre(std::pair{0.0, 0.25}));
   const FitTask free = task_of(tray.structure, tray.plates, taken, {3}, request);
   EXPECT_EQ(free.plates[1], nullptr) << "a section with a free end";
 }

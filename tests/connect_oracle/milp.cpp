@@ -3,8 +3,9 @@
 #include "connect_oracle/line_bounds.hpp"
 #include "connect_oracle/line_fit.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -95,7 +96,7 @@ std::vector<Column> binaries(LinearProgram& program, std::size_t count) {
 
 int first_set(const Solution& solution, const std::vector<Column>& columns) {
   const auto set = [&](Column column) { return solution.value(Linear::of(column)) > 0.5; };
-  return static_cast<int>(std::find_if(columns.begin(), columns.end(), set) - columns.begin());
+  return static_cast<int>(std::ranges::find_if(columns, set) - columns.begin());
 }
 
 /// [thesis 99]: left and right corner of the one edge of a side, each a vector of binaries with a

@@ -43,7 +43,7 @@ Polygon polygon_on(const Frame& frame, const std::vector<Vec3>& outline) {
   Polygon polygon;
   for (const Vec3& p : outline)
     polygon.outer.push_back(frame.local2(p));
-  if (ring_area(polygon.outer) < 0.0) std::reverse(polygon.outer.begin(), polygon.outer.end());
+  if (ring_area(polygon.outer) < 0.0) std::ranges::reverse(polygon.outer);
   return polygon;
 }
 

@@ -3,7 +3,6 @@
 #include <planish/connect/plates.hpp>
 
 #include <functional>
-#include <vector>
 
 namespace planish::pairs {
 

@@ -213,7 +213,7 @@ RandomPair random_pair(std::uint64_t seed, int index) {
   const Eigen::Matrix3d rotation = any_rotation(random);
   const Vec3 by(random.between(-500, 500), random.between(-500, 500), random.between(-500, 500));
   for (Plate& plate : pair.structure.plates) {
-    if (random.once_in(2)) std::reverse(plate.outline.begin(), plate.outline.end());
+    if (random.once_in(2)) std::ranges::reverse(plate.outline);
     move(plate, rotation, by);
   }
   return pair;

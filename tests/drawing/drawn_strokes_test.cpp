@@ -1,3 +1,5 @@
+#include "support/sample_strokes.hpp"
+
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/drawing/page_parts.hpp>
 
@@ -35,35 +37,6 @@ struct Report {
   std::vector<std::string> obstacles;
 };
 
-/// A stroke that presses B1 of `planned_report`, its gauge on the edge at x = 100.
-Stroke stroke_at_40() {
-  Stroke stroke;
-  stroke.bends = {BendId{0}};
-  stroke.angle = Angle::degrees(90);
-  stroke.punch = "P88";
-  stroke.die = "V16";
-  stroke.punch_rows = {{5.08, {40.0, 15.0}}};
-  stroke.die_rows = {{0.0, {55.0}}};
-  stroke.to_gauge = FlangeId{1};
-  stroke.gauge_direction = Vec2::UnitX();
-  stroke.gauge = GaugeStop{60.0, {{100, 0}, {100, 60}}};
-  stroke.force = 12.34;
-  stroke.clearance = 2.54;
-  return stroke;
-}
-
-/// One that presses B2 with the sheet turned over and about, its gauge on the edge at x = 0.
-Stroke stroke_at_20() {
-  Stroke stroke = stroke_at_40();
-  stroke.bends = {BendId{1}};
-  stroke.angle = Angle::degrees(30);
-  stroke.reference_up = false;
-  stroke.to_gauge = FlangeId{2};
-  stroke.gauge_direction = -Vec2::UnitX();
-  stroke.gauge = GaugeStop{20.0, {{0, 60}, {0, 0}}};
-  return stroke;
-}
-
 /// A blank of 100 × 60 with a hole, B1 at x = 40 in two pieces, B2 at x = 20, and a plan of two
 /// strokes.
 Report planned_report() {
@@ -91,7 +64,7 @@ Report planned_report() {
   plan.turn_overs = 1;
   plan.rotations = 2;
   plan.tool_changes = 3;
-  plan.strokes = {stroke_at_40(), stroke_at_20()};
+  plan.strokes = {test::stroke_at_40(), test::stroke_at_20()};
   report.plan = plan;
   return report;
 }
@@ -207,7 +180,7 @@ TEST(DrawnStrokes, AreAsManyAsTheStrokesNeed) {
   // 297 − 2·12 mm: two rows of 60 below the pattern, four on each further page.
   for (std::size_t strokes = 0; strokes <= 11; ++strokes) {
     Report report = planned_report();
-    report.plan->strokes.assign(strokes, stroke_at_40());
+    report.plan->strokes.assign(strokes, test::stroke_at_40());
     const auto pages = pages_with(report);
     const std::size_t expected = strokes <= 2 ? 1 : 1 + (strokes - 2 + 3) / 4;
     ASSERT_EQ(pages.size(), expected) << strokes;
@@ -226,7 +199,7 @@ TEST(DrawnStrokes, AreAsManyAsTheStrokesNeed) {
 
 TEST(DrawnStrokes, DrawEverythingWithinTheMargins) {
   Report report = planned_report();
-  report.plan->strokes.assign(7, stroke_at_20());
+  report.plan->strokes.assign(7, test::stroke_at_20());
   for (const Page& page : pages_with(report)) {
     EXPECT_EQ(page.size(), Vec2(210, 297));
     for (const Shape& shape : page.shapes()) {
@@ -247,7 +220,7 @@ TEST(DrawnStrokes, DrawEverythingWithinTheMargins) {
 
 TEST(DrawnStrokes, PutRowsBelowOneAnother) {
   Report report = planned_report();
-  report.plan->strokes.assign(6, stroke_at_40());
+  report.plan->strokes.assign(6, test::stroke_at_40());
   const auto pages = pages_with(report);
   ASSERT_EQ(pages.size(), 2u);
   const auto cells = filled_with(pages[1], kLyingSheet);
@@ -347,7 +320,7 @@ TEST(DrawnStrokes, NumberEachBendAtItsLineInTheColourOfItsDirection) {
 
 TEST(DrawnStrokes, KeepNumbersOnOneLineApart) {
   Report report = planned_report();
-  report.plan->strokes.assign(2, stroke_at_40());
+  report.plan->strokes.assign(2, test::stroke_at_40());
   report.plan->strokes[1].flattening = true;
   const Page page = pages_with(report).front();
   std::vector<Vec2> circles;
@@ -563,7 +536,7 @@ TEST(DrawnStrokes, WriteTheTextsOfAStrokeBelowOneAnother) {
 TEST(DrawnStrokes, SayWhatIsDoneToTheSheetBetweenStrokes) {
   const auto handled = [](const auto& change) {
     Report report = planned_report();
-    report.plan->strokes = {stroke_at_40(), stroke_at_40()};
+    report.plan->strokes = {test::stroke_at_40(), test::stroke_at_40()};
     change(report.plan->strokes[1]);
     std::string said;
     const auto pages = pages_with(report);

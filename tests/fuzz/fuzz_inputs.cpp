@@ -76,7 +76,7 @@ std::vector<Seed> seeds_of(const Options& options) {
     for (fs::recursive_directory_iterator entry(place, absent), end; entry != end; ++entry)
       if (entry->is_regular_file()) files.push_back(entry->path());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   std::vector<Seed> seeds;
   for (const fs::path& file : files) {
     const auto kind = kind_of(file);

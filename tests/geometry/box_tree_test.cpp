@@ -18,7 +18,7 @@ Box2 box_between(double x0, double y0, double x1, double y1) {
 std::vector<size_t> found_in(const BoxTree2& tree, const Box2& query) {
   std::vector<size_t> ids;
   tree.visit(query, [&](size_t id) { ids.push_back(id); });
-  std::sort(ids.begin(), ids.end());
+  std::ranges::sort(ids);
   return ids;
 }
 

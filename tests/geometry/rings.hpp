@@ -2,7 +2,6 @@
 
 #include <planish/geometry/region.hpp>
 
-#include <cmath>
 #include <numbers>
 #include <vector>
 

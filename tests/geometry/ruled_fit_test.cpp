@@ -47,10 +47,10 @@ TEST(RuledThrough, TakesKnotsAsTheFourthRootOfTheTolerance) {
 TEST(RuledThrough, HasAKnotAtEveryBreak) {
   const std::vector<double> breaks{-0.3, 0.01, 0.7, 1.9};
   const Ruled ruled = ruled_through(cylinder_ruling, breaks, 1e-3);
-  EXPECT_TRUE(std::is_sorted(ruled.knots.begin(), ruled.knots.end(),
-                             [](const auto& a, const auto& b) { return a.u < b.u; }));
+  EXPECT_TRUE(
+      std::ranges::is_sorted(ruled.knots, [](const auto& a, const auto& b) { return a.u < b.u; }));
   for (const double u : breaks)
-    EXPECT_TRUE(std::any_of(ruled.knots.begin(), ruled.knots.end(), [u](const Ruled::Knot& knot) {
+    EXPECT_TRUE(std::ranges::any_of(ruled.knots, [u](const Ruled::Knot& knot) {
       return knot.u == u;
     })) << u;
   EXPECT_EQ(ruled.knots.front().u, -0.3);

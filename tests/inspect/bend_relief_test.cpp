@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace planish::test {
 namespace {

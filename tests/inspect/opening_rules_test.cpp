@@ -213,7 +213,7 @@ std::vector<std::pair<Vec2, double>> perforation(std::mt19937& random, int count
   std::vector<std::pair<Vec2, double>> circles;
   while (std::ssize(circles) < count) {
     const std::pair<Vec2, double> next{Vec2(x(random), y(random)), radius(random)};
-    const bool free = std::all_of(circles.begin(), circles.end(), [&](const auto& other) {
+    const bool free = std::ranges::all_of(circles, [&](const auto& other) {
       return (other.first - next.first).norm() > other.second + next.second + 0.5;
     });
     if (free) circles.push_back(next);
@@ -248,9 +248,9 @@ TEST(OpeningToOpening, IsThatOfTheNearestOfAllOthersEachPairOnce) {
       ASSERT_EQ(one.at.size(), 2u);
       EXPECT_NEAR((one.at[0] - one.at[1]).norm(), measured.back(), 1e-9);
     }
-    std::sort(wanted.begin(), wanted.end());
+    std::ranges::sort(wanted);
     ASSERT_EQ(measured.size(), wanted.size()) << trial;
-    EXPECT_TRUE(std::is_sorted(measured.begin(), measured.end())) << "the worst first";
+    EXPECT_TRUE(std::ranges::is_sorted(measured)) << "the worst first";
     for (std::size_t i = 0; i < wanted.size(); ++i)
       EXPECT_NEAR(measured[i], wanted[i], 1e-9);
   }

@@ -30,7 +30,7 @@ TEST(RingIndex, CountsRingsAroundAPoint) {
 TEST(RingIndex, WindsCounterClockwisePositive) {
   EXPECT_EQ(plate().winding({0, 0}), 2);
   std::vector<Vec2> back = square(4);
-  std::reverse(back.begin(), back.end());
+  std::ranges::reverse(back);
   const RingIndex rings({square(10), back});
   EXPECT_EQ(rings.winding({0, 0}), 0);
   EXPECT_EQ(rings.winding({7, 0}), 1);

@@ -57,7 +57,7 @@ TEST(Workpiece, IsJoinedByMaterialOnlyWhereNothingIsCutOut) {
 std::vector<BendSide> sides_by_x(const Workpiece& workpiece) {
   const auto sides = workpiece.sides_of(0);
   std::vector<BendSide> sorted(sides.begin(), sides.end());
-  std::sort(sorted.begin(), sorted.end(), [](const BendSide& a, const BendSide& b) {
+  std::ranges::sort(sorted, [](const BendSide& a, const BendSide& b) {
     return a.start.x() + a.end.x() < b.start.x() + b.end.x();
   });
   return sorted;

@@ -44,11 +44,5 @@ TEST(BendText, CountsThePressLinesOfABendThatIsPressedPieceByPiece) {
   EXPECT_EQ(bend_text(bend), "B1 UP 90° R2.5");
 }
 
-TEST(LongestLine, IsTheOneThatTheTextStandsAt) {
-  FlatBend bend = a_bend();
-  bend.lines = {{{0, 0}, {30, 0}}, {{0, 5}, {30, 45}}, {{0, 9}, {-49, 9}}};
-  EXPECT_EQ(&longest_line(bend), &bend.lines[1]);
-}
-
 }  // namespace
 }  // namespace planish::io_detail

@@ -257,7 +257,7 @@ TEST(Dxf, TellsItsUnitsAndExtents) {
       EXPECT_EQ(read.settings.at("$MEASUREMENT"), row.measurement);
       EXPECT_DOUBLE_EQ(read.circles.at(0).radius * row.mm, 8.0);
       const Groups all = groups(text);
-      const auto max = std::find(all.begin(), all.end(), std::pair<int, std::string>(9, "$EXTMAX"));
+      const auto max = std::ranges::find(all, std::pair<int, std::string>(9, "$EXTMAX"));
       ASSERT_NE(max, all.end());
       EXPECT_DOUBLE_EQ(std::stod((max + 1)->second) * row.mm, 200.0);
       EXPECT_DOUBLE_EQ(std::stod((max + 2)->second) * row.mm, 100.0);

@@ -7,11 +7,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-#include <regex>
-#include <sstream>
-
 namespace planish {
 namespace {
 

@@ -65,12 +65,7 @@ TEST(BendPlanPages, SayWhichPartOfWhatMetal) {
 }
 
 TEST(BendPlanPages, AreThoseOfAllPieces) {
-  Request request;
-  request.effort = Effort::draft;
-  auto net = nlohmann::json::parse(
-      test::bytes_of_file(test::example("transition/a_square_to_round.json")));
-  net["pieces"] = 2;
-  const auto made = test::made_from("net.json", net.dump(), request);
+  const auto made = test::made_in_two_pieces();
   ASSERT_TRUE(made);
   EXPECT_EQ(bend_plan_pages(*made, {}).size(), 2u);
 }

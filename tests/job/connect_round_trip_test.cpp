@@ -78,18 +78,7 @@ TEST(ConnectRoundTrip, PlatesOfFoldsAreThosePutIn) {
 TEST(ConnectRoundTrip, GivesBackCones) { expect_connect_round_trip(cone_pair(), 1e-5); }
 
 TEST(ConnectRoundTrip, GivesBackObliqueCones) {
-  PlateStructure s;
-  s.thickness = 2.0;
-  s.plates = {{"A",
-               {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}},
-               {}},
-              {"B",
-               {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}},
-               {}}};
-  s.bends = {{.between = {"A", "B"},
-              .edges = {std::vector{2}, std::vector{3}},
-              .surface = SurfaceChoice::general,
-              .tangent_point = Vec3(120, 120, 300)}};
+  PlateStructure s = lofted();
   for (const LateralBoundary lateral : {LateralBoundary::arc, LateralBoundary::straight}) {
     s.bends[0].lateral = lateral;
     expect_connect_round_trip(s, 1e-5);

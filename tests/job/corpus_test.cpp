@@ -107,10 +107,9 @@ class Corpus : public ::testing::Test {
   void count_warnings(const Json& row, const job::UnfoldReport& report) {
     if (row["class"] != "sheet_metal" && row["class"] != "flat_plate") return;
     ++made_;
-    const bool warned = std::any_of(
-        report.findings.begin(), report.findings.end(), [](const Finding& finding) {
-          return finding.severity == Severity::warning && !finding.places.empty();
-        });
+    const bool warned = std::ranges::any_of(report.findings, [](const Finding& finding) {
+      return finding.severity == Severity::warning && !finding.places.empty();
+    });
     if (warned) ++warned_;
   }
 
@@ -203,12 +202,11 @@ TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
       const bool member = known["class"] == "sheet_metal" &&
                           known["repository"] == row["repository"] && known["path"] == row["path"];
       if (!member || exception_for(known["id"]).contains("refused")) continue;
-      const bool found = std::any_of(
-          reports->begin(), reports->end(), [&](const job::UnfoldReport& report) {
-            return report.has_pattern() &&
-                   std::abs(report.summary.volume - known["volume"].get<double>()) <
-                       1e-3 * report.summary.volume;
-          });
+      const bool found = std::ranges::any_of(*reports, [&](const job::UnfoldReport& report) {
+        return report.has_pattern() &&
+               std::abs(report.summary.volume - known["volume"].get<double>()) <
+                   1e-3 * report.summary.volume;
+      });
       EXPECT_TRUE(found) << "the sheet " << known["id"] << " did not unfold out of the assembly";
     }
   }

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -45,11 +44,11 @@ bool winds_about(const std::vector<Vec2>& ring, const Vec2& p) {
 }
 
 bool covers(const Facet& facet, const Vec2& p) {
-  return std::any_of(facet.polygons.begin(), facet.polygons.end(), [&](const Polygon& polygon) {
+  return std::ranges::any_of(facet.polygons, [&](const Polygon& polygon) {
     if (distance(polygon.outer, p) <= kOn) return true;
     return winds_about(polygon.outer, p) &&
-           std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                        [&](const auto& hole) { return winds_about(hole, p); });
+           std::ranges::none_of(polygon.holes,
+                                [&](const auto& hole) { return winds_about(hole, p); });
   });
 }
 
@@ -69,8 +68,8 @@ void expect_bend_lines_on_facets(const FlatPattern& flat, const Facets& facets) 
       for (const double t : {0.02, 0.25, 0.5, 0.75, 0.98}) {
         const Vec2 p = (1.0 - t) * line.a + t * line.b;
         const auto& there = own.empty() ? all : own;
-        EXPECT_TRUE(std::any_of(there.begin(), there.end(),
-                                [&](const Facet* facet) { return covers(*facet, p); }))
+        EXPECT_TRUE(
+            std::ranges::any_of(there, [&](const Facet* facet) { return covers(*facet, p); }))
             << bend.id << " at (" << p.x() << ", " << p.y() << ")";
       }
   }

@@ -53,6 +53,15 @@ inline std::unique_ptr<job::Made> made_from(const std::string& name, const std::
   return std::move(*made);
 }
 
+/// The draft of a square-to-round in two pieces.
+inline std::unique_ptr<job::Made> made_in_two_pieces() {
+  job::Request request;
+  request.effort = job::Effort::draft;
+  auto net = nlohmann::json::parse(bytes_of_file(example("transition/a_square_to_round.json")));
+  net["pieces"] = 2;
+  return made_from("net.json", net.dump(), request);
+}
+
 /// What comes of a request that is met, or that is refused and has a report all the same.
 inline job::RunResult done_by(const nlohmann::json& asked) {
   const job::Ran ran = job::run(asked.dump());

@@ -24,12 +24,7 @@ TEST(PartDrawing, IsAPdfUnderTheNameOfThePart) {
 }
 
 TEST(PartDrawing, IsMadeOfEachPiece) {
-  Request request;
-  request.effort = Effort::draft;
-  auto net = nlohmann::json::parse(
-      test::bytes_of_file(test::example("transition/a_square_to_round.json")));
-  net["pieces"] = 2;
-  const auto made = test::made_from("net.json", net.dump(), request);
+  const auto made = test::made_in_two_pieces();
   ASSERT_TRUE(made);
   const auto first = part_drawing(*made, 0), second = part_drawing(*made, 1);
   ASSERT_TRUE(first && second);

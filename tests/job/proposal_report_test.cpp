@@ -73,7 +73,7 @@ TEST(ProposalReport, IsALineEachOnTheTerminal) {
   Report report = infeasible_report();
   report.plan->proposals = one_of_each();
   const std::string text = proposals_text(*report.plan, report);
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 7);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 7);
   for (const Proposal& one : report.plan->proposals)
     EXPECT_THAT(text, HasSubstr("  " + proposal_sentence(one, report) + "\n"));
   report.plan->proposals.clear();

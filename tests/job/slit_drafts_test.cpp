@@ -11,10 +11,7 @@ namespace {
 
 SlitFile draft_file() {
   SlitFile file;
-  file.design = test::chair();
-  file.design.sheet.strips = equal_strips(2, 60.0);
-  file.design.leg_curve = {{{360, 0}, {360, 120}}};
-  file.design.seat_curve.reset();
+  file.design = test::small_chair();
   return file;
 }
 

@@ -15,7 +15,7 @@ using ::testing::Not;
 
 PackPart drawn_part(const std::string& stem, int quantity) {
   PackPart part = test::pack_part("S235", quantity);
-  part.flat = test::pack_plate(200, 100);
+  part.flat = test::flat_plate(200, 100);
   part.stem = part.name = stem;
   part.plan = "nothing to bend";
   return part;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "part_list.hpp"
+#include "support/flat_plate.hpp"
 
 #include <string>
 
@@ -20,17 +21,6 @@ inline pack::PackPart pack_part(const std::string& material, int quantity) {
   part.flat.bends.resize(2);
   part.mass = 0.25;
   return part;
-}
-
-/// A plate whose outer contour can be cut.
-inline FlatPattern pack_plate(double length, double width) {
-  FlatPattern flat;
-  flat.thickness = 2.0;
-  flat.outer.loop = {Segment{{0, 0}, {length, 0}}, Segment{{length, 0}, {length, width}},
-                     Segment{{length, width}, {0, width}}, Segment{{0, width}, {0, 0}}};
-  flat.area = length * width;
-  flat.perimeter = 2 * (length + width);
-  return flat;
 }
 
 }  // namespace planish::test

@@ -14,12 +14,12 @@ PartList plates_list() {
   PartList list;
   list.parts = {test::pack_part("S235", 2), test::pack_part("S235", 1), test::pack_part("oak", 1)};
   for (PackPart& part : list.parts)
-    part.flat = test::pack_plate(400, 300);
+    part.flat = test::flat_plate(400, 300);
   list.parts[0].stem = "a_x2";
   list.parts[1].stem = "b_x1";
-  list.parts[1].flat = test::pack_plate(300, 200);
+  list.parts[1].flat = test::flat_plate(300, 200);
   list.parts[2].stem = "huge_x1";
-  list.parts[2].flat = test::pack_plate(5000, 300);
+  list.parts[2].flat = test::flat_plate(5000, 300);
   list.groups = {{"S235", 2.0, 0, 2}, {"oak", 2.0, 2, 3}};
   return list;
 }
@@ -48,7 +48,7 @@ TEST(Stock, BearsEachGroupOnSheetsOfItsOwn) {
 
 TEST(Stock, CountsPartsOfTheWholeList) {
   PartList list = plates_list();
-  list.parts[2].flat = test::pack_plate(400, 300);
+  list.parts[2].flat = test::flat_plate(400, 300);
   const StockSheets found = laid(list);
   ASSERT_EQ(found.sheets.size(), 2u);
   EXPECT_EQ(found.sheets[1].stem, "sheet_oak_2mm_1");

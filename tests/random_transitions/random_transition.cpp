@@ -93,7 +93,7 @@ double area_of(const std::vector<Vec3>& points, const Vec3& n) {
     const double a = x.dot(p - centre), b = y.dot(p - centre);
     around.push_back({std::atan2(b, a), a, b});
   }
-  std::sort(around.begin(), around.end());
+  std::ranges::sort(around);
   double twice = 0.0;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const auto &one = around[i], &next = around[(i + 1) % around.size()];
@@ -179,8 +179,8 @@ std::optional<double> area_between(const Json& transition) {
         }
         if (above > 0 && below > 0) continue;
         if (above > 0) n = -n;
-        const bool known = std::any_of(normals.begin(), normals.end(),
-                                       [&](const Vec3& m) { return (m - n).norm() < kInPlane; });
+        const bool known = std::ranges::any_of(
+            normals, [&](const Vec3& m) { return (m - n).norm() < kInPlane; });
         if (known) continue;
         normals.push_back(n);
         area += area_of(inside, n);

@@ -13,7 +13,6 @@
 #include <fstream>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace planish::transitions {
 namespace {

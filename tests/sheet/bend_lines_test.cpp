@@ -33,7 +33,7 @@ void expect_along_y(const std::vector<Segment>& lines, double x,
     EXPECT_NEAR(line.b.x(), x, tolerance);
     found.push_back(std::minmax(line.a.y(), line.b.y()));
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     EXPECT_NEAR(found[i].first, ends[i].first, tolerance);
     EXPECT_NEAR(found[i].second, ends[i].second, tolerance);

@@ -211,9 +211,9 @@ TEST(Facets, KeepTheBordersExactly) {
   const auto [layout, pattern] = laid(sheet);
   const Facets facets = facets_of(sheet, layout, {.chord = 1.0});
   const auto of = [&](double wanted) {
-    return std::count_if(
-        facets.borders.begin(), facets.borders.end(),
-        [&](const FacetBorder& border) { return std::abs(length(border.curve) - wanted) < 1e-9; });
+    return std::ranges::count_if(facets.borders, [&](const FacetBorder& border) {
+      return std::abs(length(border.curve) - wanted) < 1e-9;
+    });
   };
   EXPECT_EQ(of(std::numbers::pi * 6.6), 1);
   EXPECT_EQ(of(std::numbers::pi * 10), 1);
@@ -239,13 +239,13 @@ std::vector<double> border_lengths(const Facets& facets) {
     lengths.resize(std::max(lengths.size(), static_cast<std::size_t>(edge.border) + 1));
     lengths[edge.border] += (edge.line.b - edge.line.a).norm();
   }
-  std::sort(lengths.begin(), lengths.end());
+  std::ranges::sort(lengths);
   return lengths;
 }
 
 void expect_border_lengths(const Sheet& sheet, std::vector<double> wanted) {
   const auto lengths = border_lengths(facets_of(sheet, laid(sheet).layout, {.chord = 1e-3}));
-  std::sort(wanted.begin(), wanted.end());
+  std::ranges::sort(wanted);
   ASSERT_EQ(lengths.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i)
     EXPECT_NEAR(lengths[i] / wanted[i], 1.0, 1e-3);

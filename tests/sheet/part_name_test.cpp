@@ -11,9 +11,10 @@ TEST(PartName, CountsFlangesFromOneAndCallsBendsAsThePatternDoes) {
   bend.id = "B7";
   bend.bend = BendId{2};
   pattern.bends = {bend};
-  EXPECT_EQ(part_name(pattern, FlangeId{2}), "flange 3");
-  EXPECT_EQ(part_name(pattern, BendId{2}), "bend B7");
-  EXPECT_EQ(part_name(pattern, BendId{0}), "bend B1") << "one that the pattern does not have";
+  EXPECT_EQ(text_of(part_place(pattern, FlangeId{2})), "flange 3");
+  EXPECT_EQ(text_of(part_place(pattern, BendId{2})), "bend B7");
+  EXPECT_EQ(text_of(part_place(pattern, BendId{0})), "bend B1")
+      << "one that the pattern does not have";
 }
 
 TEST(PartName, AnOrderIsKnownOnceOneBendHasItsStroke) {

@@ -18,7 +18,7 @@ std::vector<int> sorted_rips(const Sheet& sheet, const SheetCheck& passes = open
                              const FlattenOptions& options = {}) {
   auto rips = rips_to_open(sheet, options, passes);
   if (!rips) throw std::runtime_error(rips.error().message);
-  std::sort(rips->begin(), rips->end());
+  std::ranges::sort(*rips);
   return *rips;
 }
 

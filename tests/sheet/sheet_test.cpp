@@ -48,9 +48,9 @@ TEST(SheetForms, OnTheOtherSide) {
   EXPECT_EQ(other_side(FormSide::up), FormSide::down);
   EXPECT_EQ(other_side(FormSide::down), FormSide::up);
   EXPECT_EQ(other_side(FormSide::both), FormSide::both);
-  EXPECT_STREQ(side_name(FormSide::up), "up");
-  EXPECT_STREQ(side_name(FormSide::down), "down");
-  EXPECT_STREQ(side_name(FormSide::both), "both");
+  EXPECT_EQ(side_name(FormSide::up), "up");
+  EXPECT_EQ(side_name(FormSide::down), "down");
+  EXPECT_EQ(side_name(FormSide::both), "both");
 }
 
 }  // namespace

@@ -25,8 +25,7 @@ void expect_slits(const std::vector<Segment>& slits, const std::vector<Segment>&
            ((a.a - b.b).norm() < 1e-9 && (a.b - b.a).norm() < 1e-9);
   };
   for (const Segment& slit : wanted)
-    EXPECT_TRUE(
-        std::any_of(slits.begin(), slits.end(), [&](const Segment& s) { return same(s, slit); }))
+    EXPECT_TRUE(std::ranges::any_of(slits, [&](const Segment& s) { return same(s, slit); }))
         << slit.a.transpose() << " to " << slit.b.transpose();
 }
 

@@ -87,10 +87,8 @@ TEST(Topology, CountsFlangesBeforeBends) {
   const Sheet sheet = u_channel();
   const Topology topology(sheet);
   EXPECT_EQ(topology.node_count(), 5);
-  for (int node = 0; node < 5; ++node) {
-    EXPECT_EQ(topology.node_of(topology.part_at(node)), node);
-    EXPECT_EQ(std::holds_alternative<FlangeId>(topology.part_at(node)), node < 3);
-  }
+  for (int node = 0; node < 5; ++node)
+    EXPECT_EQ(topology.node_of(node < 3 ? PartId(FlangeId{node}) : PartId(BendId{node - 3})), node);
   for (const FaceId id : sheet.faces.ids())
     EXPECT_EQ(topology.node_of(id), topology.node_of(sheet[id].part_of));
 }

@@ -40,6 +40,8 @@ TEST(MaterialJson, SaysWhereACurveIsWrong) {
     return read ? Error{} : read.error();
   };
   EXPECT_EQ(refused(R"({"points": [[0.1, 200], [0.05, 300]]})").where, "m.json/tension/points/1");
+  EXPECT_EQ(refused(R"({"points": [[0.1, 200], [0.05, 300], [0.2, 400]]})").where,
+            "m.json/tension/points/1");
   EXPECT_EQ(refused(R"({"points": [[0, 200]]})").where, "m.json/tension/points");
   EXPECT_EQ(refused(R"({"points": [[0.1, -1]]})").where, "m.json/tension/points/0/1");
   EXPECT_EQ(refused(R"({"power_law": {"strength": 500, "exponent": 2}})").where,

@@ -66,7 +66,7 @@ TEST(ToolsJson, TurnsProfilesCounterClockwise) {
   json clockwise = example();
   for (const char* kind : {"/punches/0/profile", "/dies/0/profile", "/machine/upper_beam"}) {
     json& profile = clockwise[json::json_pointer(kind)];
-    std::reverse(profile.begin(), profile.end());
+    std::ranges::reverse(profile);
   }
   const auto tools = parse_tools(clockwise.dump(), "t.json");
   ASSERT_TRUE(tools.has_value()) << tools.error().message;

@@ -3,7 +3,6 @@
 #include <planish/sheet/codes.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
-#include <cmath>
 #include <functional>
 #include <limits>
 

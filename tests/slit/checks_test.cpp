@@ -2,8 +2,6 @@
 
 #include <planish/slit/codes.hpp>
 
-#include <cmath>
-#include <string>
 #include <vector>
 
 // Each refusal with its code, its place in the file, and numbers in its message.

@@ -4,7 +4,6 @@
 #include <planish/geometry/region.hpp>
 #include <planish/slit/mould.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -149,14 +148,8 @@ TEST(MouldBody, GoesOnUnderPanelsThatAreLevel) {
 }
 
 TEST(MouldBody, StandsUprightBehindBothPanelsOfASheetThatIsNotSymmetric) {
-  SlitDesign design;
-  design.sheet.thickness = 2.0;
-  design.sheet.panel_height = 200.0;
-  design.sheet.half_length = 1000.0;
-  design.sheet.symmetric = false;
-  design.sheet.strips = equal_strips(3, 60.0);
-  design.leg_curve = {{{300, 0}, {300, 180}}};
-  design.second_panel = SecondPanel{{{{-300, 0}, {-300, 180}}}, 150.0, {}, false};
+  SlitDesign design = arcade();
+  design.second_panel->height = 150.0;
   const Mould mould = body(solved(design, 1).folded(), {.up = Vec3::UnitY()});
   EXPECT_EQ(mould.walls.size(), 2u);
   expect_closed(*mould.body);

@@ -3,7 +3,6 @@
 
 #include <planish/slit/mould.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 

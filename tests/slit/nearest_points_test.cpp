@@ -29,9 +29,8 @@ TEST(NearestPoints, AreThoseOfASearchThroughAll) {
   const NearestPoints cloud(points);
   for (int i = 0; i < 100; ++i) {
     const Vec3 p = 1.5 * any();
-    const auto nearest = std::min_element(
-        points.begin(), points.end(),
-        [&](const Vec3& a, const Vec3& b) { return (a - p).norm() < (b - p).norm(); });
+    const auto nearest = std::ranges::min_element(
+        points, [&](const Vec3& a, const Vec3& b) { return (a - p).norm() < (b - p).norm(); });
     EXPECT_EQ(cloud.nearest(p), *nearest);
   }
 }

@@ -4,8 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <random>
 
 namespace planish::test {
 namespace {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace planish::test {
 
 /// The chair of formats.md#slits: six strips, a straight leg, a seat that rises to a back.
@@ -52,6 +50,28 @@ inline SlitSession solved(const SlitDesign& design, int subdivisions = 0) {
   auto session = solved_slit_sheet(design, subdivisions);
   if (!session) throw std::runtime_error(session.error().message + " at " + session.error().where);
   return std::move(*session);
+}
+
+/// Two equal panels 600 apart, strips of 1000 between them.
+inline SlitDesign arcade() {
+  SlitDesign design;
+  design.sheet.thickness = 2.0;
+  design.sheet.panel_height = 200.0;
+  design.sheet.half_length = 1000.0;
+  design.sheet.symmetric = false;
+  design.sheet.strips = equal_strips(3, 60.0);
+  design.leg_curve = {{{300, 0}, {300, 180}}};
+  design.second_panel = SecondPanel{{{{-300, 0}, {-300, 180}}}, 200.0, {}, false};
+  return design;
+}
+
+/// Two strips on a straight leg that end at the symmetry plane.
+inline SlitDesign small_chair() {
+  SlitDesign design = chair();
+  design.sheet.strips = equal_strips(2, 60.0);
+  design.leg_curve = {{{360, 0}, {360, 120}}};
+  design.seat_curve.reset();
+  return design;
 }
 
 }  // namespace planish::test

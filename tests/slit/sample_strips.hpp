@@ -3,7 +3,8 @@
 #include "reach.hpp"
 #include "strip_problem.hpp"
 
-#include <cmath>
+#include <gtest/gtest.h>
+
 #include <random>
 
 namespace planish::test {
@@ -71,6 +72,24 @@ Eigen::MatrixXd differences(const F& f, const StripParameters& p) {
     jacobian.col(q) = (f(up) - f(down)) / (2.0 * kStep);
   }
   return jacobian;
+}
+
+/// Derivatives of a problem's residuals, and their differences.
+struct Derivatives {
+  RowMatrix full;
+  Eigen::MatrixXd expected;
+};
+inline Derivatives derivatives_of(const StripProblem& problem, const StripParameters& p) {
+  Eigen::VectorXd residuals(problem.residuals());
+  RowMatrix full(problem.residuals(), problem.parameters());
+  Eigen::Ref<RowMatrix> jacobian(full);
+  EXPECT_TRUE(evaluate(problem, p, residuals, &jacobian));
+  EXPECT_TRUE(residuals.allFinite());
+  const auto at = [&](const StripParameters& x) {
+    EXPECT_TRUE(evaluate(problem, x, residuals, nullptr));
+    return residuals;
+  };
+  return {full, differences(at, p)};
 }
 
 }  // namespace planish::test

@@ -104,7 +104,7 @@ TEST(SlitSession, MirroredCurvesGiveTheMirroredForm) {
     design.seat_curve = BezierCurve{{{lean, -20}, {700 - lean, 120}, {280, 240}, {520, 380}}};
     SlitDesign mirrored = design;
     for (BezierCurve* curve : {&mirrored.leg_curve, &*mirrored.seat_curve}) {
-      std::reverse(curve->poles.begin(), curve->poles.end());
+      std::ranges::reverse(curve->poles);
       for (Vec2& pole : curve->poles)
         pole.y() = 360 - pole.y();
     }

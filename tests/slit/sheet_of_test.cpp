@@ -5,8 +5,6 @@
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/slit/mould.hpp>
 
-#include <cmath>
-
 // The developed pattern is the sheet that was cut. Every face is given in the coordinates of the
 // flat sheet, so laid flat from one face, every other one must stay exactly where it is.
 

@@ -4,7 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <random>
 
 // Folding keeps lengths whatever the parameters; derivatives are those of what is computed.
 

@@ -1,16 +1,11 @@
 #include "work/workbench.hpp"
 
 #include "work/attachments.hpp"
-#include "work/overlap_triangles.hpp"
 #include "work/request.hpp"
-
-#include <planish/geometry/region.hpp>
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
 namespace planish::studio {
@@ -158,33 +153,6 @@ TEST(Attachments, HavePlainNames) {
   EXPECT_FALSE(is_plain_name(std::string("a\0b", 3)));
   EXPECT_TRUE(is_plain_name(std::string(240, 'a')));
   EXPECT_FALSE(is_plain_name(std::string(241, 'a')));
-}
-
-double area_of(const std::vector<Vec2>& triangles) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-    const double area = ring_area({triangles[i], triangles[i + 1], triangles[i + 2]});
-    EXPECT_GT(area, 0.0);
-    sum += area;
-  }
-  return sum;
-}
-
-TEST(RingTriangles, CoverARingThatTurnsInwards) {
-  std::vector<Vec2> star;
-  for (int i = 0; i < 20; ++i) {
-    const double angle = std::numbers::pi * i / 10.0, radius = i % 2 == 0 ? 10.0 : 3.0;
-    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-  }
-  EXPECT_NEAR(area_of(ring_triangles(star)), ring_area(star), 1e-9);
-  const std::vector<Vec2> clockwise(star.rbegin(), star.rend());
-  EXPECT_NEAR(area_of(ring_triangles(clockwise)), ring_area(star), 1e-9);
-}
-
-TEST(RingTriangles, OfNoRingAreNone) {
-  EXPECT_TRUE(ring_triangles({}).empty());
-  EXPECT_TRUE(ring_triangles({{0, 0}, {1, 0}}).empty());
-  EXPECT_TRUE(ring_triangles({{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty());
 }
 
 }  // namespace

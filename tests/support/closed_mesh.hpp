@@ -22,7 +22,7 @@ inline std::map<std::pair<int, int>, int> sides_of(const Mesh& mesh) {
 /// Whether every side is run once in each direction.
 inline bool is_closed(const Mesh& mesh) {
   const auto runs = sides_of(mesh);
-  return !runs.empty() && std::all_of(runs.begin(), runs.end(), [&](const auto& run) {
+  return !runs.empty() && std::ranges::all_of(runs, [&](const auto& run) {
     return run.second == 1 && runs.count({run.first.second, run.first.first}) == 1;
   });
 }

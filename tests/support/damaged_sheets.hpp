@@ -2,7 +2,6 @@
 
 #include "support/sheets.hpp"
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>

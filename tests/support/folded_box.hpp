@@ -3,7 +3,6 @@
 #include "support/sheets.hpp"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 // Boxes and tubes with sharp corners, closed all around: they lie flat once they are ripped.

@@ -5,8 +5,6 @@
 #include <geos_c.h>
 #include <gtest/gtest.h>
 
-#include <map>
-#include <memory>
 #include <set>
 #include <utility>
 #include <vector>

@@ -1,7 +1,5 @@
 #include "support/sheets.hpp"
 
-#include <planish/base/assert.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -32,7 +32,7 @@ inline Traits traits_of(const FlatPattern& pattern) {
   for (const FlatBend& bend : pattern.bends)
     traits.bends.push_back({std::round(bend.angle.degrees() * 1e4) / 1e4,
                             std::round(bend.inside_radius * 1e4) / 1e4, bend.length});
-  std::sort(traits.bends.begin(), traits.bends.end());
+  std::ranges::sort(traits.bends);
   return traits;
 }
 

@@ -22,7 +22,7 @@ std::vector<PatchKind> kinds_of(const Transition& transition) {
 
 long count_of(const Transition& transition, PatchKind kind) {
   const auto kinds = kinds_of(transition);
-  return std::count(kinds.begin(), kinds.end(), kind);
+  return std::ranges::count(kinds, kind);
 }
 
 TEST(MakeTransition, MakesACylinderOfTwoEqualCircles) {
@@ -52,8 +52,8 @@ TEST(MakeTransition, MakesAConeFrustumBothWaysUp) {
     EXPECT_EQ(transition.pieces[0].bends.front().kind, BendKind::cone);
     for (const Contour& contour : {laid_flat(transition.pieces[0], spec).outer}) {
       ASSERT_EQ(contour.loop.size(), 4u);
-      EXPECT_EQ(std::count_if(contour.loop.begin(), contour.loop.end(),
-                              [](const Curve2& c) { return std::holds_alternative<Arc>(c); }),
+      EXPECT_EQ(std::ranges::count_if(
+                    contour.loop, [](const Curve2& c) { return std::holds_alternative<Arc>(c); }),
                 2);
     }
   }

@@ -79,11 +79,11 @@ TEST_P(BoundaryOf, GivesTheDerivativesOfItsCurvesTheWayTheyRun) {
 
 TEST(BoundaryOf, HasCornersWhereAPolygonTurnsAndNoneOnCurves) {
   const Boundary square = boundary(rectangle(10, 10), kTilted.z);
-  EXPECT_EQ(std::count(square.corner.begin(), square.corner.end(), true), 4);
+  EXPECT_EQ(std::ranges::count(square.corner, true), 4);
   for (const Profile& smooth : std::vector<Profile>{EllipseProfile{50, 30}, ObroundProfile{100, 40},
                                                     RoundedRectangleProfile{100, 60, 10}}) {
     const Boundary b = boundary(smooth, kTilted.z);
-    EXPECT_EQ(std::count(b.corner.begin(), b.corner.end(), true), 0);
+    EXPECT_EQ(std::ranges::count(b.corner, true), 0);
   }
 }
 

@@ -215,7 +215,7 @@ double oracle_perimeter(const Profile& profile) {
 double lateral_area(std::vector<Vec3> first, std::vector<Vec3> second) {
   const Vec3 towards = mean(second) - mean(first);
   for (auto* ring : {&first, &second})
-    if (area_vector(*ring).dot(towards) < 0.0) std::reverse(ring->begin(), ring->end());
+    if (area_vector(*ring).dot(towards) < 0.0) std::ranges::reverse(*ring);
   const Vec3 up = area_vector(first).normalized(), down = -area_vector(second).normalized();
   double area = 0.0;
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -82,7 +82,7 @@ RC_GTEST_PROP(TransitionSurface, TouchesBothProfilesAlongEveryRuling, ()) {
 bool at_corner(const PlacedProfile& profile, const Vec3& p) {
   const auto* polygon = std::get_if<PolygonProfile>(&profile.profile);
   if (!polygon) return false;
-  return std::any_of(polygon->corners.begin(), polygon->corners.end(), [&](const Vec2& corner) {
+  return std::ranges::any_of(polygon->corners, [&](const Vec2& corner) {
     return (profile.frame.point(corner) - p).norm() < 1e-9 * kExtent;
   });
 }

@@ -142,10 +142,9 @@ TEST(PatchPart, KnowsTheLengthsOfItsBordersAlsoWithoutItsTips) {
 
 TEST(PatchPart, OfARightConeLosesItsApex) {
   const Ring ring = cornered();
-  const auto cone = std::find_if(ring.patches.begin(), ring.patches.end(),
-                                 [](const RuledPatch& patch) {
-                                   return !patch.plane() && patch.bend_kind() == BendKind::cone;
-                                 });
+  const auto cone = std::ranges::find_if(ring.patches, [](const RuledPatch& patch) {
+    return !patch.plane() && patch.bend_kind() == BendKind::cone;
+  });
   ASSERT_NE(cone, ring.patches.end());
   const double slant = std::hypot(80, 30);
   const RuledPatch::Part part = cone->part(0.25, 1.0, {.at_from = {4.0, 0.0}, .at_to = {4.0, 0.0}});

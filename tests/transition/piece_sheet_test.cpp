@@ -64,8 +64,8 @@ TEST(NamedSheet, HasLabelsWhereItsRulingsEnd) {
   RulingNames names(*ring.hull, 1e-6);
   const Sheet sheet = named(ring, names);
   for (const char* corner : {"A", "B", "C", "D"}) {
-    const auto label = std::find_if(sheet.labels.begin(), sheet.labels.end(),
-                                    [&](const PointLabel& l) { return l.text == corner; });
+    const auto label = std::ranges::find_if(sheet.labels,
+                                            [&](const PointLabel& l) { return l.text == corner; });
     ASSERT_NE(label, sheet.labels.end()) << corner;
     const Vec2 at = rectangle(100, 100).corners[corner[0] - 'A'];
     EXPECT_LT((skin_point(sheet[label->face], label->at) - Vec3(at.x(), at.y(), 0)).norm(), 1e-7);
@@ -89,7 +89,7 @@ TEST(NamedSheet, NumbersPressLinesByBend) {
   for (const TrueLength& length : names.true_lengths())
     if (!length.press.empty()) presses.push_back(length.press);
   EXPECT_EQ(presses.size(), 12u);
-  EXPECT_EQ(std::count(presses.begin(), presses.end(), "B2.3"), 1);
+  EXPECT_EQ(std::ranges::count(presses, "B2.3"), 1);
 }
 
 TEST(CutSheet, HasNoTipsAndNoLabels) {
@@ -99,8 +99,8 @@ TEST(CutSheet, HasNoTipsAndNoLabels) {
   const auto sheet = cut_sheet(ring, spec, whole(ring), tips);
   ASSERT_TRUE(sheet) << sheet.error().message;
   EXPECT_TRUE(sheet->labels.empty());
-  EXPECT_TRUE(std::any_of(sheet->faces.begin(), sheet->faces.end(),
-                          [](const Face& face) { return face.loops[0].size() > 3; }));
+  EXPECT_TRUE(
+      std::ranges::any_of(sheet->faces, [](const Face& face) { return face.loops[0].size() > 3; }));
 }
 
 }  // namespace

@@ -43,8 +43,7 @@ TEST(TransitionPieces, AddUpAndFitAtTheirSeams) {
     spec.from.profile = rectangle(90, 60);
     spec.from.frame = frame_at(Vec3::Zero());
     const auto from = sampled_in_space(spec.from, 1);
-    if (std::any_of(from.begin(), from.end(),
-                    [&](const Vec3& p) { return spec.to.frame.local(p).z() > -1.0; }))
+    if (std::ranges::any_of(from, [&](const Vec3& p) { return spec.to.frame.local(p).z() > -1.0; }))
       continue;
     const double whole = made(spec).area;
     for (const auto& [pieces, count] : {std::pair{Division::one, 1u}, std::pair{Division::two, 2u},
@@ -88,8 +87,8 @@ TEST(TransitionPressing, TurnsEachPatchAsManyTimesAsTheAngleAsks) {
     for (const PressLine& line : b.press_lines)
       sum += line.angle.radians();
     // Of which patch: the one of the same turn.
-    const bool known = std::any_of(turns.begin(), turns.end(),
-                                   [&](double turn) { return std::abs(turn - sum) < 1e-11; });
+    const bool known = std::ranges::any_of(
+        turns, [&](double turn) { return std::abs(turn - sum) < 1e-11; });
     EXPECT_TRUE(known) << sum;
     EXPECT_EQ(b.press_lines.size(),
               static_cast<std::size_t>(std::ceil(sum / Angle::degrees(7.0).radians() - 1e-9)));

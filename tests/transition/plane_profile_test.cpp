@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace planish::test {
 namespace {
@@ -94,7 +93,7 @@ TEST(PiecesOf, ARoundedRectangleAreSidesAndQuartersSetOff) {
   ASSERT_EQ(all.size(), 8u);
   expect_closed(all);
   EXPECT_NEAR(perimeter(all), 2 * (w - 2 * r) + 2 * (h - 2 * r) + 2 * kPi * (r + d), 1e-9);
-  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto& p) { return p.straight; }), 4);
+  EXPECT_EQ(std::ranges::count_if(all, [](const auto& p) { return p.straight; }), 4);
   EXPECT_EQ(all[0].edges[0].number, 0) << "the side below";
   EXPECT_NEAR(all[0].curve(0.5).point.y(), -0.5 * h - d, 1e-12);
 }
@@ -108,7 +107,7 @@ TEST(PiecesOf, AnObroundHasHalfCirclesOfOneCurveEach) {
   for (const PlaneElement& element : all)
     if (!element.straight) sources.push_back(element.source);
   ASSERT_EQ(sources.size(), 4u);
-  std::sort(sources.begin(), sources.end());
+  std::ranges::sort(sources);
   EXPECT_EQ(sources[0], sources[1]);
   EXPECT_EQ(sources[2], sources[3]);
   EXPECT_NE(sources[1], sources[2]);

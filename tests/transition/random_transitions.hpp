@@ -21,7 +21,7 @@ inline Profile random_profile(std::mt19937& random) {
         const double t = 2.0 * kPi * (i + between(0.1, 0.9)) / n;
         polygon.corners.emplace_back(rx * std::cos(t), ry * std::sin(t));
       }
-      if (unit(random) < 0.5) std::reverse(polygon.corners.begin(), polygon.corners.end());
+      if (unit(random) < 0.5) std::ranges::reverse(polygon.corners);
       return polygon;
     }
     case 1:
@@ -73,9 +73,9 @@ inline TransitionSpec random_transition(std::mt19937& random) {
       for (Vec3* axis : {&frame.x, &frame.y, &frame.z})
         *axis = turned * *axis;
     const auto to = sampled_in_space(spec.to, 50);
-    const bool above = std::all_of(to.begin(), to.end(), [](const Vec3& p) { return p.z() > 5.0; });
-    const bool below = std::all_of(from.begin(), from.end(),
-                                   [&](const Vec3& p) { return frame.local(p).z() < -5.0; });
+    const bool above = std::ranges::all_of(to, [](const Vec3& p) { return p.z() > 5.0; });
+    const bool below = std::ranges::all_of(
+        from, [&](const Vec3& p) { return frame.local(p).z() < -5.0; });
     if (above && below) break;
   }
   return spec;

@@ -25,8 +25,8 @@ TransitionTraits traits_of(const TransitionSpec& spec) {
   TransitionTraits traits{transition.area, transition.perimeters, {}, {}};
   for (const TransitionPatch& patch : transition.patches)
     (patch.kind == PatchKind::plane ? traits.planes : traits.others).push_back(patch.area);
-  std::sort(traits.planes.begin(), traits.planes.end());
-  std::sort(traits.others.begin(), traits.others.end());
+  std::ranges::sort(traits.planes);
+  std::ranges::sort(traits.others);
   return traits;
 }
 
@@ -128,7 +128,7 @@ RC_GTEST_PROP(TransitionVariants, NumberingOfCornersAndPointsDoesNotMatter, ()) 
   const auto renumber = [&](std::vector<Vec2>& points) {
     std::rotate(points.begin(), points.begin() + static_cast<long>(random() % points.size()),
                 points.end());
-    if (random() % 2 == 0) std::reverse(points.begin(), points.end());
+    if (random() % 2 == 0) std::ranges::reverse(points);
   };
   for (PlacedProfile* profile : {&spec.from, &spec.to}) {
     if (auto* polygon = std::get_if<PolygonProfile>(&profile->profile)) renumber(polygon->corners);
@@ -143,8 +143,8 @@ RC_GTEST_PROP(TransitionVariants, TurningACircleAboutItsAxisChangesNothing, ()) 
   spec.from.profile = EllipseProfile{45, 45};
   spec.from.frame = frame_at(Vec3::Zero());
   const auto below = sampled_in_space(spec.from, 50);
-  RC_PRE(std::all_of(below.begin(), below.end(),
-                     [&](const Vec3& p) { return spec.to.frame.local(p).z() < -1.0; }));
+  RC_PRE(
+      std::ranges::all_of(below, [&](const Vec3& p) { return spec.to.frame.local(p).z() < -1.0; }));
   const TransitionTraits before = traits_of(spec);
   spec.from.frame = frame_at(Vec3::Zero(), 0.0, 0.3 + 0.001 * static_cast<double>(random() % 1000));
   expect_same(before, traits_of(spec));

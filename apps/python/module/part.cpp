@@ -59,15 +59,7 @@ py::array view_of(const Rows& rows, const py::object& owner) {
 }
 
 std::string Part::status() const {
-  switch (made_.made->report().status()) {
-    case job::Status::ok:
-      return "ok";
-    case job::Status::warning:
-      return "warning";
-    case job::Status::refused:
-      return "refused";
-  }
-  return {};
+  return std::string(job::status_name(made_.made->report().status()));
 }
 
 std::optional<Error> Part::refusal() const { return made_.made->report().refusal; }
@@ -121,10 +113,8 @@ Result<std::string> Part::bend_pages(bool svg) {
 }
 
 std::vector<std::string> Part::artifacts(const job::Catalogue& catalogue) const {
-  std::vector<std::string> names;
-  for (const job::Artifact* artifact : catalogue.written_by(*made_.maker))
-    names.emplace_back(artifact->name);
-  return names;
+  return mapped(catalogue.written_by(*made_.maker),
+                [&](const job::Artifact* artifact) { return std::string(artifact->name); });
 }
 
 }  // namespace planish::python

@@ -39,7 +39,7 @@ Access::Access(int port, std::string token)
       token_(std::move(token)) {}
 
 bool Access::is_own_host(const std::string& host) const {
-  return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
+  return std::ranges::find(hosts_, host) != hosts_.end();
 }
 
 bool Access::is_own_origin(const std::string& origin) const {

@@ -1,5 +1,6 @@
 #include "browser.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/io/flat_writers.hpp>
 
 #include <fcntl.h>
@@ -41,13 +42,6 @@ void start_apart(std::string program, std::string argument) {
   if (failed == 0) std::thread([process] { waitpid(process, nullptr, 0); }).detach();
 }
 
-std::string as_html(const std::string& text) {
-  std::string made;
-  for (const char c : text)
-    made += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return made;
-}
-
 }  // namespace
 
 void open_in_browser(const std::string& address, const std::filesystem::path& folder) {
@@ -68,7 +62,7 @@ void say_in_browser(const std::string& sentence, const std::filesystem::path& fo
   const std::string text = fmt::format(
       "<!doctype html><meta charset=\"utf-8\"><title>planish studio</title>"
       "<body style=\"font: 1.2em sans-serif; margin: 3em\"><h1>planish studio</h1><p>{}\n",
-      as_html(sentence));
+      replaced(sentence, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}}));
   if (!write_file(file, text)) return;
   start_apart("xdg-open", file.string());
   std::this_thread::sleep_for(kReading);

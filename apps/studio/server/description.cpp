@@ -2,29 +2,14 @@
 
 #include "../work/json_text.hpp"
 
+#include <planish/base/text.hpp>
+
 namespace planish::studio {
 namespace {
 
-const char* kind_name(job::OptionKind kind) {
-  switch (kind) {
-    case job::OptionKind::flag:
-      return "flag";
-    case job::OptionKind::number:
-      return "number";
-    case job::OptionKind::whole:
-      return "whole";
-    case job::OptionKind::word:
-      return "word";
-    case job::OptionKind::face:
-      return "face";
-    case job::OptionKind::name:
-      return "name";
-    case job::OptionKind::file:
-      return "file";
-    case job::OptionKind::by_bend:
-      break;
-  }
-  return "by_bend";
+std::string_view kind_name(job::OptionKind kind) {
+  return word_of(kind,
+                 {"flag", "number", "whole", "word", "face", "name", "file", "by_bend"});
 }
 
 Json option_json(const job::OptionUse& use) {

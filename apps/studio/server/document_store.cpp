@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <vector>
 
 namespace planish::studio {
 namespace {
@@ -65,12 +64,11 @@ bool DocumentStore::make_room() {
   if (documents_.size() + static_cast<std::size_t>(taking_) < kMostDocuments) return true;
   if (documents_.empty()) return false;
   const auto now = std::chrono::steady_clock::now();
-  const auto unreadable = std::find_if(documents_.begin(), documents_.end(), [&](const auto& row) {
+  const auto unreadable = std::ranges::find_if(documents_, [&](const auto& row) {
     return row.second->is_unreadable() && row.second->is_idle_since(now);
   });
-  const auto oldest = std::min_element(
-      documents_.begin(), documents_.end(),
-      [](const auto& a, const auto& b) { return a.second->last_used() < b.second->last_used(); });
+  const auto oldest = std::ranges::min_element(
+      documents_, {}, [](const auto& row) { return row.second->last_used(); });
   if (unreadable != documents_.end())
     documents_.erase(unreadable);
   else if (oldest->second->is_idle_since(now - kUnused))

@@ -6,9 +6,7 @@ namespace planish::studio {
 
 const EmbeddedFile* embedded_file(std::string_view name) {
   const auto files = embedded_files();
-  const auto found = std::lower_bound(
-      files.begin(), files.end(), name,
-      [](const EmbeddedFile& file, std::string_view wanted) { return file.name < wanted; });
+  const auto found = std::ranges::lower_bound(files, name, {}, &EmbeddedFile::name);
   return found != files.end() && found->name == name ? &*found : nullptr;
 }
 

@@ -1,9 +1,11 @@
 #include "api.hpp"
 #include "embedded.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <nlohmann/json.hpp>
 
-#include <cctype>
+#include <algorithm>
 
 namespace planish::studio {
 namespace {
@@ -21,10 +23,8 @@ std::string title_of(std::string_view name) {
   name.remove_prefix(name.rfind('/') == std::string_view::npos ? 0 : name.rfind('/') + 1);
   name = name.substr(0, name.rfind('.'));
   if (name.size() > 2 && name[1] == '_') name.remove_prefix(2);
-  std::string title(name);
-  for (char& c : title)
-    if (c == '_') c = ' ';
-  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  std::string title = capitalized(std::string(name));
+  std::ranges::replace(title, '_', ' ');
   return title;
 }
 

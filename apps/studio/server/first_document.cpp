@@ -36,7 +36,7 @@ tl::unexpected<Error> too_large(const std::filesystem::path& file) {
 std::string shown_name(const std::filesystem::path& file) {
   std::string name = file == "-" ? "stdin" : file.filename().string();
   const auto unfit = [](unsigned char c) { return std::iscntrl(c) || c == '\\'; };
-  std::replace_if(name.begin(), name.end(), unfit, '_');
+  std::ranges::replace_if(name, unfit, '_');
   if (!name.empty() && name.front() == '.') name.front() = '_';
   constexpr std::size_t kLongest = 100;
   std::size_t from = name.size() > kLongest ? name.size() - kLongest : 0;
@@ -46,7 +46,7 @@ std::string shown_name(const std::filesystem::path& file) {
     ++from;
   name.erase(0, from);
   const auto foreign = [](unsigned char c) { return c >= 0x80U; };
-  if (!is_plain_name(name)) std::replace_if(name.begin(), name.end(), foreign, '_');
+  if (!is_plain_name(name)) std::ranges::replace_if(name, foreign, '_');
   return name;
 }
 

@@ -3,7 +3,6 @@
 #include "api.hpp"
 #include "presence.hpp"
 
-#include <functional>
 #include <memory>
 
 namespace planish::studio {

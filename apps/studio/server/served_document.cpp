@@ -1,12 +1,11 @@
 #include "served_document.hpp"
 
-#include "../refusals.hpp"
+#include "../work/json_text.hpp"
 
 #include <planish/io/flat_writers.hpp>
 #include <planish/schema/text_file.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -25,11 +24,7 @@ Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, Do
                                                              const std::string& bytes) {
   std::shared_ptr<ServedDocument> document(
       new ServedDocument(std::move(folder), std::move(label), limit));
-  std::error_code error;
-  fs::create_directories(document->attachments(), error);
-  if (error)
-    return fail(refuse::folder_not_made,
-                {{"folder", document->folder_.string()}, {"reason", error.message()}});
+  if (auto made = make_folder(document->attachments()); !made) return pass_on(made);
   if (auto written = write_file(document->file(), bytes); !written) return pass_on(written);
   return document;
 }
@@ -160,10 +155,9 @@ void ServedDocument::close() {
 
 Answer ServedDocument::progress() const {
   const std::lock_guard lock(state_);
-  nlohmann::ordered_json json;
+  Json json;
   if (computing_) json = {{"stage", stage_.name}, {"share", stage_.share}};
-  return {200, kJsonType,
-          json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+  return {200, kJsonType, json_text(json)};
 }
 
 Answer ServedDocument::attach(const std::string& name, const std::string& bytes) {

@@ -1,9 +1,8 @@
 #include "temp_folder.hpp"
 
-#include "../refusals.hpp"
+#include <planish/io/flat_writers.hpp>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -61,9 +60,7 @@ Result<TempFolder> TempFolder::make() {
   remove_abandoned(place);
   for (;;) {
     std::string name = place / (std::string(kPrefix) + "XXXXXX");
-    if (!mkdtemp(name.data()))
-      return fail(refuse::folder_not_made, {{"folder", name}, {"reason", std::strerror(errno)}},
-                  name);
+    if (!mkdtemp(name.data())) return cannot_write(name, std::strerror(errno));
     const int lock = open((fs::path(name) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
                           kOwner);
     flock(lock, LOCK_EX);

@@ -1,8 +1,8 @@
 #include "answer.hpp"
 
-#include <planish/job/reason.hpp>
+#include "json_text.hpp"
 
-#include <nlohmann/json.hpp>
+#include <planish/job/reason.hpp>
 
 namespace planish::studio {
 namespace {
@@ -16,9 +16,7 @@ int status_of(ErrorCode code) {
 
 Answer failure(int status, const std::string& code, const std::string& message,
                const std::string& where) {
-  nlohmann::ordered_json json{{"code", code}, {"message", message}, {"where", where}};
-  return {status, kJsonType,
-          json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+  return {status, kJsonType, json_text({{"code", code}, {"message", message}, {"where", where}})};
 }
 
 Answer failure(int status, const Error& error) {

@@ -22,7 +22,7 @@ bool is_plain_name(const std::string& name) {
   constexpr std::size_t kLongest = 240;
   const auto unfit = [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '/' || c == '\\'; };
   return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
-         std::none_of(name.begin(), name.end(), unfit) && schema::printable(name) == name;
+         std::ranges::none_of(name, unfit) && schema::printable(name) == name;
 }
 
 Result<void> check_names(const job::Maker& maker, const std::string& spec,

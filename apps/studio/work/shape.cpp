@@ -1,21 +1,11 @@
 #include "shape.hpp"
 
 #include <bit>
-#include <cmath>
-#include <cstring>
 
 namespace planish::studio {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are sent as they lie in memory");
-
-template <typename T>
-ShapeArray array_of(const std::string& name, const char* type, const std::vector<T>& values) {
-  static_assert(sizeof(T) == 4);
-  std::string bytes(values.size() * sizeof(T), '\0');
-  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-  return {name, type, std::move(bytes)};
-}
 
 Json arrays_json(const Shape& shape) {
   Json json = Json::object();
@@ -56,16 +46,6 @@ Json rows_json(const Eigen::Isometry3d& motion) {
   return json;
 }
 
-void Shape::add(const std::string& name, const std::vector<float>& values) {
-  arrays.push_back(array_of(name, "f32", values));
-}
-void Shape::add(const std::string& name, const std::vector<std::uint32_t>& values) {
-  arrays.push_back(array_of(name, "u32", values));
-}
-void Shape::add(const std::string& name, const std::vector<std::int32_t>& values) {
-  arrays.push_back(array_of(name, "i32", values));
-}
-
 void add_space(Shape& shape, const MeshOfFaces& solid) {
   std::vector<float> points;
   for (const Vec3& p : solid.mesh.points)
@@ -77,9 +57,8 @@ void add_space(Shape& shape, const MeshOfFaces& solid) {
       triangles.push_back(static_cast<std::uint32_t>(corner));
   shape.add("space_points", points);
   shape.add("space_triangles", triangles);
-  std::vector<std::uint32_t> faces;
-  for (const int face : solid.face)
-    faces.push_back(static_cast<std::uint32_t>(face + 1));
+  const auto faces = mapped(solid.face,
+                            [&](int face) { return static_cast<std::uint32_t>(face + 1); });
   shape.add("space_faces", faces);
 }
 

@@ -2,7 +2,6 @@
 
 #include "json_text.hpp"
 
-#include <planish/geometry/frame.hpp>
 #include <planish/geometry/mesh.hpp>
 #include <planish/job/report.hpp>
 #include <planish/sheet/facets.hpp>
@@ -10,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace planish::studio {
@@ -30,9 +30,16 @@ struct Shape {
   std::optional<std::size_t> pierces;  ///< contours and slits; none without a pattern
   std::vector<ShapeArray> arrays;
 
-  void add(const std::string& name, const std::vector<float>& values);
-  void add(const std::string& name, const std::vector<std::uint32_t>& values);
-  void add(const std::string& name, const std::vector<std::int32_t>& values);
+  /// Of floats and of integers with and without sign.
+  template <typename Number>
+  void add(const std::string& name, const std::vector<Number>& values) {
+    static_assert(sizeof(Number) == 4);
+    const char* type = std::is_floating_point_v<Number> ? "f32"
+                       : std::is_signed_v<Number>       ? "i32"
+                                                        : "u32";
+    const char* bytes = reinterpret_cast<const char*>(values.data());
+    arrays.push_back({name, type, std::string(bytes, bytes + values.size() * sizeof(Number))});
+  }
 };
 
 /// Adds flanges and bends as rows of `parts`, first the flanges, then the bends, each in the

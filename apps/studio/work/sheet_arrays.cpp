@@ -1,5 +1,7 @@
-#include "overlap_triangles.hpp"
 #include "shape.hpp"
+
+#include <planish/geometry/region.hpp>
+#include <planish/inspect/findings.hpp>
 
 #include <fmt/format.h>
 
@@ -211,13 +213,22 @@ void add_bend_lines(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
   shape.add("bend_line_part", parts);
 }
 
+/// Triangles of the areas that two faces share in the flat pattern.
 void add_overlaps(Shape& shape, const job::Report& report) {
-  const bool known = std::any_of(report.findings.begin(), report.findings.end(),
-                                 [](const Finding& f) { return f.code == "overlap"; });
+  constexpr double kChord = 0.05;  // mm
+  const bool known = std::ranges::any_of(report.findings,
+                                         [](const Finding& f) { return f.code == "overlap"; });
   if (!known) return;
+  const auto faces = mapped(report.layout.images.ids(), [&](FaceId face) {
+    return polygon_of(report.layout.region(face), kChord);
+  });
+  const double clearance = std::max(kContactShare * report.flat.thickness, kChord);
   std::vector<float> points;
-  for (const Vec2& p : overlap_triangles(report.layout, report.flat.thickness))
-    append(points, p);
+  for (const Overlap& overlap : overlaps(faces, clearance, clearance * clearance))
+    for (const auto& ring : overlap.outline)
+      for (const auto& triangle : inset_triangles({ring, {}}, 0.0))
+        for (const Vec2& corner : triangle)
+          append(points, corner);
   shape.add("overlaps", points);
 }
 

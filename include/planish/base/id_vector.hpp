@@ -3,8 +3,10 @@
 #include <planish/base/assert.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <ranges>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -67,5 +69,26 @@ class IdVector {
  private:
   Rows rows_;
 };
+
+/// A vector of what `function`, which may be a member, makes of each element of a range.
+template <typename Range, typename Function>
+auto mapped(Range&& range, const Function& function) {
+  using Made = std::invoke_result_t<const Function&, std::ranges::range_reference_t<Range>>;
+  std::vector<std::remove_cvref_t<Made>> made;
+  if constexpr (std::ranges::sized_range<Range>) made.reserve(std::ranges::size(range));
+  for (auto&& one : range)
+    made.push_back(std::invoke(function, one));
+  return made;
+}
+
+/// The sum of what `function` makes of each, in their order; 0 of none.
+template <typename Range, typename Function>
+auto sum_of(Range&& range, const Function& function) {
+  std::remove_cvref_t<std::invoke_result_t<const Function&, std::ranges::range_reference_t<Range>>>
+      sum{};
+  for (auto&& one : range)
+    sum += std::invoke(function, one);
+  return sum;
+}
 
 }  // namespace planish

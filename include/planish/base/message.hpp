@@ -43,6 +43,9 @@ struct Remedy {
   friend bool operator==(const Remedy&, const Remedy&) = default;
 };
 
+/// How an option of a request is spelled on the command line: "--k-table" for "k_table".
+std::string flag_of(std::string_view option);
+
 /// One value that fills a template: a place, a quantity or words, under the name that the template
 /// uses. Several facts of one name make a list.
 class Fact {

@@ -49,6 +49,9 @@ std::string text_of(const Place& place);
 /// The same without its kind: "12", "B2", "\"floor\"".
 std::string id_text(const Place& place);
 
+/// A key as a token of a JSON pointer (RFC 6901).
+std::string escaped_token(std::string_view key);
+
 namespace place {
 
 /// A face of the solid, by its number in `planish info` (from 1).

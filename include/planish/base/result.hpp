@@ -35,6 +35,9 @@ std::vector<Piece> wording(const Error& error);
 /// Puts a text before the message.
 void say_before(Error& error, std::string_view text);
 
+/// Names a place in the message by another one.
+void rename_place(Error& error, const Place& from, const Place& to);
+
 /// Puts another message behind it, with a blank between.
 void say_after(Error& error, const Error& more);
 

@@ -5,7 +5,6 @@
 #include <planish/io/pages.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace planish {
 
 using Vec2 = Eigen::Vector2d;
@@ -10,6 +12,14 @@ using Vec3 = Eigen::Vector3d;
 
 /// A rigid motion of the plane; a reflection when `linear().determinant() < 0`.
 using Isometry2 = Eigen::Isometry2d;
+
+/// v turned by +90°.
+inline Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
+
+/// Radians, from 0 to π.
+inline double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// An orthonormal right-handed frame in space. Lengths in mm.
 struct Frame {

@@ -110,4 +110,7 @@ Result<void> check_writable(const std::filesystem::path& target);
 /// Makes a folder, and those above it. Error: `cannot_write`.
 Result<void> make_folder(const std::filesystem::path& folder);
 
+/// `cannot_write` of a file or folder, for a reason.
+tl::unexpected<Error> cannot_write(const std::filesystem::path& file, const std::string& reason);
+
 }  // namespace planish

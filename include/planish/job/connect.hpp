@@ -6,8 +6,6 @@
 #include <planish/job/plates_json.hpp>
 #include <planish/job/report.hpp>
 
-#include <filesystem>
-#include <optional>
 #include <string>
 
 namespace planish::job {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <planish/base/result.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/unfold.hpp>
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <planish/job/request.hpp>
 #include <planish/sheet/certificate.hpp>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +21,8 @@ struct SheetSummary {
 };
 
 enum class Status { ok, warning, refused };
+/// "ok", "warning", "refused".
+std::string_view status_name(Status status);
 
 /// What every command reports about a flat pattern. With `refusal` there is no pattern; `summary`
 /// (if its thickness > 0) and `flat` (if its outer contour is not empty) hold what was known.

@@ -5,8 +5,6 @@
 #include <planish/job/slit_json.hpp>
 #include <planish/slit/session.hpp>
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -4,12 +4,10 @@
 #include <planish/base/result.hpp>
 #include <planish/job/report.hpp>
 
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace planish {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/angle.hpp>
+#include <planish/base/id_vector.hpp>
 #include <planish/base/length_unit.hpp>
 #include <planish/base/result.hpp>
 #include <planish/geometry/frame.hpp>
@@ -21,9 +22,7 @@ using Words = std::vector<std::pair<std::string_view, T>>;
 
 template <typename T>
 Schema words(const Words<T>& meanings) {
-  std::vector<std::string_view> known;
-  for (const auto& [word, value] : meanings)
-    known.push_back(word);
+  const auto known = mapped(meanings, [&](const auto& row) { return row.first; });
   return words(known);
 }
 

@@ -112,8 +112,6 @@ std::optional<Mistake> first_mistake(const Schema& schema, const Json& document,
 /// JSON Schema, draft 2020-12; "quantity" beside a number says what it measures.
 Json json_schema(const Schema& schema, const std::string& title, const std::string& id);
 
-/// A token of a JSON pointer.
-std::string escaped_token(const std::string& key);
 /// A value as shown in a message; lists and objects may be of any size and depth.
 std::string shown(const Json& value);
 

@@ -11,4 +11,8 @@ namespace planish::schema {
 /// ("plates file"). Errors: `cannot_read` with the system's reason.
 Result<std::string> read_text(const std::filesystem::path& file, const std::string& what);
 
+/// `cannot_read` of such a file, or of a folder, for a reason.
+Error cannot_read(const std::string& what, const std::filesystem::path& file,
+                  const std::string& reason);
+
 }  // namespace planish::schema

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <planish/base/length_unit.hpp>
-#include <planish/base/text.hpp>
 
 #include <string>
 #include <string_view>

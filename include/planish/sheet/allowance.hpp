@@ -69,12 +69,6 @@ double outside_setback(double inside_radius, double thickness, Angle angle);
 /// formula 0.9995.
 double din6935_k(double inside_radius, double thickness);
 
-/// DIN 6935 compensation v, by opening angle β = 180° − α: flat length = sum of both legs,
-/// measured outside, + v. v = BA − 2 (r + t) for β ≤ 90° (legs to the tangent plane), BA −
-/// 2 (r + t) tan(α/2) above (legs to the outer mould line). From β = 165° on the standard neglects
-/// v; this function does not.
-double din6935_compensation(double inside_radius, double thickness, Angle opening_angle);
-
 /// Reads a CSV bend table: one material, rows in any order. The header row names the columns, in
 /// any order and case: `r/t` or `r` and `t`, optional `angle`, and one of `k`, `ba`, `bd`. Long
 /// names

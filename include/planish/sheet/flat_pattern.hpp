@@ -80,8 +80,6 @@ void require_valid(const FlatPattern& pattern);
 
 /// A part as a place: flanges are counted from 1, bends have the names of the pattern.
 Place part_place(const FlatPattern& pattern, const PartId& part);
-/// The same in words: "flange 3", "bend B2".
-std::string part_name(const FlatPattern& pattern, const PartId& part);
 
 /// Whether it is known in which order its bends are pressed.
 bool has_order(const FlatPattern& pattern);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <planish/geometry/frame.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <optional>

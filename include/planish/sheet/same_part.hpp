@@ -5,7 +5,6 @@
 #include <array>
 #include <functional>
 #include <map>
-#include <vector>
 
 namespace planish {
 

@@ -98,6 +98,9 @@ struct Bend {
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
+/// A fold along a line, of no radius, by an angle in radians; below 0 towards the reference skin.
+Bend sharp_bend(double angle);
+
 /// A hole through a formed feature (an extruded hole, a hole in an emboss), in the (u, v) of the
 /// feature's face; both loops run clockwise (math.md#pilot-holes).
 struct FormedOpening {
@@ -111,7 +114,7 @@ enum class FormSide { both, up, down };
 /// The same form seen from behind the sheet.
 FormSide other_side(FormSide side);
 /// "both", "up", "down".
-const char* side_name(FormSide side);
+std::string_view side_name(FormSide side);
 
 /// A feature that a flat pattern only outlines. Contours made of borders marked with the feature
 /// are drawn, not cut; `outlines` adds loops that are not borders of the material (a countersink's
@@ -183,8 +186,15 @@ struct Sheet {
 Vec3 outward_normal(const Face& face, const Vec2& uv);
 /// Point of the reference surface at (u, v).
 Vec3 skin_point(const Face& face, const Vec2& uv);
-/// Box of the outer loop in (u, v).
+Box2 bounds(const BorderLoop& loop);
+/// Box of the outer loop in (u, v), and of those of all faces of a bend.
 Box2 parameter_box(const Face& face);
+Box2 parameter_box(const Sheet& sheet, const Bend& bend);
+/// The middle of that box.
+inline double middle_u(const Face& face) {
+  const Box2 box = parameter_box(face);
+  return 0.5 * (box.lo.x() + box.hi.x());
+}
 
 /// Checks what all functions of a sheet rely on: sizes are numbers in range, frames are
 /// right-handed, every id exists, faces and their parts refer to each other, planes belong to

@@ -48,7 +48,6 @@ class Topology {
   int node_of(PartId part) const;
   int node_of(FaceId face) const { return node_of_face_[face]; }
   int node_count() const { return static_cast<int>(joints_of_.size()); }
-  PartId part_at(int node) const;
   /// Joints between a node and others; a sharp joint connects the flanges or bends on its two
   /// sides.
   const std::vector<int>& joints_of(int node) const;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <planish/base/result.hpp>
 #include <planish/geometry/frame.hpp>
 
 #include <variant>

@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
-namespace planish::brep {
+namespace planish {
 
 /// ∫ f over [a, b] by the 5-point Gauss–Legendre rule: exact for polynomials up to degree 9.
 template <typename Function>
@@ -14,7 +15,7 @@ double gauss(const Function& f, double a, double b) {
   const double middle = (a + b) / 2;
   const double half = (b - a) / 2;
   double sum = kWeights[0] * f(middle);
-  for (size_t i = 1; i < kNodes.size(); ++i)
+  for (std::size_t i = 1; i < kNodes.size(); ++i)
     sum += kWeights[i] * (f(middle - half * kNodes[i]) + f(middle + half * kNodes[i]));
   return sum * half;
 }
@@ -23,14 +24,13 @@ double gauss(const Function& f, double a, double b) {
 /// times at most, which is enough even at a kink of f.
 template <typename Function>
 double adaptive_gauss(const Function& f, double a, double b, double whole, double error,
-                      int depth = 0) {
-  constexpr int kDeepest = 12;
+                      int halvings = 12) {
   const double middle = (a + b) / 2;
   const double left = gauss(f, a, middle);
   const double right = gauss(f, middle, b);
-  if (depth >= kDeepest || std::abs(left + right - whole) <= error) return left + right;
-  return adaptive_gauss(f, a, middle, left, error, depth + 1) +
-         adaptive_gauss(f, middle, b, right, error, depth + 1);
+  if (halvings == 0 || std::abs(left + right - whole) <= error) return left + right;
+  return adaptive_gauss(f, a, middle, left, error, halvings - 1) +
+         adaptive_gauss(f, middle, b, right, error, halvings - 1);
 }
 
 template <typename Function>
@@ -38,4 +38,4 @@ double adaptive_gauss(const Function& f, double a, double b, double error) {
   return adaptive_gauss(f, a, b, gauss(f, a, b), error);
 }
 
-}  // namespace planish::brep
+}  // namespace planish

@@ -3,9 +3,9 @@
 #include "exchange_lock.hpp"
 #include "guarded.hpp"
 #include "kernel_points.hpp"
-#include "refusals.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/brep/codes.hpp>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -31,25 +31,13 @@ namespace {
 
 void count_surfaces(const TopoDS_Shape& shape, SolidCheck& check) {
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
-    switch (BRepAdaptor_Surface(TopoDS::Face(faces.Current())).GetType()) {
-      case GeomAbs_Plane:
-        ++check.planes;
-        break;
-      case GeomAbs_Cylinder:
-        ++check.cylinders;
-        break;
-      case GeomAbs_Cone:
-        ++check.cones;
-        break;
-      case GeomAbs_SurfaceOfExtrusion:
-        ++check.extrusions;
-        break;
-      case GeomAbs_BSplineSurface:
-        ++check.splines;
-        break;
-      default:
-        ++check.other_surfaces;
-    }
+    const auto type = BRepAdaptor_Surface(TopoDS::Face(faces.Current())).GetType();
+    ++(type == GeomAbs_Plane                ? check.planes
+       : type == GeomAbs_Cylinder           ? check.cylinders
+       : type == GeomAbs_Cone               ? check.cones
+       : type == GeomAbs_SurfaceOfExtrusion ? check.extrusions
+       : type == GeomAbs_BSplineSurface     ? check.splines
+                                            : check.other_surfaces);
   }
 }
 
@@ -117,7 +105,8 @@ Result<SolidCheck> check_step_solid(const std::string& text) {
     const auto lock = exchange_lock();
     STEPControl_Reader reader;
     std::istringstream stream(text);
-    if (reader.ReadStream("check", stream) != IFSelect_RetDone) return fail(refuse::text_not_step);
+    if (reader.ReadStream("check", stream) != IFSelect_RetDone)
+      return fail(code::not_step, "the text is not a STEP file");
     reader.TransferRoots();
     SolidCheck check = checked(reader.OneShape());
     check.product = product_name(reader.StepModel());
