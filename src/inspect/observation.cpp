@@ -8,6 +8,11 @@
 #include <string_view>
 #include <utility>
 
+// Breaches of a rule become one finding, with the message of the worst place and all places, the
+// worst first: by severity, then by how far the limit is missed. So a part with a hundred holes too
+// near to its edge says so once. A breach is a warning below a share of the limit, or always with
+// strict rules (shop-floor.md#severity).
+
 namespace planish::inspect_detail {
 namespace {
 

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+// Bends that hold, but that a shop would ask about (connect.md#the-report). They are judged by
+// ratios, so no limit depends on the size of the part, and none refuses it.
+
 namespace planish::job {
 namespace {
 

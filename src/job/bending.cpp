@@ -16,6 +16,11 @@
 #include <algorithm>
 #include <set>
 
+// The plan of strokes in a report. Where none exists, `planish bend` refuses the part; where a
+// pattern is made and bending is only looked into, the same sentences are a finding. A search that
+// its limit ended claims nothing either way. Bends in the pattern are numbered by their first
+// stroke.
+
 namespace planish::job {
 using namespace shop;
 namespace {

@@ -15,6 +15,12 @@
 #include <algorithm>
 #include <cmath>
 
+// A slit file to its report. Strips are solved coarse first, each subdivision from the solution
+// before (math.md#subdivision), then laid flat and certified. Facets keep the coordinates of the
+// sheet that was cut, so one motion must map them all; `flat_deviation` is what is left. Scans
+// placed roughly and strips follow each other until both are still. A strip that misses its end
+// refuses the sheet.
+
 namespace planish::job {
 namespace {
 
@@ -26,8 +32,6 @@ Result<void> solve(SlitSession& session, const Progress& progress) {
   return done ? Result<void>() : pass_on(done);
 }
 
-/// Scans lie only roughly where the sheet is: the strips follow them as far as they can, then the
-/// scans move to the strips, and so on until both agree.
 Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
   constexpr int kRounds = 30;
   const double still = 1e-4 * session.design().sheet.reach();
@@ -147,8 +151,6 @@ void add_findings(SlitReport& report) {
   }
 }
 
-/// The flat coordinates of every facet are those of the sheet that was cut, so a single motion must
-/// map them all.
 double flat_deviation(const Sheet& sheet, const Layout& layout) {
   double largest = 0.0;
   for (const FaceId id : sheet.faces.ids())

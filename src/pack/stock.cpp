@@ -10,6 +10,10 @@
 
 #include <map>
 
+// Each group of one material and thickness is nested by itself on sheets from stock; `nest` numbers
+// parts within the group, the list as a whole. What fits on no sheet becomes a note with the size
+// it needs, and the rest is laid.
+
 namespace planish::pack {
 
 Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,

@@ -11,6 +11,12 @@
 #include <algorithm>
 #include <utility>
 
+// What is said over standard input and output: JSON-RPC, and Model Context Protocol on top of it
+// (serve.md). Requests are read one after the other and answered in any order. Each with an id has
+// one answer, or none once the client says that it wants none; so an id in use is refused, and a
+// cancelled request answers at once. Files are written after the work, unless it was cancelled at
+// the last moment.
+
 namespace planish::serve {
 namespace {
 
