@@ -21,9 +21,8 @@ constexpr Refusal folder_not_writable{code::cannot_write,
 constexpr Refusal folder_not_made{code::cannot_write, "Cannot make the folder {file}: {reason}."};
 constexpr Refusal no_standard_output{code::cannot_write, "Cannot write to standard output."};
 constexpr Refusal no_studio{code::internal,
-                            "The studio cannot be started, {reason} ({program}): it belongs beside "
-                            "planish, and is not built "
-                            "with PLANISH_STUDIO=OFF."};
+                            "The studio cannot be started, {reason} ({program}). It must lie "
+                            "beside planish, and is not built with PLANISH_STUDIO=OFF."};
 constexpr Refusal program_defect{code::internal, "{reason}."};
 
 }  // namespace planish::refuse

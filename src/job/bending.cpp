@@ -194,7 +194,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   const BrakeTools& tools = tools_of(bending);
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
   if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
-    progress.at("looking for what would help", 0.97);
+    progress.at("looking for changes that would help", 0.97);
     const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr};
     plan->proposals = proposals(report.sheet, report.layout, tools, options, *plan, trying,
                                 progress);

@@ -115,7 +115,7 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
   return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
 }
 
-/// Findings about strips that end where they must.
+/// Findings about strips that end where they must. They count from 1, as all messages do.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
     report.findings.push_back(
@@ -126,13 +126,15 @@ void add_findings(SlitReport& report) {
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
     if (strip.too_tight)
       add("min_radius",
-          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}, the material allows "
+          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}; the material allows "
                       "{:.4g} mm",
-                      i, strip.min_radius, strip.tightest_ridge, report.design.sheet.min_radius()),
+                      i + 1, strip.min_radius, strip.tightest_ridge + 1,
+                      report.design.sheet.min_radius()),
           i, strip.tightest_ridge);
     for (const int other : strip.crosses)
       add("strips_cross",
-          fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, other),
+          fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i + 1,
+                      other + 1),
           i, last / 2);
     constexpr double kFarOff = 0.1;  // of the strip's length
     if (const double reach = length_of(report.design.sheet, i);
@@ -140,13 +142,14 @@ void add_findings(SlitReport& report) {
       add("scan_far",
           fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their "
                       "units, their position and the strip that they belong to",
-                      i, strip.scan_distance),
+                      i + 1, strip.scan_distance),
           i, last);
     if (strip.crosses_plane)
-      add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
+      add("strips_cross", fmt::format("strip {} runs through its mirror image", i + 1), i, last);
     if (strip.status == StripStatus::open)
       add("not_converged",
-          fmt::format("strip {} is not finished; it ends where it must, but could be smoother", i),
+          fmt::format("strip {} ends where it must, but is not finished and could be smoother",
+                      i + 1),
           i, last / 2);
   }
 }

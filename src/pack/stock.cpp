@@ -39,8 +39,8 @@ Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
     for (const TooLarge& large : nesting->too_large) {
       const PackPart& part = list.parts[group.first + static_cast<std::size_t>(large.part)];
       result.notes.push_back(
-          fmt::format("{} is on no sheet of {:g} × {:g} mm: with its margin it needs {:.1f} × "
-                      "{:.1f} mm",
+          fmt::format("{} does not fit on a sheet of {:g} × {:g} mm: with its margin it needs "
+                      "{:.1f} × {:.1f} mm",
                       part.stem, stock.length, stock.width, large.needed.x(), large.needed.y()));
     }
   }
