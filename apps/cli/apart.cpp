@@ -149,16 +149,14 @@ void add_limits(CLI::App& app, process::Limits& limits) {
   const auto set_time = [&limits](double seconds) {
     limits.time = std::chrono::milliseconds(static_cast<std::int64_t>(seconds * kMilli));
   };
-  app.add_option_function<double>("--time-limit", set_time,
-                                  "what takes longer is given up; default 120")
+  app.add_option_function<double>("--time-limit", set_time, "time limit for each part; default 120")
       ->check(CLI::Range(kLeast, kDay))
       ->type_name("SECONDS")
       ->group("Limits");
   const auto set_memory = [&limits](double mebibytes) {
     limits.memory = static_cast<std::uint64_t>(mebibytes * kMebi);
   };
-  app.add_option_function<double>("--memory-limit", set_memory,
-                                  "what needs more memory is given up; default 4096")
+  app.add_option_function<double>("--memory-limit", set_memory, "memory limit; default 4096")
       ->check(CLI::Range(kLeastMiB, kMostMiB))
       ->type_name("MIB")
       ->group("Limits");

@@ -27,7 +27,7 @@ struct RoleWords {
 
 constexpr RoleWords kRoles[] = {{Role::folded, "-o,--output", "folded part"},
                                 {Role::flat, "--flat", "flat pattern"},
-                                {Role::mould, "--mould", "mould that the sheet is laid on"}};
+                                {Role::mould, "--mould", "mould that the sheet lies on"}};
 
 std::string description(const Option& option, const OptionUse& use) {
   const auto otherwise = use.otherwise.empty() ? option.otherwise : use.otherwise;
@@ -84,7 +84,7 @@ void add_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& ma
 void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& maker,
                       Arguments& to) {
   app.add_flag("--all", to.all,
-               "unfold every different body into the folder of -o, with summary.csv and "
+               "unfold every different body into the folder given by -o, with summary.csv and "
                "summary.json")
       ->group("Input");
   const auto written = catalogue.written_by(maker, Role::flat);
@@ -104,20 +104,22 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
                            word == text ? "" : fmt::format(", in \"{}\"", text));
     return {};
   };
-  add_repeatable(app, "--format", to.formats,
-                 fmt::format("what to write into a folder or without -o: {}, separated by commas; "
-                             "default {}",
-                             fmt::join(words, ", "), words.front()))
+  add_repeatable(
+      app, "--format", to.formats,
+      fmt::format(
+          "formats to write into a folder, or without -o: {}, separated by commas; default {}",
+          fmt::join(words, ", "), words.front()))
       ->type_name("FORMATS")
       ->check(check)
       ->group("Output");
 }
 
 void add_report_options(CLI::App& app, Arguments& to) {
-  add_text(app, "--json", to.json, "FILE", "the report as JSON; - writes it to standard output")
+  add_text(app, "--json", to.json, "FILE", "report as JSON; - for standard output")
       ->group("Output");
-  app.add_flag("--check", to.check, "do the work and report; write no other file")->group("Output");
-  app.add_flag("-q,--quiet", to.quiet, "no summary on the terminal")->group("Output");
+  app.add_flag("--check", to.check, "do the work and report, but write no other file")
+      ->group("Output");
+  app.add_flag("-q,--quiet", to.quiet, "print no summary")->group("Output");
 }
 
 void add_print_rules(CLI::App& app) {
@@ -128,7 +130,7 @@ void add_print_rules(CLI::App& app) {
     throw CLI::Success();
   };
   app.add_flag_callback("--print-rules", print,
-                        "print the rules file with all limits of the process, and exit")
+                        "print a rules file with all limits of the process, and exit")
       ->group("Checks");
 }
 

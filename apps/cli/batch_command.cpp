@@ -5,6 +5,7 @@
 #include "refusals.hpp"
 #include "terminal.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/batch/batch.hpp>
 #include <planish/job/run.hpp>
 
@@ -68,19 +69,21 @@ std::optional<batch::Shard> shard_in(const std::string& text) {
 }
 
 std::string summary_text(const batch::BatchResult& result) {
-  std::string text = fmt::format("{} parts of {} inputs: {} ok, {} with warnings, {} refused\n",
-                                 result.parts, result.inputs, result.ok, result.warnings,
-                                 result.refused);
-  const std::size_t made = result.ok + result.warnings;
-  if (result.distinct < made)
-    text += fmt::format("{} distinct parts: the others are identical to one of them\n",
-                        result.distinct);
-  if (result.resumed > 0) text += fmt::format("{} inputs were done before\n", result.resumed);
+  const Facts counts{{"parts", result.parts},     {"inputs", result.inputs},
+                     {"ok", result.ok},           {"warnings", result.warnings},
+                     {"refused", result.refused}, {"distinct", result.distinct},
+                     {"resumed", result.resumed}, {"left", result.left}};
+  std::string pattern =
+      "{parts:part} of {inputs:input}: {ok} ok, {warnings} with warnings, {refused} refused\n";
+  if (result.distinct < result.ok + result.warnings)
+    pattern += "{distinct:distinct part}; the others are copies of these\n";
+  if (result.resumed > 0) pattern += "{resumed:input was/inputs were} done before\n";
   if (result.left > 0)
-    text += fmt::format(
-        "{} inputs of earlier runs are not among these; their files are still there\n",
-        result.left);
-  return text + fmt::format("wrote {}\n", (result.out / "index.html").string());
+    pattern +=
+        "{left:input of an earlier run is/inputs of earlier runs are} not among these; the files "
+        "are still there\n";
+  return tell(pattern, counts).sentence +
+         fmt::format("wrote {}\n", (result.out / "index.html").string());
 }
 
 /// What is asked for, or the reason why it cannot be.
@@ -124,20 +127,19 @@ CLI::App* add_batch(const Program& program, BatchArguments& arguments) {
   CLI::App* command = program.app.add_subcommand("batch", "unfold or make thousands of parts");
   command
       ->add_option("input", arguments.inputs,
-                   "files, folders, @lists; with --merge folders of shards")
+                   "files, folders or @lists; with --merge, folders of shards")
       ->required()
       ->check(not_empty)
       ->type_name("INPUT");
-  add_text(*command, "-o,--output", arguments.output, "FOLDER/", "of the results")
+  add_text(*command, "-o,--output", arguments.output, "FOLDER/", "folder of the results")
       ->required()
       ->group("Output");
   add_repeatable(*command, "--format", arguments.formats,
-                 "of the files, separated by commas: dxf, svg, step, json, …; default dxf")
+                 "formats of the files, separated by commas: dxf, svg, step, json, …; default dxf")
       ->group("Output");
   add_text(*command, "--shard", arguments.shard, "I/N", "only the I-th of N shares of the inputs")
       ->group("Running");
-  command
-      ->add_flag("--merge", arguments.merge, "make one result of those of all shards, without work")
+  command->add_flag("--merge", arguments.merge, "merge the results of all shards into one")
       ->group("Running");
   add_many_parts(*command, program.catalogue, arguments.how, arguments.options);
   command->footer(kBatchExamples);

@@ -57,8 +57,7 @@ void add_time_limit(CLI::App& app, BendArguments& to) {
                      std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds));
   };
   app.add_option_function<double>("--time-limit", set,
-                                  "of the search, after which the best plan found is given; "
-                                  "default 6")
+                                  "time after which the best plan so far is given; default 6")
       ->check(CLI::Range(0.001, 86400.0))
       ->type_name("SECONDS")
       ->group("Order");
@@ -183,10 +182,10 @@ class Bend : public Command {
 }  // namespace
 
 CLI::App* add_bend(const Program& program, BendArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand("bend",
-                                                 "find the order in which a press brake bends it");
+  CLI::App* command = program.app.add_subcommand(
+      "bend", "find the order in which a press brake bends a part");
   add_text(*command, "input", arguments.input, "FILE",
-           "STEP file, or any other that a sheet is made of, or - for standard input")
+           "STEP file, or the file of another maker, or - for standard input")
       ->required();
   for (const job::Option& option : job::options())
     if (job::is_of_sheet_to_bend(option)) add_one(*command, option, arguments.options);
@@ -201,17 +200,15 @@ CLI::App* add_bend(const Program& program, BendArguments& arguments) {
             fmt::print("{}", shop::default_tools_json());
             throw CLI::Success();
           },
-          "print the tools file that is used without --tools, and exit")
+          "print the built-in tools as a tools file, and exit")
       ->group("Press brake");
   add_repeatable(*command, "-o,--output", arguments.outputs,
-                 "the plan on pages to hang at the machine: .pdf or .svg; may be given several "
-                 "times")
+                 "plan on pages to hang at the machine: .pdf or .svg; may be given several times")
       ->type_name("PATH")
       ->group("Output");
-  add_text(*command, "--json", arguments.json, "FILE",
-           "the report as JSON; - writes it to standard output")
+  add_text(*command, "--json", arguments.json, "FILE", "report as JSON; - for standard output")
       ->group("Output");
-  command->add_flag("-q,--quiet", arguments.quiet, "no summary on the terminal")->group("Output");
+  command->add_flag("-q,--quiet", arguments.quiet, "print no summary")->group("Output");
   command->footer(kBendExamples);
   return command;
 }

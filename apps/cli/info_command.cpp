@@ -55,16 +55,15 @@ class Info : public Command {
 }  // namespace
 
 CLI::App* add_info(const Program& program, InfoArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand("info", "say what is in a STEP file");
+  CLI::App* command = program.app.add_subcommand("info", "show what is in a STEP file");
   add_step_input(*command, arguments.input);
   const job::Option &body = job::option("body"), &units = job::option("units");
-  add_option(*command, body, "only this body: its number or name", type_name(body),
+  add_option(*command, body, "body to show, by number or name; default all", type_name(body),
              arguments.options);
-  command->add_flag("--sheets", arguments.sheets,
-                    "look for the sheet in each body: thickness, bends, faces for --root, or why "
-                    "it has none");
-  add_text(*command, "--json", arguments.json, "FILE",
-           "the same as JSON; - writes it to standard output");
+  command->add_flag(
+      "--sheets", arguments.sheets,
+      "find the sheet in each body: thickness, bends, faces for --root, or why there is none");
+  add_text(*command, "--json", arguments.json, "FILE", "the same as JSON; - for standard output");
   add_option(*command, units, "unit of the lengths printed; default mm", type_name(units),
              arguments.options);
   add_limits(*command, arguments.limits);

@@ -36,7 +36,7 @@ std::string duration_text(double seconds) {
 
 void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& how,
                     job::OptionValues& values) {
-  app.add_option("--jobs", how.workers, "processes at a time; default one a core")
+  app.add_option("--jobs", how.workers, "number of processes; default one per core")
       ->check(CLI::Range(1, 4096))
       ->type_name("N")
       ->group("Running");
@@ -52,7 +52,7 @@ void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& h
           return maker.takes(option.name);
         }))
       add_grouped(app, option, std::string(option.description), values);
-  app.add_flag("-q,--quiet", how.quiet, "no progress and no summary")->group("Output");
+  app.add_flag("-q,--quiet", how.quiet, "print no progress and no summary")->group("Output");
 }
 
 int complain(const Error& error, const ManyParts& how) {

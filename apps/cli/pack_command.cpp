@@ -88,37 +88,38 @@ std::string summary_text(const pack::PackResult& result, const std::string& out)
 
 CLI::App* add_pack(const Program& program, PackArguments& arguments) {
   CLI::App* command = program.app.add_subcommand("pack",
-                                                 "make what goes to the shop, in one folder");
+                                                 "make everything for production, in one folder");
   command
-      ->add_option("input", arguments.inputs, "files, folders, @lists, or the results of a batch")
+      ->add_option("input", arguments.inputs, "files, folders or @lists, or the results of a batch")
       ->required()
       ->check(not_empty)
       ->type_name("INPUT");
-  add_text(*command, "-o,--output", arguments.output, "FOLDER/", "of the pack")
+  add_text(*command, "-o,--output", arguments.output, "FOLDER/", "folder of the pack")
       ->required()
       ->group("Output");
   command->add_flag("--zip", arguments.zip, "also write the pack as one file, pack.zip")
       ->group("Output");
-  command->add_flag("--no-drawings", arguments.no_drawings, "no PDF of each part, and no cover")
+  command
+      ->add_flag("--no-drawings", arguments.no_drawings, "make no PDF of each part, and no cover")
       ->group("Output");
   add_text(*command, "--materials", arguments.materials, "FILE.csv",
-           "materials and densities by names of parts")
+           "materials and densities, by part name or colour")
       ->group("Shop");
   add_text(*command, "--rates", arguments.rates, "FILE.json",
-           "what the shop asks for cutting, bending and material")
+           "the shop's rates for cutting, bending and material")
       ->group("Shop");
   add_text(*command, "--nest", arguments.stock, "LENGTHxWIDTH",
-           "lay the parts of each group on sheets of that size, in mm")
+           "nest the parts of each group on sheets of this size, in mm")
       ->group("Shop");
-  command->add_option("--gap", arguments.gap, "between parts on a sheet, in mm; default 5")
+  command->add_option("--gap", arguments.gap, "gap between parts on a sheet, in mm; default 5")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N")
       ->group("Shop");
-  command->add_flag("--grain", arguments.grain, "lay parts along the grain of the sheet only")
+  command->add_flag("--grain", arguments.grain, "keep parts along the grain of the sheet")
       ->group("Shop");
   command
       ->add_flag("--no-plan", arguments.no_plan,
-                 "do not find out whether a press brake can bend each part")
+                 "do not check whether a press brake can bend each part")
       ->group("Shop");
   add_many_parts(*command, program.catalogue, arguments.how, arguments.options);
   command->footer(kPackExamples);

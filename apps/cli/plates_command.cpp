@@ -4,6 +4,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/plates_of.hpp>
 #include <planish/job/unfold.hpp>
 
@@ -52,7 +53,8 @@ class Plates : public Command {
     if (arguments_.output == "-") return {.output = job::plates_text(plates)};
     const std::filesystem::path output = output_of(arguments_);
     return {.files = {{output, job::plates_text(plates)}},
-            .output = fmt::format("{} plates of {:.4g} mm\nwrote {}\n", plates.plates.size(),
+            .output = fmt::format("{} of {:.4g} mm\nwrote {}\n",
+                                  counted(static_cast<int>(plates.plates.size()), "plate"),
                                   plates.thickness, output.string())};
   }
 
@@ -65,13 +67,13 @@ class Plates : public Command {
 }  // namespace
 
 CLI::App* add_plates(const Program& program, PlatesArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand("plates",
-                                                 "the flanges of a part as plates to connect");
+  CLI::App* command = program.app.add_subcommand(
+      "plates", "write the flanges of a part as plates, for connect");
   add_step_input(*command, arguments.input);
   add_text(*command, "-o,--output", arguments.output, "FILE",
            "plates file to write; - for standard output; default FILE_plates.json beside it");
   const job::Option& body = job::option("body");
-  add_option(*command, body, "this body: its number or name", type_name(body), arguments.options);
+  add_option(*command, body, "body to use, by number or name", type_name(body), arguments.options);
   command->add_flag("--with-bends", arguments.with_bends,
                     "also list which plates the bends join, and their inside radii");
   add_limits(*command, arguments.limits);

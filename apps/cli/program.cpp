@@ -51,17 +51,18 @@ constexpr Row kCommands[] = {
     {defined<BendArguments, add_bend, run_bend>, "planish bend part.step",
      "finds the order of bends on a press brake"},
     {defined<BatchArguments, add_batch, run_batch>, "planish batch archive/ -o flat/",
-     "thousands of files, with summary and page"},
+     "unfolds thousands of files, with a summary and a page"},
     {defined<PackArguments, add_pack, run_pack>, "planish pack assembly.step -o shop/",
-     "what goes to the shop, in one folder"},
-    {defined<InfoArguments, add_info, run_info>, "planish info part.step", "what is in the file"},
+     "makes everything for production, in one folder"},
+    {defined<InfoArguments, add_info, run_info>, "planish info part.step",
+     "shows what is in the file"},
     {defined<PlatesArguments, add_plates, run_plates>, "planish plates part.step -o plates.json",
-     "its flanges as plates, for connect"},
+     "writes its flanges as plates, for connect"},
     {defined<SchemaArguments, add_schema, run_schema>},
     {defined<ServeArguments, add_serve, run_serve>, "planish serve --stdio",
-     "all of it for other programs"},
+     "answers other programs"},
     {defined<StudioArguments, add_studio, run_studio>, "planish studio part.step",
-     "all of it in a browser, to see and to change"},
+     "shows and edits parts in a browser"},
     {defined<CompletionArguments, add_completion, run_completion>},
     {defined<ManualArguments, add_manual, run_manual>}};
 
@@ -75,7 +76,7 @@ std::string examples(const job::Catalogue& catalogue) {
       add(command, what);
   for (const Row& row : kCommands)
     add(row.example, row.what);
-  return text + "\n`planish COMMAND --help` says more, docs/cli.md all.";
+  return text + "\n`planish COMMAND --help` lists the options; docs/cli.md describes everything.";
 }
 
 int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
@@ -97,7 +98,7 @@ void set_up(CLI::App& app, const job::Catalogue& catalogue) {
     throw CLI::Success();
   };
   app.add_flag_callback("--formats", print_formats,
-                        "print what is read and what is written, and exit");
+                        "print the formats that are read and written, and exit");
   app.require_subcommand(0, 1);  // an argument may have the name of another command
   app.footer(examples(catalogue));
   app.formatter(help_format());  // before the commands, which inherit it

@@ -18,9 +18,8 @@ constexpr Refusal no_such_name{code::bad_option,
                                "There is no {what} \"{name}\"; there are {known}."};
 constexpr Refusal no_standard_output{code::cannot_write, "Cannot write to standard output."};
 constexpr Refusal no_studio{code::internal,
-                            "The studio cannot be started, {reason} ({program}): it belongs beside "
-                            "planish, and is not built "
-                            "with PLANISH_STUDIO=OFF."};
+                            "The studio cannot be started, {reason} ({program}). It must lie "
+                            "beside planish, and is not built with PLANISH_STUDIO=OFF."};
 constexpr Refusal program_defect{code::internal, "{reason}."};
 
 }  // namespace planish::refuse

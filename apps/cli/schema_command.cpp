@@ -30,7 +30,7 @@ CLI::App* add_schema(const Program& program, SchemaArguments& arguments) {
   CLI::App* command = program.app.add_subcommand(
       "schema", "print the JSON Schema of an input or of a report");
   add_text(*command, "name", arguments.name, "NAME",
-           "which one; if left out, their names are printed");
+           "name of the schema; without it, the names are listed");
   command->footer(kSchemaExamples);
   return command;
 }

@@ -51,7 +51,7 @@ Error no_such(const std::string& what, const std::string& name,
 
 CLI::App* add_completion(const Program& program, CompletionArguments& arguments) {
   CLI::App* command = program.app.add_subcommand("completion",
-                                                 "print what completes command lines in a shell");
+                                                 "print the completion script for a shell");
   add_text(*command, "shell", arguments.shell, "bash|zsh|fish", "which shell")->required();
   command->footer(kCompletionExamples);
   return command;
@@ -60,9 +60,9 @@ CLI::App* add_completion(const Program& program, CompletionArguments& arguments)
 CLI::App* add_manual(const Program& program, ManualArguments& arguments) {
   CLI::App* command = program.app.add_subcommand("manual", "print the manual page of a command");
   add_text(*command, "command", arguments.command, "COMMAND",
-           "which one; if left out, the page of the program itself");
+           "command; without it, the page of the program itself");
   add_text(*command, "-o,--output", arguments.folder, "FOLDER/",
-           "write the pages of all commands there, which must exist");
+           "existing folder to write the pages of all commands to");
   command->footer(kManualExamples);
   return command;
 }

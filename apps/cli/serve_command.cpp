@@ -28,9 +28,11 @@ More in docs/serve.md.)";
 
 CLI::App* add_serve(const Program& program, ServeArguments& arguments) {
   CLI::App* command = program.app.add_subcommand(
-      "serve", "answer requests of other programs: JSON-RPC, Model Context Protocol");
+      "serve", "answer requests from other programs: JSON-RPC, Model Context Protocol");
   command->add_flag("--stdio", arguments.stdio, "over standard input and output")->required();
-  command->add_option("--jobs", arguments.how.workers, "requests at a time; default one a core")
+  command
+      ->add_option("--jobs", arguments.how.workers,
+                   "requests worked on at a time; default one per core")
       ->check(CLI::Range(1, 4096))
       ->type_name("N")
       ->group("Running");

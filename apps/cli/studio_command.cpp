@@ -31,13 +31,13 @@ const job::Option kPort{.name = "port",
 const job::Option kTimeLimit{.name = "time_limit",
                              .kind = job::OptionKind::whole,
                              .group = "",
-                             .description = "longest time for one request; default 120",
+                             .description = "time limit for one request; default 120",
                              .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
 const job::Option kEndAfter{
     .name = "end_after",
     .kind = job::OptionKind::whole,
     .group = "",
-    .description = "end when no page has been open for so long; default: stay until Ctrl-C",
+    .description = "end when no page has been open for this long; default: stay until Ctrl-C",
     .range = {"a whole number from 1 to 86400", 1, 86400}};
 
 std::filesystem::path own_path() {
@@ -58,15 +58,14 @@ std::string any_input_of(const job::Catalogue& catalogue) {
 }  // namespace
 
 CLI::App* add_studio(const Program& program, StudioArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand("studio", "see and change parts in a browser");
+  CLI::App* command = program.app.add_subcommand("studio", "show and edit parts in a browser");
   add_text(*command, "input", arguments.input, "FILE",
            fmt::format("file to open: {} file", any_input_of(program.catalogue)));
   add_option(*command, kPort, std::string(kPort.description), "N", arguments.options);
   add_option(*command, kTimeLimit, std::string(kTimeLimit.description), "SECONDS",
              arguments.options);
   add_option(*command, kEndAfter, std::string(kEndAfter.description), "SECONDS", arguments.options);
-  command->add_flag("--no-browser", arguments.no_browser,
-                    "print the address, do not open a browser");
+  command->add_flag("--no-browser", arguments.no_browser, "print the address and open no browser");
   command->footer(kStudioExamples);
   return command;
 }

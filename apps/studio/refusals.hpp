@@ -25,7 +25,8 @@ constexpr Refusal file_not_added{code::cannot_read,
 constexpr Refusal no_spec{code::bad_option,
                           "The request has no {@field}, which this kind of document needs."};
 constexpr Refusal no_such_file{
-    code::bad_option, "Files of the format \"{format}\" cannot be made of this kind of document."};
+    code::bad_option,
+    "Files of the format \"{format}\" cannot be made from this kind of document."};
 constexpr Refusal nested_too_deep{code::invalid_input, "{what} is nested more than {most} deep."};
 constexpr Refusal number_too_large{code::invalid_input,
                                    "{what} is not JSON: a number is too large."};

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace planish {
 namespace {
@@ -20,10 +21,11 @@ bool counts_from_zero(PlaceKind kind) {
 
 std::string coordinates_text(const std::vector<double>& at) {
   constexpr int kDigits = 6;
+  constexpr double kRounding = 1e-6;  // mm: far below anything drawn, and told as 0
   std::string text = "(";
   for (const double x : at) {
     if (text.size() > 1) text += ", ";
-    text += number_text(x, kDigits);
+    text += number_text(std::abs(x) < kRounding ? 0.0 : x, kDigits);
   }
   return text + ")";
 }

@@ -18,6 +18,13 @@
 #include <mutex>
 #include <thread>
 
+// A batch under way: inputs, or shares of their bodies where inputs are few, go to workers that
+// each keep a process. An input's key is the hash of its content, of the files that it names, and
+// of all that parts are made with; an input whose key the journal has is done. What must hold:
+// files are stored before the line of the journal that counts them, so a run that was killed
+// repeats at most what was under way. The key of a part that was lost, or late, says so, and
+// matches no run that may do better (decisions/0015-a-batch-is-a-journal.md).
+
 namespace planish::batch {
 namespace {
 
@@ -106,7 +113,6 @@ class Running {
         report_(report),
         cancelled_(cancelled) {
     progress_.all = inputs.size();
-    // A few assemblies are shared among the workers by their bodies.
     const auto workers = static_cast<std::size_t>(options.workers);
     const auto shares = inputs.size() < workers ? (workers + inputs.size() - 1) / inputs.size() : 1;
     for (std::size_t input = 0; input < inputs.size(); ++input)

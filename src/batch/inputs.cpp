@@ -12,6 +12,12 @@
 #include <sstream>
 #include <system_error>
 
+// The files that the words of a command line mean: files, folders, and lists that may name lists.
+// Results are sorted and stored by an input's name, its path below the folder or list that led to
+// it, so no two may be equal; a file that is named twice counts once. The lists under way are kept,
+// so that a list which leads to itself is found. The output may not lie below a folder that is
+// read.
+
 namespace planish::batch {
 namespace {
 

@@ -12,6 +12,12 @@
 #include <cstring>
 #include <system_error>
 
+// A line for each input: name and key, a tab, the records of its parts. Opening looks at names and
+// keys alone and keeps where each line lies, so a journal of any size takes little memory; records
+// are parsed when they are asked for. A line counts whole or not at all: what has no line break was
+// cut off, and is dropped. A later line replaces an earlier one of the same name
+// (decisions/0015-a-batch-is-a-journal.md).
+
 namespace planish::batch {
 namespace {
 

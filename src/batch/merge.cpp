@@ -10,6 +10,12 @@
 #include <chrono>
 #include <set>
 
+// The shards of a batch become the result that one machine would have made. All must be finished,
+// of the same inputs and options, and each number there once; the hash in the record of a run says
+// so. Files are linked, or copied where a file system cannot, and lines of the journal are copied
+// as they are. Nothing depends on the order of the shards, and a merge that was interrupted can be
+// run again.
+
 namespace planish::batch {
 namespace {
 

@@ -12,6 +12,10 @@
 #include <set>
 #include <string_view>
 
+// The page of a batch: one file, in whose script each part is a row of JSON. Refused parts come
+// first. A browser shows only so many rows, so no more are kept; the total is said on the page. No
+// text of a part may end the script element.
+
 namespace planish::batch {
 namespace {
 

@@ -7,6 +7,10 @@
 #include <array>
 #include <iterator>
 
+// What batches and packs need of a report is read from it by JSON pointers, in one table for each
+// type of value, so that nothing is stored twice. A record's text is the report itself, with
+// folder, files and shapes around it; reading that text gives the same record.
+
 namespace planish::batch {
 namespace {
 

@@ -10,6 +10,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+// An input as a worker makes it: the maker that reads it gets those options that it has, and its
+// results become files, a report and the shapes by which identical parts are found. Nothing that
+// goes wrong ends the work: a file that cannot be read, a body without a pattern and an artifact
+// that cannot be made are parts with a reason. Each body is announced before it begins, so that the
+// parent knows which one a crash belongs to.
+
 namespace planish::batch {
 namespace {
 

@@ -6,25 +6,23 @@
 /// The sentences with which `batch` refuses.
 namespace planish::refuse {
 
-constexpr Refusal ended_from_outside{
-    code::worker_died,
-    "The process that worked on {input} was ended from outside twice ({reason}): if it was the "
-    "system, memory is short.",
-    "Use fewer --jobs, and run the batch again."};
+constexpr Refusal ended_from_outside{code::worker_died,
+                                     "The process working on {input} was killed from outside twice "
+                                     "({reason}), perhaps because memory ran short.",
+                                     "Use fewer --jobs, and run the batch again."};
 
 // Inputs.
-constexpr Refusal no_file_or_folder{code::cannot_read, "{file} is no file or folder."};
+constexpr Refusal no_file_or_folder{code::cannot_read, "There is no file or folder {file}."};
 constexpr Refusal same_input_name{code::bad_option,
                                   "Two inputs are called {name}: {first} and {second}.",
-                                  "Give the folder above both."};
-constexpr Refusal nothing_to_do{
-    code::no_input,
-    "There is nothing to work on: no file ends in .step or .stp or is a "
-    "JSON file that planish reads."};
+                                  "Name the folder that contains both."};
+constexpr Refusal nothing_to_do{code::no_input,
+                                "There is nothing to do: no input is a STEP file (.step, .stp) or "
+                                "a JSON file that planish reads."};
 constexpr Refusal list_in_itself{code::cannot_read, "The list {file} names itself."};
 constexpr Refusal output_in_input{
     code::bad_option, "The results would go into {output}, which is in the input folder {folder}.",
-    "Name a folder outside with -o."};
+    "Name a folder outside it with -o."};
 
 // Results of this batch and of others.
 constexpr Refusal batch_unfinished{code::cannot_read, "The batch in {folder} is not finished.",
@@ -40,16 +38,17 @@ constexpr Refusal shape_unread{code::cannot_read, "A stored shape cannot be read
 
 // Shards.
 constexpr Refusal no_batch{code::cannot_read,
-                           "{folder} holds no results of planish batch, nor shards of them."};
-constexpr Refusal shard_unfinished{code::cannot_read, "{folder} is not finished.",
+                           "{folder} holds neither results of planish batch nor shards."};
+constexpr Refusal shard_unfinished{code::cannot_read, "The shard in {folder} is not finished.",
                                    "Run --shard {shard} again, then merge."};
 constexpr Refusal other_batch{
-    code::cannot_read, "{folder} and {other} are not of one batch.",
+    code::cannot_read, "{folder} and {other} belong to different batches.",
     "Merge shards with the same inputs, options, number of shards and version of planish."};
-constexpr Refusal shard_twice{code::cannot_read, "{folder} is shard {shard} for the second time."};
+constexpr Refusal shard_twice{code::cannot_read,
+                              "{folder} holds shard {shard}, which another folder holds too."};
 constexpr Refusal shard_missing{code::cannot_read, "Shard {shard} is missing.",
                                 "Run --shard {shard}, then merge."};
-constexpr Refusal merged_into_itself{code::bad_option, "{folder} is to be merged.",
+constexpr Refusal merged_into_itself{code::bad_option, "{folder} is one of the folders to merge.",
                                      "Name another folder with -o."};
 
 }  // namespace planish::refuse

@@ -13,6 +13,12 @@
 #include <cstring>
 #include <fstream>
 
+// The results of a batch, written from its journal in one pass that holds one input at a time: a
+// line, a row of the table and a row of the page for each part. Parts come in the order of their
+// names, whatever order they were made in, so the bytes follow from inputs and options alone. The
+// first of identical parts in that order names the others. A file has its name only once it is
+// whole.
+
 namespace planish::batch {
 namespace {
 

@@ -15,6 +15,11 @@
 
 #include <utility>
 
+// The folder of a batch, and what the program keeps in it: a lock, the record of the run, the
+// journal. The operating system holds the lock for the process, so one that was killed leaves none.
+// The files that a part had before are removed, new ones are written whole, and folders left empty
+// go.
+
 namespace planish::batch {
 namespace {
 

@@ -6,6 +6,10 @@
 
 #include <cstdlib>
 
+// Tasks and parts as the texts of a message between a batch and its workers. A number stands before
+// texts of which there may be any number. Reading takes nothing for granted: what a worker sends
+// after something went wrong in it is a damaged answer, never a damaged batch.
+
 namespace planish::batch {
 namespace {
 

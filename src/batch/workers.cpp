@@ -8,6 +8,11 @@
 #include <string>
 #include <utility>
 
+// A worker's process, and what becomes of a file that ends it. The body that began last is blamed:
+// the file is tried again without it, and the reason becomes that body's report. If none had begun,
+// the whole file is refused. A signal from outside may have nothing to do with the part, so it is
+// tried once more first. Every try leaves out one more body, so this ends.
+
 namespace planish::batch {
 namespace {
 
@@ -55,7 +60,6 @@ Result<std::vector<PartDone>> BatchWorker::work_on(FileTask task) {
     if (end.from_outside && !std::exchange(tried_again, true)) continue;
     const Error error = error_of_part(end, task.name, limits_);
     if (end.cause == ChildEnd::Cause::cancelled) return tl::unexpected(error);
-    // A body that ends the process, or takes all the time, is left out of the next try.
     if (body && task.given_up.emplace(*body, error).second) continue;
     return std::vector{failed_part(task, catalogue_, error)};
   }

@@ -11,6 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
+// A plan of strokes, or why there is none. The search (stroke_search.cpp) knows lines and choices;
+// here they become strokes with tools and gauge, notes, and reasons. If some bends cannot be formed
+// in any stage that can be reached, these are the reasons, with what they hit in the stage that got
+// furthest. Otherwise each can be formed but not after the others, and the same is told of what
+// that stage leaves.
+
 namespace planish {
 namespace {
 

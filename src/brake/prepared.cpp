@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+// What a plan needs, checked before anything is searched: the tools, the options, a bend that a
+// press brake can form, and for each line a punch and a die that bear it (math.md#tool-fit). So the
+// search finds a tool for every line, and the first fault is told with its numbers.
+
 namespace planish::brake_detail {
 namespace {
 

@@ -24,7 +24,7 @@ constexpr Refusal stroke_of_no_bend{code::bad_option, "{@stroke} names no bend."
 constexpr Refusal no_such_stroke{
     code::bad_option,
     "{@stroke} of the order is impossible: no stroke presses {@bend} in this way.",
-    "Take strokes that a plan of this sheet has."};
+    "Use strokes of a plan of this sheet."};
 constexpr Refusal pressed_twice{code::bad_option, "{@stroke} presses {@bend} again.",
                                 "Press each bend once."};
 
@@ -40,19 +40,18 @@ constexpr Refusal closes_loop{
     "Open the loop, or divide the part."};
 constexpr Refusal no_tool_bears{
     code::no_tool,
-    "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, and there is {why}.",
-    "Add such a tool to the tools, or change the bend."};
+    "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
+    "Add such a tool, or change the bend."};
 
 // Tools. `subject` is 'The opening of die "V16"' or 'Die "V16"', since tools are no places; the
 // place is the pointer.
 constexpr Refusal bad_tool_value{code::bad_tools, "{subject} is {value:6}, which is out of range.",
                                  "Set it to {range}."};
 constexpr Refusal no_segments{code::bad_tools, "{subject} has no segments.",
-                              "List the lengths in which it is there."};
-constexpr Refusal no_id{code::bad_tools, "{subject} has no id.",
-                        "Give each tool an id of its own."};
-constexpr Refusal same_tool_id{code::bad_tools, "{subject} is there twice.",
-                               "Give each tool an id of its own."};
+                              "List the lengths of its segments."};
+constexpr Refusal no_id{code::bad_tools, "{subject} has no id.", "Give each tool a different id."};
+constexpr Refusal same_tool_id{code::bad_tools, "{subject} appears twice.",
+                               "Give each tool a different id."};
 constexpr Refusal no_tools{code::bad_tools, "There is no {kind}.", "List at least one."};
 constexpr Refusal below_tip{code::bad_tools,
                             "{subject} reaches down to z = {z:6}, lower than the tip.",
@@ -83,12 +82,12 @@ constexpr Refusal flat_die_opens{code::bad_tools,
                                  "{subject} is {opening:6}, but a die of 180° is flat.",
                                  "Set the opening to 0, or another angle."};
 constexpr Refusal range_ends_early{
-    code::bad_tools, "{subject} ends at {to:6}, before it begins at {from:6}.", "Exchange them."};
+    code::bad_tools, "{subject} ends at {to:6}, before it begins at {from:6}.", "Swap them."};
 constexpr Refusal few_profile_corners{code::bad_tools,
                                       "{subject} has {corners:corner}; an outline has at least 3.",
                                       "Add the missing corners."};
 constexpr Refusal corner_nowhere{code::bad_tools,
-                                 "{subject} has a corner that is not a place within 10 km.",
+                                 "{subject} has a corner that is not finite or lies beyond 10 km.",
                                  "Give its corners finite numbers."};
 constexpr Refusal corner_again{code::bad_tools,
                                "{subject} has two corners in a row at ({x:6}, {z:6}).",

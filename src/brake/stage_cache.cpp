@@ -1,5 +1,11 @@
 #include "stage_cache.hpp"
 
+// Where the parts of the sheet are in a stage, kept from stroke to stroke (math.md#stages). Seen
+// from the pressed line the sheet is a tree of bodies. The place of a body depends only on how the
+// lines between it and that line are: flat, formed or pressed. So places hang in a tree of these
+// states, and stages that differ elsewhere share them. Beyond a number of blocks all are forgotten,
+// which costs time and changes no result.
+
 namespace planish::brake_detail {
 
 StageCache::StageCache(const StrokeInputs& inputs, std::shared_ptr<ToolRoom> tools,

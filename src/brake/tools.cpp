@@ -13,6 +13,11 @@
 #include <string_view>
 #include <utility>
 
+// The first fault of a catalogue of tools, and its JSON pointer (formats.md#tools). Sizes come
+// first, then profiles, since roundings need a sound profile. With the punch's tip and the middle
+// of the V at the origin, nothing of a punch or its beam lies below, nothing of a die or its beam
+// above, and the V is open between its shoulders: collisions rely on that (math.md#machine-frame).
+
 namespace planish {
 namespace {
 

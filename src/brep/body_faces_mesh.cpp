@@ -11,6 +11,10 @@
 
 #include <utility>
 
+// Triangles of a body, each with its face, numbered as in the file. The kernel sometimes makes no
+// triangles of a face, or covers it in part, without an error. The area vectors of a closed surface
+// add up to zero, so what is missing shows in their sum.
+
 namespace planish {
 namespace {
 
@@ -25,8 +29,6 @@ MeshOfFaces triangles_of(const TopoDS_Shape& solid, double chord) {
   return result;
 }
 
-/// The area vectors of a closed surface add up to nothing. The kernel sometimes makes no triangles
-/// of a face, or covers it in part.
 Result<void> check_closed(const MeshOfFaces& surface) {
   constexpr double kOpen = 1e-4;  // of the area; neighbouring faces have their corners in common
   Vec3 sum = Vec3::Zero();

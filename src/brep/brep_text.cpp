@@ -16,6 +16,11 @@
 #include <ios>
 #include <sstream>
 
+// Shapes in the kernel's own form, text or binary, which have no names and no unit (mm). The first
+// line tells them apart. Where a file was cut short the kernel would read on for ever, so the
+// stream throws at its end. A damaged file may also give no shape, or one beyond any size; both are
+// refused.
+
 namespace planish::brep {
 namespace {
 

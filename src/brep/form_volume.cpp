@@ -4,6 +4,11 @@
 
 #include <cmath>
 
+// The volume that a form adds to the plain sheet, by the divergence theorem: each face has its
+// integral of x·n/3, and each outline in the plane of a skin is closed by a cover that counts a
+// third of its area times its height. The sum is exact where the faces' volumes are. A form whose
+// outline lies elsewhere has no such cover, so its volume stays unknown (math.md#volume-identity).
+
 namespace planish::brep {
 namespace {
 

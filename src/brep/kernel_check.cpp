@@ -16,6 +16,11 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 
+// The kernel's check of a shell, made fast for faces with many contours, of which the kernel
+// compares all edges with each other. Such a plane face is checked as one face within each contour,
+// and the sense of the faces by a count of how often they run along each edge either way. Contours
+// that cross each other show in the flat pattern.
+
 namespace planish::brep {
 namespace {
 
@@ -42,8 +47,7 @@ void add_contours(const TopoDS_Face& face, TopoDS_Compound& to) {
   }
 }
 
-// Whether the faces run along each edge as often one way as the other. The kernel's own check takes
-// a time that grows with the square of the edges of a face.
+// Whether the faces run along each edge as often one way as the other.
 bool is_oriented(const TopoDS_Shell& shell) {
   TopTools_DataMapOfShapeInteger balance;
   for (TopExp_Explorer edges(shell, TopAbs_EDGE); edges.More(); edges.Next()) {

@@ -20,7 +20,7 @@ constexpr Refusal file_ends_early{
 constexpr Refusal shape_ends_early{code::truncated_file,
                                    "{file} ends in the middle of its B-rep: it was cut short.",
                                    "Copy or export it again."};
-constexpr Refusal holds_nothing{code::no_solid, "{file} holds nothing at all.",
+constexpr Refusal holds_nothing{code::no_solid, "{file} holds no geometry.",
                                 "Export the part as a solid."};
 constexpr Refusal no_shape{code::no_solid, "{file} holds no shape that can be read.",
                            "Export a solid body."};
@@ -34,15 +34,15 @@ constexpr Refusal broken_syntax{
 constexpr Refusal damaged_shape{code::invalid_input,
                                 "{file} is a damaged B-rep: the CAD kernel finds no shape in it.",
                                 "Export it again."};
-constexpr Refusal shape_too_far_away{code::too_far_away,
-                                     "{file} reaches {reach} from the origin, where nothing can be "
-                                     "computed beyond {limit}: a number "
-                                     "in it is damaged or its unit is wrong.",
-                                     "Move the part to the origin and export it again."};
+constexpr Refusal shape_too_far_away{
+    code::too_far_away,
+    "{file} reaches {reach} from the origin, but nothing can be computed beyond {limit}: a number "
+    "in it is damaged, or its unit is wrong.",
+    "Move the part to the origin and export it again."};
 constexpr Refusal point_too_far_away{
     code::too_far_away,
-    "{file} has a point {reach} from its origin, where nothing can be computed beyond {limit}: a "
-    "number in it is damaged or its unit is wrong.",
+    "{file} has a point {reach} from the origin, but nothing can be computed beyond {limit}: a "
+    "number in it is damaged, or its unit is wrong.",
     "Move the part to the origin and export it again."};
 constexpr Refusal is_folder{code::cannot_read, "{file} is a folder, not a STEP file."};
 constexpr Refusal cannot_open{code::cannot_read, "{file} cannot be opened: {why}."};

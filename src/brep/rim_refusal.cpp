@@ -7,6 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+// Why faces between the skins are no cut edge of a sheet, as its designer would see it; the
+// narrowest cause that applies is told. A face is curved in two directions; or it goes on smoothly
+// from a skin, so the sheet has another thickness there; else the face with the largest share of
+// edges outside is what stands out.
+
 namespace planish::brep {
 namespace {
 

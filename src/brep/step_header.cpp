@@ -10,6 +10,11 @@
 #include <array>
 #include <vector>
 
+// What is wrong with a STEP file, seen before the kernel reads it, since the kernel gives no
+// reasons: an empty file, another format, an end that is missing, no instance. The end mark is
+// looked for in the last bytes, because comments may follow it. Schema and CAD system come from the
+// header as it is written.
+
 namespace planish::brep {
 namespace {
 

@@ -32,6 +32,11 @@
 #include <algorithm>
 #include <cmath>
 
+// Materials and colours, as CAD systems write them. A material is a product's `material property`:
+// its description is the name, its measure the density. Some write units wrongly, so a density that
+// no sheet has counts as unknown. A body has its own colour, else the one that all its faces share,
+// else that of its product.
+
 namespace planish::brep {
 namespace {
 

@@ -23,6 +23,11 @@
 #include <utility>
 #include <vector>
 
+// A shape as STEP text, the same bytes for the same shape: the kernel's time and its count of
+// products are replaced, and names are encoded here. Large faces come last, for the kernel measures
+// a face again for each edge that was not written before: a plate ahead of the walls of its holes
+// would take the square of their number.
+
 namespace planish::brep {
 namespace {
 
@@ -50,9 +55,7 @@ int edge_count(const TopoDS_Shape& face) {
   return count;
 }
 
-/// The same shape, the faces of each shell in the order of their edges. For each edge that has not
-/// been written yet the kernel measures the whole face: of a plate with many holes written before
-/// their walls, that takes the square of their number.
+/// The same shape, the faces of each shell in the order of their numbers of edges.
 TopoDS_Shape large_faces_last(const TopoDS_Shape& shape) {
   if (shape.ShapeType() > TopAbs_SHELL) return shape;
   const bool is_shell = shape.ShapeType() == TopAbs_SHELL;

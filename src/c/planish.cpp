@@ -14,6 +14,11 @@
 #include <new>
 #include <utility>
 
+// The C interface (c.md). No exception leaves it: what is thrown becomes the error of a result, and
+// where there is no memory for a result there is one made beforehand. A result owns its texts;
+// those that never change are made once and not freed, and before a process is copied, so that no
+// lock is held in the copy.
+
 namespace code = planish::code;
 namespace job = planish::job;
 namespace process = planish::process;

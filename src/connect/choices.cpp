@@ -151,8 +151,8 @@ class Trial {
     if (rank(first_.code) == 1 || tries_ == 1) error = first_;
     if (tries_ == 1) return error;
     constexpr std::array<std::string_view, 5> kCounts{
-        "{count} without a tangent line", "{count} too near for the thickness",
-        "{count} without a width on which the bend runs over neither plate",
+        "{count} without a tangent line", "{count} too close for the thickness",
+        "{count} without a width where the bend would clear both plates",
         "{count} that would cut or cover a plate", "{count} too long"};
     Facts facts{{"choices", tries_}};
     for (const auto& [rank, failure] : failures_)

@@ -3,6 +3,11 @@
 
 #include <algorithm>
 
+// A plate with its extensions as a face of the sheet. Outlines lie on the middle surface, the face
+// on the skin that all faces share, half a thickness away. A plate that faces the other way is
+// turned over about x and its loops are reversed, so that material stays on the left of every
+// border (math.md#border-trihedron).
+
 namespace planish::connect_detail {
 namespace {
 
@@ -16,7 +21,7 @@ std::vector<BendOnPlate> bends_on(const Parts& parts, int plate) {
   return bends;
 }
 
-// A frame on the skin to which the plate's normal points, or on the other one, turned over about x.
+// On the skin to which the plate's normal points, or on the other one.
 Frame skin_frame(const PlacedPlate& plate, double thickness, int sense) {
   Frame frame = plate.frame;
   frame.y *= sense;

@@ -17,7 +17,7 @@ constexpr Refusal bad_connect_option{code::bad_option, "{name} is {value}, which
 constexpr Refusal bad_radii{code::invalid_input, "inside_radii are {value}, which is out of range.",
                             "Set both to 0 or more."};
 constexpr Refusal same_id{code::invalid_input, "{@plate} appears twice.",
-                          "Give each plate an id of its own."};
+                          "Give each plate a different id."};
 constexpr Refusal no_such_plate{code::unknown_plate, "There is no plate \"{id}\".",
                                 "Name a plate of the file: {known}."};
 constexpr Refusal bends_without_plates{
@@ -36,7 +36,7 @@ constexpr Refusal corner_not_finite{
     "Give each corner three finite numbers."};
 constexpr Refusal corner_repeated{
     code::repeated_corner,
-    "In {@plate}, corners {corner} and {next} of {ring} lie at one place, {@at}.",
+    "In {@plate}, corners {corner} and {next} of {ring} lie at the same place, {@at}.",
     "Leave one of them out; polygons close by themselves."};
 constexpr Refusal corner_off_plane{
     code::not_planar,
@@ -69,7 +69,8 @@ constexpr Refusal plates_too_near{code::plates_touch,
                                   "need {least} between their middles.",
                                   "Move them apart."};
 constexpr Refusal in_one_plane{
-    code::plates_coplanar, "{@plate} lie in one plane, so there is nothing to bend between them.",
+    code::plates_coplanar,
+    "{@plate} lie in the same plane, so there is nothing to bend between them.",
     "Make them one plate."};
 constexpr Refusal beside_each_other{
     code::plates_offset,
@@ -97,15 +98,14 @@ constexpr Refusal longer_than_given{
     "The bend between {@plate} would be {span} long from plate to plate, more than largest_span, "
     "{most}.",
     "Increase largest_span, or move the plates closer."};
-constexpr Refusal longer_than_joined{
-    code::too_far_apart,
-    "The bend between {@plate} would be {span} long from plate to plate, and up to {most} is "
-    "bridged.",
-    "Set a larger largest_span, or give the bend itself."};
+constexpr Refusal longer_than_joined{code::too_far_apart,
+                                     "The bend between {@plate} would be {span} long from plate to "
+                                     "plate, but at most {most} is bridged.",
+                                     "Set a larger largest_span, or give the bend itself."};
 constexpr Refusal nearest_too_far{
     code::too_far_apart,
     "{@plate} is not joined to the others: the shortest bend, to {@other}, would be {span} long "
-    "from plate to plate, and up to {most} is bridged.",
+    "from plate to plate, but at most {most} is bridged.",
     "Set a larger largest_span, or give the bend itself."};
 constexpr Refusal default_radius_does_not_fit{
     code::no_bend_fits,
@@ -124,7 +124,7 @@ constexpr Refusal closes_loop{
 constexpr Refusal too_many_plates{code::invalid_input,
                                   "The bend is between {count:plate}; a bend joins two at most.",
                                   "Give several bends."};
-constexpr Refusal plate_with_itself{code::invalid_input, "The bend is to join {@plate} to itself.",
+constexpr Refusal plate_with_itself{code::invalid_input, "The bend joins {@plate} to itself.",
                                     "Name two different plates."};
 constexpr Refusal no_edges_listed{code::invalid_input, "The list of edges of {@plate} is empty.",
                                   "Leave it out to have the edges chosen."};
@@ -138,15 +138,16 @@ constexpr Refusal general_given_more{
     code::invalid_input, "A general bend takes only edges, apex, tangent_point and lateral.",
     "Leave out slope, aperture, inside_radius and inside_radii."};
 constexpr Refusal tangent_point_of_other{code::invalid_input,
-                                         "A tangent_point goes with a general bend only.",
+                                         "Only a general bend has a tangent_point.",
                                          "Set surface to general, or leave tangent_point out."};
 constexpr Refusal cone_given_twice{
     code::invalid_input,
     "slope and apex, aperture, and inside_radii each fix the cone, and more than one is given.",
     "Give one of the three."};
 constexpr Refusal radius_given_twice{
-    code::invalid_input, "inside_radius does not go with inside_radii, aperture or apex.",
-    "Leave it or them out."};
+    code::invalid_input,
+    "inside_radius cannot be given together with inside_radii, aperture or apex.",
+    "Give only one of them."};
 
 // Sections with a free end.
 constexpr Refusal section_without_angle{code::invalid_input,
@@ -226,10 +227,10 @@ constexpr Refusal no_line_of_slopes{
     "No such tangent line leaves both plates whole between these edges; slopes from {low:6} to "
     "{high:6} are possible.",
     "Give one of these slopes."};
-constexpr Refusal no_line{
-    code::no_bend_fits,
-    "No tangent line that leaves both plates whole fits between their edges, with what is given.",
-    "Give fewer values, or move a plate."};
+constexpr Refusal no_line{code::no_bend_fits,
+                          "With the values given, no tangent line fits between the edges of the "
+                          "plates and leaves both whole.",
+                          "Give fewer values, or move a plate."};
 constexpr Refusal no_edges_alike{code::no_bend_fits, "No edges look the same way on both plates.",
                                  "Turn a plate over, or move it to the other side."};
 constexpr Refusal no_edges_facing{
@@ -296,13 +297,12 @@ constexpr Refusal folds_both_ways{
 // Where a bend runs.
 constexpr Refusal no_width{
     code::no_common_width,
-    "The edges have no width in common on which a bend runs over neither plate.",
+    "The edges have no width in common where a bend would clear both plates.",
     "Choose other edges, or move a plate."};
-constexpr Refusal ranges_apart{
-    code::no_common_width,
-    "The edges have no width in common on which a bend runs over neither plate: their ranges miss "
-    "each other by {gap}.",
-    "Choose other edges, or move a plate."};
+constexpr Refusal ranges_apart{code::no_common_width,
+                               "The edges have no width in common where a bend would clear both "
+                               "plates: their ranges miss each other by {gap}.",
+                               "Choose other edges, or move a plate."};
 constexpr Refusal straight_over_plate{
     code::no_common_width,
     "A straight lateral boundary would run over a plate or past the end of the bend.",

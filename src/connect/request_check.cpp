@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+// What a plates file may ask of a bend, checked before any is fitted: plates and edges that exist,
+// values within their range, no quantity given twice, such as a cone by its slope and by its
+// aperture. Each fault names the key at fault, so that an editor can mark it. What passes can be
+// fitted, or is refused by the geometry alone.
+
 namespace planish::connect_detail {
 namespace {
 

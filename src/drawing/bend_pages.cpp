@@ -12,6 +12,11 @@
 #include <algorithm>
 #include <span>
 
+// Pages to hang at the press brake (bend.md#pages): the flat pattern with the numbers of its
+// strokes, then a row for each stroke. The sheet is drawn as the operator sees it: turned so that
+// the gauge is above, and mirrored if the undrawn side is up. Beside it the workpiece in the
+// machine, cut to what surrounds it, since tools and beams are much larger than the part.
+
 namespace planish::drawing {
 using namespace schema;
 namespace {

@@ -13,6 +13,11 @@
 #include <array>
 #include <cmath>
 
+// The drawing of a part: view and facts, pattern with overall sizes, table of bends, sentences.
+// They flow down the page, and what does not fit begins another one, where the table repeats its
+// head. The pattern is drawn as large as its place allows. The page's y runs down, the pattern's
+// up; `Fit` turns it.
+
 namespace planish::drawing {
 using namespace schema;
 namespace {

@@ -13,6 +13,12 @@
 #include <map>
 #include <utility>
 
+// The folded part as an isometric drawing without hidden lines. Its plane pieces (both skins and
+// the walls between, or the middle alone where the thickness is under three cells) are filled into
+// a raster of depths. A line is then shown step by step where the raster has nothing nearer. So the
+// time follows the cells and the lines, not pairs of faces, and an end of a line may be off by a
+// cell.
+
 namespace planish::drawing {
 namespace {
 

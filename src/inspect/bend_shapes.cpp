@@ -4,6 +4,11 @@
 
 #include <cmath>
 
+// Rules about a bend alone: its inside radius, a hem's inside diameter and return, its K
+// (shop-floor.md#rules-of-manufacture). A return is the shortest flat length at the bend, measured
+// as shops do from the outside of the bend. K belongs to material and tool rather than to a bend,
+// so all bends with the same wrong K are one place.
+
 namespace planish::inspect_detail {
 namespace {
 

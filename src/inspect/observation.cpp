@@ -8,6 +8,11 @@
 #include <string_view>
 #include <utility>
 
+// Breaches of a rule become one finding, with the message of the worst place and all places, the
+// worst first: by severity, then by how far the limit is missed. So a part with a hundred holes too
+// near to its edge says so once. A breach is a warning below a share of the limit, or always with
+// strict rules (shop-floor.md#severity).
+
 namespace planish::inspect_detail {
 namespace {
 
@@ -19,14 +24,14 @@ std::string term_text(double factor, const char* name) {
 const char* many_of(std::string_view code) {
   static const std::map<std::string_view, const char*> kMany{
       {"flange_height", "flanges are too low to be bent"},
-      {"bend_relief", "ends of bends lack a relief, or have too small a one"},
+      {"bend_relief", "ends of bends have no relief, or too small a one"},
       {"flush_bend", "ends of bends are flush with an edge"},
       {"inside_radius", "bends have too small an inside radius"},
       {"hem", "hems are too narrow inside or have too short a return"},
       {"k_factor", "K-factors lie outside the range of measured ones"},
-      {"opening_to_bend", "openings are too near to bends"},
+      {"opening_to_bend", "openings are too close to bends"},
       {"opening_in_bend", "openings reach into bends"},
-      {"opening_to_edge", "openings are too near to the outer edge"},
+      {"opening_to_edge", "openings are too close to the outer edge"},
       {"opening_to_opening", "gaps between openings are too narrow"},
       {"smallest_opening", "openings are too small"}};
   const auto found = kMany.find(code);

@@ -22,11 +22,10 @@ constexpr Sentence short_return =
     "the return of the hem at {@bend} is {measured:5} long from the outside of the bend; at least "
     "{wanted} ({rule}) is needed";
 constexpr Sentence odd_k =
-    "{@bend} has the K-factor {measured}{source}, outside [{low}, {high}], the range of measured "
-    "ones";
+    "{@bend} has a K-factor of {measured}{source}; measured ones lie between {low} and {high}";
 constexpr Sentence odd_k_of_many =
-    "{count:bend} ({@bend} is the first) have the K-factor {measured}{source}, outside [{low}, "
-    "{high}], the range of measured ones";
+    "{count:bend} ({@bend} is the first) have a K-factor of {measured}{source}; measured ones lie "
+    "between {low} and {high}";
 
 // Reliefs.
 constexpr Sentence

@@ -9,6 +9,11 @@
 #include <cmath>
 #include <memory>
 
+// A flat pattern, or a sheet of nested parts, as DXF (shop-floor.md#dxf). Options and patterns are
+// checked first, so a file is whole or there is none. Entities are collected before any is written,
+// because extents and layers stand at the top of the file. dxflib writes the frame of each release;
+// numbers are written so that they read back as the same double.
+
 namespace planish {
 
 using namespace io_detail;

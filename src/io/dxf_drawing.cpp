@@ -9,6 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
+// What a pattern becomes in a DXF, in the order and on the layers of formats.md#dxf: marks before
+// cuts, the outer contour last. Lengths are scaled once, when an entity is added. A mark too short
+// to be drawn is left out, and so is a formed feature without extent; a contour without extent
+// makes the drawing invalid.
+
 namespace planish::io_detail {
 namespace {
 

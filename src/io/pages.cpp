@@ -5,6 +5,11 @@
 
 #include <memory>
 
+// Pages as PDF by Cairo, which is loaded when the first is drawn
+// (decisions/0012-cairo-is-loaded-when-pages-are-written.md). All sizes are mm; only the context's
+// scale knows points. Cairo leaves text out without an error where there is no font, so the width
+// of a letter is asked for first. The file holds no time, and the same pages give the same bytes.
+
 namespace planish {
 namespace {
 

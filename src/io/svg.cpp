@@ -11,6 +11,11 @@
 #include <algorithm>
 #include <cmath>
 
+// The flat pattern for people (formats.md#svg). All sizes on the page follow the height of the
+// letters, which grows with the part. Later groups are painted over earlier ones: sheet, bend
+// zones, features, bend lines, contours, slits, labels. Labels are placed clear of lines
+// (svg_labels.cpp), and body and legend grow the page, so nothing is cut off.
+
 namespace planish {
 
 using namespace io_detail;

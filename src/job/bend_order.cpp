@@ -11,6 +11,10 @@
 
 #include <fmt/format.h>
 
+// Orders of strokes for the studio: the cheapest one, or one that a person has put together. Both
+// are made stroke by stroke by the same checker, which keeps what it found, so moving a stroke
+// costs only what changed (math.md#bend-order). An order's fault is at its row in the request.
+
 namespace planish::job {
 using namespace schema;
 namespace {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+// Bends that hold, but that a shop would ask about (connect.md#the-report). They are judged by
+// ratios, so no limit depends on the size of the part, and none refuses it.
+
 namespace planish::job {
 namespace {
 
@@ -23,8 +26,7 @@ Said round_the_back(const FittedBend& bend) {
   if (bend.edge_kind == EdgeKind::facing || bend.frame.parallel()) return std::nullopt;
   if (bend.angle.degrees() <= kHalfTurn) return std::nullopt;
   return fmt::format(
-      "turns {:.4g}° round the back of the plates; edges that face each other need "
-      "{:.4g}°",
+      "turns {:.4g}° round the back of the plates; edges that face each other would need {:.4g}°",
       bend.angle.degrees(), kHalfTurn - bend.frame.beta.degrees());
 }
 
@@ -48,8 +50,8 @@ Said unused_edge(const FittedBend& bend) {
 Said edges_beside(const FittedBend& bend) {
   if (!bend.beside) return std::nullopt;
   return fmt::format(
-      "joins edges that lie beside each other, {:.4g} mm apart along the bend: nowhere does it run "
-      "from one plate straight to the other",
+      "joins edges that lie beside each other, {:.4g} mm apart along the bend, so it never runs "
+      "straight from one plate to the other",
       *bend.beside);
 }
 

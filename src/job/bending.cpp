@@ -16,6 +16,11 @@
 #include <algorithm>
 #include <set>
 
+// The plan of strokes in a report. Where none exists, `planish bend` refuses the part; where a
+// pattern is made and bending is only looked into, the same sentences are a finding. A search that
+// its limit ended claims nothing either way. Bends in the pattern are numbered by their first
+// stroke.
+
 namespace planish::job {
 using namespace shop;
 namespace {
@@ -186,7 +191,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   const BrakeTools& tools = tools_of(bending);
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
   if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
-    progress.at("looking for what would help", 0.97);
+    progress.at("looking for changes that would help", 0.97);
     const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr};
     plan->proposals = proposals(report.sheet, report.layout, tools, options, *plan, trying,
                                 progress);

@@ -95,7 +95,7 @@ const std::vector<Option>& bending_options() {
       {.name = "check_bending",
        .kind = OptionKind::flag,
        .group = "Press brake",
-       .description = "find out whether a press brake can bend it",
+       .description = "check whether a press brake can bend the part",
        .set = [](Request& to, const OptionValue& value) -> Result<void> {
          to.bending.ask = std::get<bool>(value) ? Bending::Ask::finding : Bending::Ask::nothing;
          return {};
@@ -103,22 +103,22 @@ const std::vector<Option>& bending_options() {
       {.name = "tools",
        .kind = OptionKind::file,
        .group = "Press brake",
-       .description = "the press brake and its tools; `planish bend --print-tools` prints those "
-                      "that are used otherwise",
+       .description = "press brake and its tools; `planish bend --print-tools` prints the built-in "
+                      "ones",
        .file_type = "FILE.json",
        .file_kind = "tools file",
        .set = set_tools},
       {.name = "metal",
        .kind = OptionKind::word,
        .group = "Press brake",
-       .description = "sets tensile strength, springback and the radius that air bending leaves; "
-                      "without it those of mild steel, and no springback",
+       .description = "metal, which sets tensile strength, springback and the radius that air "
+                      "bending leaves; otherwise mild steel without springback",
        .words = {"steel", "stainless", "aluminium"},
        .set = set_metal},
       {.name = "springback",
        .kind = OptionKind::number,
        .group = "Press brake",
-       .description = "degrees by which every bend is bent further",
+       .description = "springback in degrees, by which every bend is bent further",
        .otherwise = "0, or the metal's",
        .range = kSpringback,
        .set = [](Request& to, const OptionValue& value) -> Result<void> {
@@ -128,7 +128,7 @@ const std::vector<Option>& bending_options() {
       {.name = "clearance",
        .kind = OptionKind::number,
        .group = "Press brake",
-       .description = "kept between part and tools, in mm",
+       .description = "clearance to keep between part and tools, in mm",
        .otherwise = "0",
        .range = kAtLeastZero,
        .set = [](Request& to, const OptionValue& value) -> Result<void> {
@@ -138,7 +138,7 @@ const std::vector<Option>& bending_options() {
       {.name = "shortfall",
        .kind = OptionKind::number,
        .group = "Press brake",
-       .description = "by which the punch may be short of each end of a bend line, in mm",
+       .description = "distance by which the punch may be short of each end of a bend line, in mm",
        .otherwise = "the thickness",
        .range = kAtLeastZero,
        .set = [](Request& to, const OptionValue& value) -> Result<void> {
@@ -148,7 +148,7 @@ const std::vector<Option>& bending_options() {
       {.name = "opening",
        .kind = OptionKind::number,
        .group = "Press brake",
-       .description = "of the V that is wanted, in mm: the die nearest to it is taken",
+       .description = "wanted opening of the V, in mm; the nearest die is used",
        .otherwise = "by thickness: 6 times to 2.5 mm, 8 times to 8 mm, 10 times above",
        .range = kAboveZero,
        .set = [](Request& to, const OptionValue& value) -> Result<void> {
@@ -158,7 +158,7 @@ const std::vector<Option>& bending_options() {
       {.name = "weights",
        .kind = OptionKind::name,
        .group = "Order",
-       .description = "costs between which the order is chosen",
+       .description = "costs by which the cheapest order is chosen",
        .otherwise = "turn_over=3,rotate=2,tool_change=5,stroke=1,ungauged=4",
        .set = set_weights},
       {.name = "fix",
@@ -169,7 +169,7 @@ const std::vector<Option>& bending_options() {
       {.name = "first",
        .kind = OptionKind::flag,
        .group = "Order",
-       .description = "take the first plan that is found",
+       .description = "stop at the first plan found",
        .set = [](Request& to, const OptionValue& value) -> Result<void> {
          to.bending.plan.limits.first = std::get<bool>(value);
          return {};
@@ -177,7 +177,7 @@ const std::vector<Option>& bending_options() {
       {.name = "search_time",
        .kind = OptionKind::number,
        .group = "Order",
-       .description = "seconds after which the best plan found is given",
+       .description = "seconds after which the best plan so far is given",
        .otherwise = "6",
        .range = kAboveZero,
        .on_command_line = false,

@@ -66,7 +66,7 @@ Result<std::unique_ptr<Made>> connection_of(const PlatesFile& file, const Reques
 Maker connect_maker() {
   return {
       .name = "connect",
-      .description = "join plates by bends to one sheet",
+      .description = "join plates by bends into one sheet",
       .input = "plates",
       .format = "planish/plates",
       .mark = "plates",
@@ -82,8 +82,8 @@ Maker connect_maker() {
                                        {"lateral", "that of the plates file, or auto"},
                                        {"trade_off", "that of the plates file, or 1"},
                                        {"largest_span",
-                                        "that of the plates file, or of a bend that the program "
-                                        "finds twice the diagonals of both plates"},
+                                        "that of the plates file; for bends that the program "
+                                        "finds, twice the diagonals of both plates"},
                                        {"process"},
                                        {"rules"},
                                        {"no_rules"}}),

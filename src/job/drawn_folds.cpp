@@ -5,6 +5,11 @@
 #include <cmath>
 #include <utility>
 
+// Outlines drawn up to the lines in which plates meet, so that `connect` can fold them there. Each
+// border at a fold moves out, square to itself, to where the middle surfaces meet; its ends go
+// along the borders beside it, except where these run along the fold. Corners that only divide a
+// straight run are left out.
+
 namespace planish::job {
 namespace {
 

@@ -9,6 +9,10 @@
 
 #include <cmath>
 
+// The folded solid of a designed sheet. The certificate compares the pattern with its volume, as
+// the kernel measures it, so a sheet without a solid has none and says so. A STEP text is read back
+// before it is given out, because the kernel may write a solid that it cannot read.
+
 namespace planish::job {
 namespace {
 

@@ -133,7 +133,7 @@ std::string info_text(const InfoReport& report) {
     if (body.sheet) text += fmt::format("  {}: {}\n", body.number, sheet_text(*body.sheet, units));
   }
   if (report.surface_bodies > 0) {
-    text += fmt::format("not unfolded, being part of no solid: {}\n",
+    text += fmt::format("not unfolded, because not part of a solid: {}\n",
                         counted(report.surface_bodies, "shell"));
   }
   return text;

@@ -17,6 +17,11 @@
 #include <chrono>
 #include <cmath>
 
+// From a sheet to the finished report, the same for every maker: pattern, certificate, overlaps,
+// reliefs, rules, plan of strokes. A pattern that the certificate disproves never comes out. The
+// certificate is that of the pattern before reliefs; the area that these take is checked on its own
+// and corrects the ratios (math.md#reliefs). A draft stops after the pattern.
+
 namespace planish::job {
 using namespace shop;
 namespace {

@@ -13,6 +13,10 @@
 
 #include <algorithm>
 
+// The catalogue: which maker reads a file, and which artifacts it can write. A file that is not
+// JSON is STEP; JSON is known by its `format`, else by the key that marks it. So no surface names a
+// maker (decisions/0007-makers-and-artifacts-are-tables.md).
+
 namespace planish::job {
 using namespace schema;
 namespace {

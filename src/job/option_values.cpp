@@ -14,6 +14,11 @@
 #include <filesystem>
 #include <map>
 
+// Values of options, whatever gave them: words of a command line, JSON, a form. Each is checked
+// against the table, and they are entered in its order, since later ones build on earlier ones: a
+// rules file changes the limits of the process. Two that cannot both hold are refused at the later
+// one.
+
 namespace planish::job {
 using namespace shop;
 using namespace schema;
@@ -217,7 +222,6 @@ Result<void> OptionValues::check_together() const {
 
 Result<void> OptionValues::enter(Request& request) const {
   if (auto fine = check_together(); !fine) return fine;
-  // In the order of the table: a rules file changes the limits of the process.
   std::multimap<std::ptrdiff_t, const std::pair<const Option*, OptionValue>*> ordered;
   for (const auto& one : values_)
     ordered.emplace(rank_of(*one.first), &one);

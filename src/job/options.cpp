@@ -108,7 +108,7 @@ const std::vector<Option>& shop_options() {
        .kind = OptionKind::file,
        .group = "Shop",
        .description = "shop profile: stocked materials with radius and K, layers, limits, tools; "
-                      "options given beside it take the place of what it says",
+                      "other options override it",
        .file_type = "FILE.json",
        .file_kind = "shop profile",
        .set = set_shop},
@@ -162,7 +162,7 @@ const std::vector<Option>& bend_options() {
        .kind = OptionKind::file,
        .group = "Bends",
        .description = "K from the material's stress-strain curves, for each inside radius; with "
-                      "`shop`, the name of a material that it has",
+                      "`shop`, the name of one of its materials",
        .file_type = "FILE.json",
        .file_kind = "material file",
        .set = set_material},
@@ -194,8 +194,8 @@ const std::vector<Option>& bend_options() {
       {.name = "up",
        .kind = OptionKind::face,
        .group = "Bends",
-       .description = "skin that faces up: that of a face, the one that is unfolded (reference) or "
-                      "the other; auto: the one from which more bends go up",
+       .description = "skin that faces up: the one with this face, the one that is unfolded "
+                      "(reference) or the other; auto: the one from which more bends go up",
        .otherwise = "auto",
        .words = {"auto", "reference", "other"},
        .set = [](Request& to, const OptionValue& value) -> Done {
@@ -220,7 +220,7 @@ const std::vector<Option>& join_options() {
       {.name = "inside_radius",
        .kind = OptionKind::number,
        .group = "Joining",
-       .description = "inside radius of every bend between two plates that gives none, in mm",
+       .description = "inside radius of bends between two plates that give none, in mm",
        .range = kAtLeastZero,
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.join.inside_radius = number_of(value);
@@ -229,14 +229,13 @@ const std::vector<Option>& join_options() {
       {.name = "lateral",
        .kind = OptionKind::word,
        .group = "Joining",
-       .description = "lateral boundaries of every bend between two plates that gives none",
+       .description = "lateral boundaries of bends between two plates that give none",
        .words = {"auto", "straight", "arc", "corner"},
        .set = set_lateral},
       {.name = "trade_off",
        .kind = OptionKind::number,
        .group = "Joining",
-       .description = "how much longer a bend may be for being wider, of every bend that does not "
-                      "say it",
+       .description = "how much longer a bend may be for being wider, for bends that do not say",
        .range = kAtLeastZero,
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.join.trade_off = number_of(value);
@@ -245,7 +244,7 @@ const std::vector<Option>& join_options() {
       {.name = "largest_span",
        .kind = OptionKind::number,
        .group = "Joining",
-       .description = "longest way from plate to plate that a bend bridges, in mm",
+       .description = "longest distance from plate to plate that a bend bridges, in mm",
        .range = kAboveZero,
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.join.largest_span = number_of(value);
@@ -260,8 +259,8 @@ const std::vector<Option>& form_options() {
       {.name = "extruded",
        .kind = OptionKind::word,
        .group = "Formed features",
-       .description = "cut of holes through them: the pilot hole that is pierced before forming, "
-                      "the hole as it will be, or nothing, free edges included",
+       .description = "what is cut for holes through them: the pilot hole that is pierced before "
+                      "forming, the finished hole, or nothing, free edges included",
        .otherwise = "pilot",
        .words = {"pilot", "through", "outline"},
        .set = set_extruded},
@@ -274,17 +273,17 @@ const std::vector<Option>& relief_options() {
       {.name = "relief",
        .kind = OptionKind::word,
        .group = "Corners",
-       .description = "how corners drawn without relief are mended whose patterns overlap a "
-                      "little: by the smallest gap, by a relief as wide as the sheet is thick, or "
-                      "not at all",
+       .description = "how to mend corners that were drawn without relief and overlap a little "
+                      "when flat: by the smallest gap, by a relief as wide as the sheet is thick, "
+                      "or not at all",
        .otherwise = "rip",
        .words = {"none", "rip", "square", "round"},
        .set = set_relief},
       {.name = "bend_relief",
        .kind = OptionKind::word,
        .group = "Corners",
-       .description = "what is cut beside bends that would tear the sheet, as wide and deep as the "
-                      "rules ask for",
+       .description = "reliefs to cut beside bends that would tear the sheet, as wide and deep as "
+                      "the rules ask",
        .otherwise = "none",
        .words = {"none", "square", "round"},
        .set = set_bend_relief},
@@ -342,7 +341,7 @@ const std::vector<Option>& dxf_options() {
       {.name = "bend_marks",
        .kind = OptionKind::word,
        .group = "DXF",
-       .description = "whole bend lines or only their ends",
+       .description = "whole bend lines, or only their ends",
        .otherwise = "lines",
        .words = {"lines", "ticks"},
        .set = [](Request& to, const OptionValue& value) -> Done {
@@ -362,7 +361,7 @@ const std::vector<Option>& dxf_options() {
       {.name = "tangent_lines",
        .kind = OptionKind::flag,
        .group = "DXF",
-       .description = "limits of the bend zones on their own layer",
+       .description = "limits of the bend zones, on a separate layer",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.dxf.tangent_lines = yes(value);
          return {};
@@ -370,9 +369,8 @@ const std::vector<Option>& dxf_options() {
       {.name = "bend_text",
        .kind = OptionKind::flag,
        .group = "DXF",
-       .description = "a text at each bend: its number, direction, angle and radius, and its place "
-                      "in "
-                      "the order of strokes if that is known",
+       .description = "text at each bend: its number, direction, angle and radius, and its stroke "
+                      "if there is a plan",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.dxf.bend_text = yes(value);
          return {};
@@ -380,7 +378,7 @@ const std::vector<Option>& dxf_options() {
       {.name = "turn_to_blank",
        .kind = OptionKind::flag,
        .group = "DXF",
-       .description = "the pattern turned so that the longer side of its blank lies along x, the "
+       .description = "pattern turned so that the longer side of its blank lies along x, with the "
                       "blank's corner at the origin",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.dxf.turn_to_blank = yes(value);
@@ -395,14 +393,14 @@ const std::vector<Option>& check_options() {
       {.name = "process",
        .kind = OptionKind::word,
        .group = "Checks",
-       .description = "how openings and contours are cut: the rules' limits depend on it",
+       .description = "how openings and contours are cut; sets the limits of the rules",
        .otherwise = "laser",
        .words = {"laser", "punch"},
        .set = set_process},
       {.name = "rules",
        .kind = OptionKind::file,
        .group = "Checks",
-       .description = "thresholds of the rules of manufacture, instead of the process's",
+       .description = "limits of the rules of manufacture, instead of those of the process",
        .file_type = "FILE.json",
        .file_kind = "rules file",
        .set = set_rules},
@@ -417,7 +415,7 @@ const std::vector<Option>& check_options() {
       {.name = "write_overlapping",
        .kind = OptionKind::flag,
        .group = "Checks",
-       .description = "write a pattern even if it overlaps itself",
+       .description = "write the pattern even if it overlaps itself",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.write_overlapping = yes(value);
          return {};
@@ -440,7 +438,7 @@ const std::vector<Option>& general_options() {
       {.name = "body",
        .kind = OptionKind::name,
        .group = "Input",
-       .description = "which body of several: its number (see `planish info`) or name",
+       .description = "body to use if there are several: its number (see `planish info`) or name",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.body = given_text(value);
          return {};
@@ -454,7 +452,7 @@ const std::vector<Option>& general_options() {
       {.name = "piece",
        .kind = OptionKind::whole,
        .group = "Output",
-       .description = "which of several pieces is shown, from 0",
+       .description = "piece to show if there are several, from 0",
        .otherwise = "0",
        .range = {"a whole number of at least 0", 0.0},
        .on_command_line = false,

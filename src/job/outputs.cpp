@@ -9,6 +9,10 @@
 #include <array>
 #include <set>
 
+// Names of files from names of bodies, which may be anything. Letters of all scripts and digits
+// stay, all else becomes underscores, so no name leaves its folder. Some file systems know no case,
+// so names are kept apart without it, by numbers that are tried until one is free.
+
 namespace planish::job {
 using namespace schema;
 namespace {
@@ -62,7 +66,7 @@ std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
     const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
                                            trimmed_number(report.summary.thickness, 3));
     std::string stem = wanted;
-    // "a-2" may itself be a body's name, so try numbers until the stem is free.
+    // "a-2" may itself be a body's name.
     for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {
       stem = fmt::format("{}-{}", wanted, n);
     }

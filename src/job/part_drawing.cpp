@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Report& report) 
   };
   const FlatPattern& flat = report.flat;
   std::vector<std::pair<std::string, std::string>> facts{
-      {"material", report.material.empty() ? "not said" : report.material},
+      {"material", report.material.empty() ? "unknown" : report.material},
       {"thickness", length(flat.thickness)},
       {"blank", units.short_text(report.size.x()) + " × " + length(report.size.y())},
       {"cutting length", length(flat.perimeter)},

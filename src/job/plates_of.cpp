@@ -8,12 +8,16 @@
 #include <cmath>
 #include <string>
 
+// The flanges of a sheet as plates on its middle surface, which `connect` joins again
+// (connect.md#a-first-file). Curves become chords, and corners nearer than a chord become one.
+// Openings are those cut before forming: pilot holes stand for extruded ones. At folds the outlines
+// go on to where the plates meet (drawn_folds.cpp).
+
 namespace planish::job {
 using namespace schema;
 namespace {
 
-/// Corners of a loop, none of them nearer to the next than the chord: real parts have borders, and
-/// curves have samples, that lie closer than anyone cuts.
+/// Real borders, and samples of curves, lie closer than anyone cuts.
 std::vector<Vec2> corners_of(const std::vector<Curve2>& loop, double chord) {
   std::vector<Vec2> corners;
   const auto add = [&](const Vec2& p) {
@@ -59,7 +63,6 @@ bool goes_on(const BorderLoop& loop) {
   return std::ranges::any_of(loop, [](const Border& border) { return border.feature.has_value(); });
 }
 
-/// Openings as they are cut before anything is formed: what a flat pattern cuts.
 Plate plate_of(const Sheet& sheet, FaceId id, std::string name, const ToFoldLines& folds,
                double chord) {
   const std::vector<BorderLoop>& loops = sheet[id].loops;

@@ -10,6 +10,10 @@
 #include <string>
 #include <string_view>
 
+// Points of a scan from text, a line each (formats.md#points). Programs write them in many ways: a
+// line whose first three fields each have one comma between digits has decimal commas, elsewhere
+// commas separate. Each line is judged by itself.
+
 namespace planish::job {
 namespace {
 

@@ -5,6 +5,10 @@
 #include <numbers>
 #include <utility>
 
+// The profiles of a transition as polylines to drag. Arcs have a point at each quarter, so extents
+// are exact. A spline is shown as the surface has it: by the border of the mesh nearest to the
+// profile's plane.
+
 namespace planish::job {
 namespace {
 

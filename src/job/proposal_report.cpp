@@ -52,18 +52,17 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
     case Kind::smaller_v:
       return fmt::format("over a V of {} ({})", with_unit(proposal.opening, units), tools);
     case Kind::punch:
-      return fmt::format("with the punch {} besides", tools);
+      return fmt::format("with the additional punch {}", tools);
     case Kind::taller_punches:
-      return fmt::format("with punches {} taller and the upper beam as much higher",
+      return fmt::format("with punches {} taller and the upper beam higher by the same",
                          with_unit(proposal.by, units));
     case Kind::shorter_flange:
       return fmt::format("with {} shorter by {}", flange_name(proposal),
                          with_unit(proposal.by, units));
     case Kind::swap:
-      return fmt::format("with {} swapped in the order that was asked for",
-                         fmt::join(bends, " and "));
+      return fmt::format("with {} swapped in the order you gave", fmt::join(bends, " and "));
     case Kind::any_order:
-      return "in another order than was asked for";
+      return "in another order than you gave";
     case Kind::split:
       break;
   }

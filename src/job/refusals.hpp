@@ -9,25 +9,25 @@
 /// The sentences with which `job` refuses.
 namespace planish::refuse {
 
-constexpr Refusal overlap_too_large{
-    code::overlap,
-    "{@part} overlap by {area}, {depth} deep. Corners are mended up to {most_area} and "
-    "{most_depth}."};
-constexpr Refusal relief_took_other{code::pattern_wrong,
-                                    "A relief took {removed} where the sheet has {within}."};
-constexpr Refusal relief_parts_sheet{code::unsupported_shape, "A relief parts the sheet."};
+constexpr Refusal overlap_too_large{code::overlap,
+                                    "{@part} overlap by {area}, {depth} deep, which is more than a "
+                                    "relief may cut away ({most_area} and {most_depth})."};
+constexpr Refusal relief_took_other{
+    code::pattern_wrong,
+    "A relief at {@at} would cut away {removed}, but the sheet has {within} there."};
+constexpr Refusal relief_parts_sheet{code::unsupported_shape,
+                                     "A relief at {@at} would cut the sheet in two."};
 constexpr Refusal volume_wrong{
     code::pattern_wrong,
-    "Flat area at K = ½ times thickness is {ratio} of the solid's volume (1 is right, {allowed} is "
-    "the most it may be off). The pattern cannot be trusted and is not written."};
+    "The flat area at K = ½ times the thickness is {ratio} of the solid's volume; it must be 1 "
+    "within {allowed}. The pattern cannot be trusted and is not written."};
 constexpr Refusal length_wrong{
     code::pattern_wrong,
     "An edge of the solid and its image in the pattern differ in length by {off}. The pattern "
     "cannot be trusted and is not written."};
-constexpr Refusal refold_wrong{
-    code::pattern_wrong,
-    "The refolded contour leaves the solid's edge by {off}. The pattern cannot be trusted and is "
-    "not written."};
+constexpr Refusal refold_wrong{code::pattern_wrong,
+                               "The contour, folded back, misses the solid's edge by {off}. The "
+                               "pattern cannot be trusted and is not written."};
 
 // Requests and their options.
 constexpr Refusal cancelled{code::cancelled, "Cancelled."};
@@ -40,7 +40,7 @@ constexpr Refusal one_k{code::bad_option,
 constexpr Refusal rules_and_none{code::bad_option, "`rules` and `no_rules` contradict each other.",
                                  "Leave one of them out."};
 constexpr Refusal kept_splines{code::bad_option,
-                               "`splines` keep does not go with `r12`, which has no splines.",
+                               "`splines` cannot be keep with `r12`, which has no splines.",
                                "Leave one of them out."};
 constexpr Refusal ticks_alone{code::bad_option, "`tick_length` goes with `bend_marks` ticks.",
                               "Set `bend_marks` to ticks.", "bend_marks", "ticks"};
@@ -56,28 +56,28 @@ constexpr Refusal no_shop_material{
 constexpr Refusal no_material_or_file{
     code::bad_option,
     "The shop profile has no material \"{material}\" and there is no such file: it has {known}."};
-constexpr Refusal name_without_shop{code::bad_option,
-                                    "`{option}` is the name of a material only beside `shop`.",
-                                    "Give the content of the {kind}."};
+constexpr Refusal name_without_shop{
+    code::bad_option, "`{option}` can be the name of a material only together with `shop`.",
+    "Give the content of the {kind}."};
 constexpr Refusal material_unsaid{code::bad_option, "The shop profile has the materials {known}.",
                                   "Choose one with `material`."};
 constexpr Refusal material_not_stocked{
     code::bad_option,
-    "The part is of {material}, which the shop profile does not have; it has {known}.",
+    "The part is made of {material}, which the shop profile does not have; it has {known}.",
     "Choose one with `material`."};
 constexpr Refusal k_of_transition{code::bad_option,
                                   "A transition has no inside radius, so its K is one number.",
                                   "Give it by `k`."};
 constexpr Refusal folder_unsaid{
-    code::invalid_input, "{@field} is missing: the {kind} names the file {file} at {@named}.",
-    "Say in which folder it is."};
+    code::invalid_input, "{@field} is missing, but the {kind} names the file {file} at {@named}.",
+    "Give the folder of that file."};
 constexpr Refusal info_writes_nothing{code::bad_option, "Info writes no files.",
                                       "Leave {@field} out."};
 constexpr Refusal info_makes_nothing{code::bad_option, "Info makes nothing.",
                                      "Ask for it by `info` instead of {@field}."};
 constexpr Refusal not_written_by{code::bad_option,
                                  "{task} cannot write \"{artifact}\"; it writes {known}."};
-constexpr Refusal sheets_of_info{code::bad_option, "{@field} is of info alone.", "Leave it out."};
+constexpr Refusal sheets_of_info{code::bad_option, "{@field} belongs to info.", "Leave it out."};
 
 // Inputs and outputs.
 constexpr Refusal no_json{code::invalid_input, "{file} is not JSON: a number in it is too large."};
@@ -92,8 +92,8 @@ constexpr Refusal output_is_input{code::bad_option,
                                   "Name another file."};
 constexpr Refusal no_folder{code::cannot_write,
                             "Cannot write {file}: there is no folder {folder}."};
-constexpr Refusal two_outputs{code::bad_option, "Two outputs are to be written to {file}.",
-                              "Give each a name of its own."};
+constexpr Refusal two_outputs{code::bad_option, "Two outputs have the name {file}.",
+                              "Give each a different name."};
 constexpr Refusal not_edited{code::bad_option, "This kind of input cannot be edited.",
                              "Leave {@field} out."};
 
@@ -119,17 +119,16 @@ constexpr Refusal not_on_skin{
 constexpr Refusal no_bends{code::bad_option, "There is no {@bend}: the sheet has no bends."};
 constexpr Refusal no_such_bend{code::bad_option, "There is no {@bend}; the bends are {known}."};
 constexpr Refusal no_such_piece{code::bad_option, "`piece` is {piece}; the last piece is {last}."};
-constexpr Refusal not_made{code::bad_option, "{what} cannot be made of this part."};
+constexpr Refusal not_made{code::bad_option, "{what} cannot be made from this part."};
 constexpr Refusal long_order{code::invalid_input,
-                             "{@field} has {count:stroke}; at most {most} are read."};
+                             "{@field} has {count:stroke}; at most {most} are allowed."};
 
 // Results.
 constexpr Refusal cannot_bend{code::cannot_bend, "{sentence}."};
 constexpr Refusal unfolding_crashed{code::crashed, "Unfolding it crashed ({reason})."};
-constexpr Refusal step_is_wrong{
-    code::internal,
-    "The folded solid has {solid:9} and, read back from its STEP text, {written:9}: a file of it "
-    "would be wrong."};
+constexpr Refusal step_is_wrong{code::internal,
+                                "The folded solid has a volume of {solid:9}, but of {written:9} "
+                                "when it is read back from STEP, so the file would be wrong."};
 constexpr Refusal pattern_overlaps{code::overlap, "{what}.",
                                    "Set `write_overlapping` to write the pattern anyway."};
 constexpr Refusal pattern_overlaps_more{code::overlap, "{what}, and at {more:more place}.",
@@ -154,8 +153,8 @@ constexpr Refusal many_strips_short{
 
 // Plates files.
 constexpr Refusal same_plate_id{code::invalid_input,
-                                "{@field} is \"{id}\", as is that of {@other}.",
-                                "Give each plate its own."};
+                                "{@field} is \"{id}\", and so is the id of {@other}.",
+                                "Give each plate a different id."};
 constexpr Refusal many_plates_of_bend{
     code::invalid_input,
     "{@field} names {count} plates: a bend joins two, has a free end (one id) or is a section by "
@@ -166,7 +165,7 @@ constexpr Refusal edge_listed_twice{code::invalid_input,
                                     "{@field} is {edge}, which is already in the list."};
 constexpr Refusal not_of_this_bend{code::invalid_input,
                                    "{@field} is not a plate of this bend, which has {known}."};
-constexpr Refusal two_radii{code::invalid_input, "{@field} is given besides inside_radius.",
+constexpr Refusal two_radii{code::invalid_input, "{@field} and inside_radius are both given.",
                             "Give only one of them."};
 constexpr Refusal angle_of_nothing{
     code::invalid_input, "{@field} is 0, which bends nothing.",
@@ -195,7 +194,7 @@ constexpr Refusal x_along_normal{code::invalid_input, "{@field} is parallel to t
 constexpr Refusal no_such_strip{code::invalid_input,
                                 "{@field} is {strip}; it must be from 0 to {last}."};
 constexpr Refusal strip_end_twice{code::invalid_input,
-                                  "{@field} is {strip}, whose end is given already."};
+                                  "{@field} is {strip}, the same strip as in an earlier end."};
 constexpr Refusal panel_of_symmetric{
     code::invalid_input,
     "{@field} is given, but the other half of a symmetric sheet is its mirror image.",

@@ -13,6 +13,12 @@
 #include <algorithm>
 #include <cmath>
 
+// Reliefs in a pattern (math.md#reliefs, shop-floor.md#bend-relief): at corners that overlap,
+// beside bends, and slits that get a width. After each cut the area that went is that of the faces
+// within it, and the sheet is one piece; else it is not made. One cut changes what its neighbours
+// lack, so these are found again each round. If a relief turns out useless, all are made anew
+// without it.
+
 namespace planish::job {
 namespace {
 

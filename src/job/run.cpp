@@ -10,12 +10,16 @@
 #include <mutex>
 #include <shared_mutex>
 
+// A request from JSON to report and artifacts, in this process or in a copy of it. The copy would
+// find every lock that another thread holds taken for ever, so it is made only while nobody works
+// here (decisions/0009-work-runs-in-a-process-of-its-own.md). A refusal is an error that has
+// something to show.
+
 namespace planish::job {
 using namespace process;
 namespace {
 
-/// Held by those who work in this process; by who copies it, alone: the copy would find every lock
-/// taken for ever that a thread of this process holds.
+/// Held by those who work in this process, alone by who copies it.
 std::shared_mutex& working_here() {
   static auto* const one = new std::shared_mutex();
   return *one;

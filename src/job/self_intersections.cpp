@@ -15,6 +15,11 @@
 #include <optional>
 #include <utility>
 
+// Where the folded sheet runs through itself (math.md#self-intersection). A look at the faces of
+// the sheet saves meshing most bodies; what it suspects is measured on triangles of the solid,
+// there only. Developing the centre of shared space back tells which parts meet; each pair is one
+// finding, the deepest first.
+
 namespace planish::job {
 using namespace schema;
 namespace {
@@ -115,7 +120,6 @@ std::vector<Box3> places_of(const std::vector<MeetingFaces>& meetings, double th
 std::vector<Finding> self_intersections(const Report& report, const FoldedBody& folded) {
   if (report.sheet.bends.empty()) return {};
   const double thickness = report.sheet.thickness, depth = contact_depth(thickness);
-  // To mesh a body takes longer than to recognise its sheet, and most need not be.
   const auto meetings = meeting_faces(folded.sheet, depth);
   if (meetings.empty()) return {};
   const auto surface = body_faces_mesh(folded.body, kChord);

@@ -13,8 +13,8 @@
 namespace planish::say {
 
 constexpr std::string_view mended_corner =
-    "{@part} overlap by {area} in the flat pattern; a {shape} of {length:3} by {width:3} is cut "
-    "there: draw a relief at least {least_width:3} wide and {least_depth:3} deep";
+    "{@part} overlap by {area} in the flat pattern, so a {shape} of {length:3} by {width:3} is cut "
+    "there; draw a relief at least {least_width:3} wide and {least_depth:3} deep instead";
 constexpr std::string_view
     relief_cut_beside = "a {shape} of {length:3} by {width:3} is cut beside {@bend}";
 constexpr std::string_view reliefs_cut_beside =
@@ -24,31 +24,31 @@ constexpr std::string_view
     rips_cut = "{ripped:slit is cut as a rip/slits are cut as rips} {width:3} wide";
 constexpr std::string_view rips_left_out =
     "{ripped:slit is cut as a rip/slits are cut as rips} {width:3} wide; {left:stays a line/stay "
-    "lines}, as a rip there would meet another or part the sheet";
+    "lines}, because a rip there would meet another or cut the sheet in two";
 constexpr std::string_view no_rips_cut =
-    "rips {width:3} wide would meet others or part the sheet: {left:slit stays a line/slits stay "
-    "lines}";
+    "rips {width:3} wide would meet others or cut the sheet in two, so {left:slit stays a "
+    "line/slits stay lines}";
 
 constexpr std::string_view
-    volume_off = "flat area at K = ½ times thickness is {ratio:7} of the solid's volume";
+    volume_off = "the flat area at K = ½ times the thickness is {ratio:7} of the solid's volume";
 constexpr std::string_view
     because_of_forms = "; the sheet has {forms}, which a flat pattern only outlines";
 constexpr std::string_view without_forms = "; without them it is {explained:7}";
 constexpr std::string_view slanted_or_missed =
-    "; cut edges that are not normal to the sheet, or a missed feature, cause this";
+    "; the cause is a missed feature, or cut edges that are not normal to the sheet";
 constexpr std::string_view slanted_cuts =
     "{count:cut edge} {are} not normal to the sheet; the pattern follows one skin "
     "there";
-constexpr std::string_view
-    pilot_holes = "{count:hole} {are} cut smaller than in the solid, from which the form is drawn";
+constexpr std::string_view pilot_holes =
+    "{count:hole} {are} cut smaller than in the solid, because the form is drawn out of the rest";
 constexpr std::string_view uncut_openings =
     "{count:opening} of the solid, within formed features or between edges that touch, {are} not "
     "cut";
 constexpr std::string_view folded_unmade =
-    "no folded solid could be made, so neither the volume nor that it does not run through itself "
-    "is verified: {reason}";
-constexpr std::string_view
-    folded_untested = "whether the folded solid runs through itself is not known: {reason}";
+    "no folded solid could be made, so its volume is not checked, nor whether it runs through "
+    "itself: {reason}";
+constexpr std::string_view folded_untested =
+    "the folded solid may run through itself, which could not be checked: {reason}";
 constexpr std::string_view
     file_missing = "no {what} could be made, so its file is not written: {reason}";
 
@@ -56,7 +56,7 @@ constexpr std::string_view length_off =
     "an edge of the solid and its image in the pattern differ in length by {off}, more than "
     "{allowed}";
 constexpr std::string_view
-    refold_off = "the refolded contour leaves the solid's edge by {off}, more than {allowed}";
+    refold_off = "the contour, folded back, misses the solid's edge by {off}, more than {allowed}";
 constexpr std::string_view
     extra_openings = "the solid has {solid:opening}, the pattern {pattern}: {extra} too many";
 constexpr std::string_view
@@ -75,10 +75,10 @@ constexpr std::string_view strips_press =
     "{pair} need the same space, {depth:3} deep or more: move their curves apart, or chamfer their "
     "edges";
 constexpr std::string_view seam_edges =
-    "the seam lies in a fold, where square edges meet inside first, {depth:3} deep: bevel them, or "
-    "put the seam elsewhere";
-constexpr std::string_view no_gauge_edge =
-    "no straight edge lies parallel to the bend line for the fingers of the back gauge: {@bend}";
+    "the seam lies in a fold, where square edges meet on the inside first, {depth:3} deep: bevel "
+    "them, or move the seam";
+constexpr std::string_view
+    no_gauge_edge = "the back gauge finds no straight edge parallel to the bend line of {@bend}";
 
 }  // namespace planish::say
 

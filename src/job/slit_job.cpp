@@ -14,6 +14,12 @@
 
 #include <algorithm>
 
+// A slit file to its report. Strips are solved coarse first, each subdivision from the solution
+// before (math.md#subdivision), then laid flat and certified. Facets keep the coordinates of the
+// sheet that was cut, so one motion must map them all; `flat_deviation` is what is left. Scans
+// placed roughly and strips follow each other until both are still. A strip that misses its end
+// refuses the sheet.
+
 namespace planish::job {
 namespace {
 
@@ -25,8 +31,6 @@ Result<void> solve(SlitSession& session, const Progress& progress) {
   return done ? Result<void>() : pass_on(done);
 }
 
-/// Scans lie only roughly where the sheet is: the strips follow them as far as they can, then the
-/// scans move to the strips, and so on until both agree.
 Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
   constexpr int kRounds = 30;
   const double still = 1e-4 * session.design().sheet.reach();
@@ -110,7 +114,7 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
   return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
 }
 
-/// Findings about strips that end where they must.
+/// Findings about strips that end where they must. They count from 1, as all messages do.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
     report.findings.push_back(
@@ -121,13 +125,15 @@ void add_findings(SlitReport& report) {
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
     if (strip.too_tight)
       add("min_radius",
-          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}, the material allows "
+          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}; the material allows "
                       "{:.4g} mm",
-                      i, strip.min_radius, strip.tightest_ridge, report.design.sheet.min_radius()),
+                      i + 1, strip.min_radius, strip.tightest_ridge + 1,
+                      report.design.sheet.min_radius()),
           i, strip.tightest_ridge);
     for (const int other : strip.crosses)
       add("strips_cross",
-          fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, other),
+          fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i + 1,
+                      other + 1),
           i, last / 2);
     constexpr double kFarOff = 0.1;  // of the strip's length
     if (const double reach = length_of(report.design.sheet, i);
@@ -135,19 +141,18 @@ void add_findings(SlitReport& report) {
       add("scan_far",
           fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their "
                       "units, their position and the strip that they belong to",
-                      i, strip.scan_distance),
+                      i + 1, strip.scan_distance),
           i, last);
     if (strip.crosses_plane)
-      add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
+      add("strips_cross", fmt::format("strip {} runs through its mirror image", i + 1), i, last);
     if (strip.status == StripStatus::open)
       add("not_converged",
-          fmt::format("strip {} is not finished; it ends where it must, but could be smoother", i),
+          fmt::format("strip {} ends where it must, but is not finished and could be smoother",
+                      i + 1),
           i, last / 2);
   }
 }
 
-/// The flat coordinates of every facet are those of the sheet that was cut, so a single motion must
-/// map them all.
 double flat_deviation(const Sheet& sheet, const Layout& layout) {
   double largest = 0.0;
   for (const FaceId id : sheet.faces.ids())

@@ -80,7 +80,7 @@ std::string strip_table(const SlitReport& report, const Units& units) {
                {"iterations", Table::Align::right}});
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
-    table.add({std::to_string(i), std::string(status_word(strip.status)),
+    table.add({std::to_string(i + 1), std::string(status_word(strip.status)),
                units.tiny_text(strip.gap), radius_text(strip.min_radius, units),
                units.length_text(strip.seat_distance), units.length_text(strip.anchor_distance),
                units.length_text(strip.scan_distance), std::to_string(strip.iterations)});

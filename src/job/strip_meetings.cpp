@@ -12,6 +12,11 @@
 #include <map>
 #include <utility>
 
+// Strips that need the same space. There is no solid, so the blocks of their faces are tested at
+// growing shares of the thickness, and a pair counts as deep as the last that found it
+// (math.md#self-intersection). At the last share strips run through each other; below, the edges of
+// neighbours press on each other, which is information.
+
 namespace planish::job {
 namespace {
 

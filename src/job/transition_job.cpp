@@ -10,19 +10,23 @@
 
 #include <fmt/format.h>
 
+// A transition to its report, piece by piece. The folded solid comes from sheets of its own, with
+// tips cut off and the seam open (transition.md#output), so where it fails the net is still
+// written. Tolerances follow the use: nets are compared with closed forms, solids written to a
+// micrometre, drafts only seen.
+
 namespace planish::job {
 using namespace shop;
 namespace {
 
-/// Outlines are this accurate because nets are compared with closed forms and with each other (mm).
+/// Of outlines (mm).
 constexpr double kNetOutline = 1e-7;
 
 /// A curve within this of a line, an arc or a point becomes one (mm); more than the rounding of a
 /// cone's image near its apex.
 constexpr double kMerged = 5e-7;
 
-/// Splines of solids are only accurate to a micrometre anyway; this share of the extent costs less
-/// to write.
+/// Of solids, a share of the extent.
 constexpr double kFolded = 1e-8;
 
 /// A share of the extent too small to see.

@@ -68,7 +68,7 @@ Maker transition_maker() {
       .input = "transition",
       .format = "planish/transition",
       .mark = "from",
-      .examples = {{"planish transition spec.json", "joins two profiles, and lays the net"}},
+      .examples = {{"planish transition spec.json", "joins two profiles, and makes the net"}},
       .help = kTransitionHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
       .options = with_bending_options({{"units", "that of the transition file"},

@@ -25,8 +25,7 @@ UnfoldReport begun(const Body& body, const Request& request) {
 
 std::string note_of_rips(const std::vector<int>& edges) {
   return fmt::format(
-      "The part is cut open along {} {}; walls that were folded sharply there meet "
-      "by their inside edges.",
+      "The part is ripped along {} {}; walls folded sharply there meet by their inside edges.",
       edges.size() == 1 ? "edge" : "edges", fmt::join(edges, ", "));
 }
 

@@ -13,6 +13,11 @@
 #include <algorithm>
 #include <cmath>
 
+// What a certificate means (math.md#certificate, cli.md#unfold): a residual beyond its first bound
+// is a finding with its place, beyond the second the pattern is refused as wrong. The volume
+// without forms decides if they could be measured, else the whole, with a wider bound. A ratio that
+// is not a number refuses.
+
 namespace planish::job {
 namespace {
 

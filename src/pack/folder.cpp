@@ -9,6 +9,10 @@
 #include <set>
 #include <sstream>
 
+// The files of a pack, and those of an earlier one. A name is recorded before its file is written,
+// so even after a crash the next pack knows all it may remove: recorded files that it did not write
+// again. Names that lead out of the folder are never removed, whatever the record says.
+
 namespace planish::pack {
 namespace {
 

@@ -10,6 +10,10 @@
 
 #include <algorithm>
 
+// A table that gives parts their material: the first row that matches a part's name and colour is
+// used. Patterns have * and ?; on a mismatch the last * takes one more letter, so matching takes no
+// more than the product of both lengths, whatever the pattern.
+
 namespace planish::pack {
 namespace {
 

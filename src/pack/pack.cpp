@@ -14,6 +14,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+// A production pack (pack.md): a batch that keeps reports, shapes and views, then everything that a
+// shop needs, written from it. All tables are read first, so a fault in one costs no work. Patterns
+// are drawn from the batch's shapes, not made again, so other materials, rates or sheets cost
+// seconds. A batch that is given is used as it is.
+
 namespace planish::pack {
 namespace {
 

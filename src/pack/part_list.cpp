@@ -17,6 +17,11 @@
 #include <set>
 #include <tuple>
 
+// The parts of a batch as a shop counts them. Pieces of one material with the same pattern and
+// bends are one part, with the sum of their quantities; the first describes it. The list is sorted
+// by material, thickness and name, and files are named in that order. An unknown mass stays
+// unknown.
+
 namespace planish::pack {
 namespace {
 

@@ -22,7 +22,8 @@ constexpr Refusal bad_density{
 // Parts and files.
 constexpr Refusal piece_unread{code::cannot_read, "{folder}: {reason}", "Run the batch again."};
 constexpr Refusal zip_too_large{
-    code::cannot_write, "The pack is too large for one zip file, which holds 4 GB and 65535 files.",
+    code::cannot_write,
+    "The pack is too large for a zip file, which holds at most 4 GB and 65,535 files.",
     "Leave out --zip."};
 constexpr Refusal not_deflated{code::internal, "Zlib could not deflate a file of the pack."};
 

@@ -10,6 +10,10 @@
 
 #include <map>
 
+// Each group of one material and thickness is nested by itself on sheets from stock; `nest` numbers
+// parts within the group, the list as a whole. What fits on no sheet becomes a note with the size
+// it needs, and the rest is laid.
+
 namespace planish::pack {
 
 Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
@@ -35,8 +39,8 @@ Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
     for (const TooLarge& large : nesting->too_large) {
       const PackPart& part = list.parts[group.first + static_cast<std::size_t>(large.part)];
       result.notes.push_back(
-          fmt::format("{} is on no sheet of {:g} × {:g} mm: with its margin it needs {:.1f} × "
-                      "{:.1f} mm",
+          fmt::format("{} does not fit on a sheet of {:g} × {:g} mm: with its margin it needs "
+                      "{:.1f} × {:.1f} mm",
                       part.stem, stock.length, stock.width, large.needed.x(), large.needed.y()));
     }
   }

@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <limits>
 
+// A ZIP archive in memory (APPNOTE.TXT 6.3.3): local headers with the deflated files, the central
+// directory, its end. Times are the first that the format knows, so the same files give the same
+// bytes. There is no ZIP64: more than 4 GiB or 65,535 files are refused.
+
 namespace planish::pack {
 namespace {
 

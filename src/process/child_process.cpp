@@ -13,6 +13,12 @@
 #include <cstring>
 #include <thread>
 
+// A question to a child process, and how it ended if no answer came. Whatever goes wrong kills the
+// child, so no state is left between questions. The cause is told by the first sign: the time was
+// over, the parent cancelled, the answer was damaged; else the process is waited for, and its
+// signal or the assertion in its last words says why. A kill from outside mostly is the system's,
+// where memory runs short.
+
 namespace planish::process {
 namespace {
 
@@ -36,7 +42,6 @@ ChildEnd end_of(const siginfo_t& info, const std::string& said) {
   }
   const int signal = info.si_status;
   end.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP;
-  // Mostly it is the system that ends it so, where its own memory runs short.
   if (signal == SIGKILL) end.cause = Cause::out_of_memory;
   end.reason = lower_case(strsignal(signal));
   return end;

@@ -11,6 +11,11 @@
 #include <exception>
 #include <new>
 
+// The child's side: it answers questions until its socket closes. It dies with its parent, leaves
+// Ctrl-C to it, has no handlers of the process that it was copied from, and is limited in memory.
+// An exception is an answer too. Each new stage is told at once, so that the parent knows where a
+// crash came; shares within one stage only at a pace.
+
 namespace planish::process {
 namespace {
 

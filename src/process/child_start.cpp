@@ -19,6 +19,11 @@
 #include <utility>
 #include <vector>
 
+// How a child process starts: as a copy of this one, or as the program again. Its descriptors are
+// standard input, nowhere, its errors and the socket, and no others, so nothing that the parent
+// holds open stays open in it. The program is started by a thread that lasts, because Linux ends a
+// child with the thread that started it, not with the process.
+
 namespace planish::process {
 namespace {
 

@@ -9,6 +9,12 @@
 #include <cerrno>
 #include <cstring>
 
+// Messages over a socket: a byte for the kind, the length, then texts, each after its own length.
+// Neither side trusts the other: a kind that is none, a length beyond a gigabyte or texts that do
+// not fill it are a damaged message, and memory is taken in pieces, as bytes come. While one side
+// waits it looks at the time, asks whether to stop, and keeps the end of what the child says on
+// standard error.
+
 namespace planish::process {
 namespace {
 

@@ -10,10 +10,10 @@ constexpr Refusal not_started{code::internal, "No process could be started: {rea
 // How a child ended.
 constexpr Refusal child_cancelled{code::cancelled, "Cancelled."};
 constexpr Refusal child_out_of_time{code::out_of_time, "{input} was given up after {time}{during}.",
-                                    "Allow a longer time, or take a part of it."};
+                                    "Allow more time, or divide the input."};
 constexpr Refusal child_out_of_memory{code::out_of_memory,
                                       "{input} needs more memory than {memory}{during}.",
-                                      "Allow more, or take a part of it."};
+                                      "Allow more, or divide the input."};
 constexpr Refusal child_crashed{code::crashed, "The work on {input} crashed{during} ({reason}).",
                                 "Damaged files make the CAD kernel do that, so check the file in a "
                                 "CAD program and export it again."};

@@ -1,5 +1,10 @@
 #include <planish/process/worker.hpp>
 
+// A process kept from task to task. One that failed is not asked again: the next task starts
+// another. With a time for each step, every note of the child begins it anew; the wait is then
+// ended by cancelling, which is told as lateness unless somebody did cancel. Another thread may
+// kill it at any time, so a task holds the child that it asked.
+
 namespace planish::process {
 
 Starting program_again(std::vector<std::string> arguments,

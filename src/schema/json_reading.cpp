@@ -8,6 +8,11 @@
 
 #include <set>
 
+// A JSON document that is read through its schema. Parsing and checking happen once, in the
+// constructor, and the first mistake is kept; after one every value reads as nothing, so parsers
+// need no checks in between. Values that were left out read as their defaults, and lengths come in
+// mm. Only keys that the schema has can be read.
+
 namespace planish::schema {
 namespace {
 

@@ -15,7 +15,7 @@ constexpr Refusal is_step{code::invalid_input, "{what} is not JSON: it is a STEP
 constexpr Refusal parser_refuses{code::invalid_input, "{what} is not JSON: {reason}."};
 constexpr Refusal too_deep{code::invalid_input,
                            "{what} is nested more than {most} deep in {@line}, column {column}.",
-                           "Leave out what is inside."};
+                           "Nest it less deeply."};
 constexpr Refusal repeated_key{code::invalid_input,
                                "{what} has the key \"{key}\" twice in one object.",
                                "Keep only one of them."};
@@ -30,7 +30,7 @@ constexpr Refusal must_be_one_of{code::invalid_input, "{@field} must be one of {
 constexpr Refusal key_missing{code::invalid_input, "{@field} is missing."};
 constexpr Refusal unknown_key{code::invalid_input, "{@field} is not a known key.",
                               "The keys known here are {keys}."};
-constexpr Refusal too_far{code::invalid_input, "{@field} is farther than 1,000 km away.",
+constexpr Refusal too_far{code::invalid_input, "{@field} is more than 1,000 km from the origin.",
                           "Move the parts to the origin."};
 constexpr Refusal no_direction{code::invalid_input,
                                "{@field} is [0, 0, 0], which has no direction."};

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+// The parts that schemas are made of, each with the words that a message says of it: "must be a
+// whole number of at least 1". One description serves reading, checking and the printed JSON
+// Schema, so they cannot disagree.
+
 namespace planish::schema {
 namespace {
 

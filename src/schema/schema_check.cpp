@@ -9,6 +9,11 @@
 #include <algorithm>
 #include <cmath>
 
+// The first mistake in a JSON value, found depth first, with its pointer. Where a schema has
+// branches, the value chooses one by its type or key and only that one complains, so the message
+// fits what was meant. Unknown keys are told before missing ones, because a misspelt key is why
+// another is missing. Limits of lengths are in mm, values in the unit of the file.
+
 namespace planish::schema {
 namespace {
 

@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+// A schema as JSON Schema (draft 2020-12). What that language cannot say, such as the unit of a
+// length, stands in keys of its own (cli.md#schema), which other validators ignore.
+
 namespace planish::schema {
 namespace {
 

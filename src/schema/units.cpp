@@ -1,3 +1,4 @@
+#include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
 #include <planish/schema/units.hpp>
 
@@ -24,6 +25,6 @@ std::string Units::area_text(double mm2) const {
 
 std::string Units::short_text(double mm) const { return trimmed_number(length(mm), decimals()); }
 
-std::string Units::tiny_text(double mm) const { return fmt::format("{:.1e}", length(mm)); }
+std::string Units::tiny_text(double mm) const { return number_text(length(mm), 2); }
 
 }  // namespace planish::schema

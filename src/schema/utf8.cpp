@@ -3,6 +3,10 @@
 
 #include <array>
 
+// Text as code points; a byte that begins none stands for itself, marked as invalid, so that
+// nothing is lost and nothing is misread. Encodings longer than need be, surrogates and numbers
+// beyond Unicode are invalid, as the standard says (RFC 3629).
+
 namespace planish::schema {
 namespace {
 

@@ -11,6 +11,12 @@
 #include <algorithm>
 #include <utility>
 
+// What is said over standard input and output: JSON-RPC, and Model Context Protocol on top of it
+// (serve.md). Requests are read one after the other and answered in any order. Each with an id has
+// one answer, or none once the client says that it wants none; so an id in use is refused, and a
+// cancelled request answers at once. Files are written after the work, unless it was cancelled at
+// the last moment.
+
 namespace planish::serve {
 namespace {
 
@@ -26,7 +32,7 @@ std::optional<RpcError> mistake_in(const Json& message) {
   const auto invalid = [](const char* sentence, const char* where) {
     return wrong(RpcCode::invalid_request, sentence, where);
   };
-  if (!message.is_object()) return invalid("a request is a JSON object", "");
+  if (!message.is_object()) return invalid("a request must be a JSON object", "");
   if (message.value("jsonrpc", Json()) != "2.0")
     return invalid("/jsonrpc must be \"2.0\"", "/jsonrpc");
   if (!message.contains("method") || !message["method"].is_string())
@@ -101,7 +107,7 @@ void Conversation::take(const std::string& message) {
   if (!json.is_array()) return take_one(json, single_sink(writer_));
   if (json.empty())
     return writer_.send(
-        response(kNoId, wrong(RpcCode::invalid_request, "a list of requests is not empty")));
+        response(kNoId, wrong(RpcCode::invalid_request, "a list of requests must not be empty")));
   const Sink sink = list_sink(writer_, json.size());
   for (const Json& one : json)
     take_one(one, sink);
@@ -138,7 +144,7 @@ void Conversation::take_request(const Call& call) {
   const auto answer = [&](const Json& result) { call.sink(response(*call.id, text_of(result))); };
   if (shut_down_)
     return call.sink(response(
-        *call.id, wrong(RpcCode::invalid_request, "after `shutdown` there is only `exit`")));
+        *call.id, wrong(RpcCode::invalid_request, "after `shutdown` only `exit` is accepted")));
   if (call.method == "ping") return answer(Json::object());
   if (call.method == "shutdown") {
     shut_down_ = true;
@@ -230,7 +236,7 @@ void Conversation::begin_work(const Call& call, const Tool& asked, Json paramete
     if (!at_work_.emplace(text_of(*call.id), AtWork{ticket}).second)
       return call.sink(response(
           kNoId, wrong(RpcCode::invalid_request,
-                       fmt::format("the id {} is that of a request that is not answered yet",
+                       fmt::format("the id {} belongs to a request that is not answered yet",
                                    text_of(*call.id)),
                        "/id")));
     if (wording.progress)

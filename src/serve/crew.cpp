@@ -8,6 +8,11 @@
 #include <string>
 #include <utility>
 
+// Threads that each keep a process and take the next ticket. A process that ran out of memory may
+// have filled it with earlier requests, so the ticket is tried again in a fresh one; if that too
+// fails, or it failed for any other reason, that is the answer. A new process is started before the
+// next ticket needs it.
+
 namespace planish::serve {
 namespace {
 
@@ -29,7 +34,6 @@ Result<WorkDone> work_on(ServeWorker& worker, process::Limits limits, const Tick
     auto done = worker.work_on(ticket.task, {.time = limits.time, .parent = parent});
     if (done) return std::move(*done);
     const ChildEnd& end = done.error();
-    // It may be what earlier requests left behind that fills its memory.
     const bool full = end.cause == ChildEnd::Cause::out_of_memory && !end.from_outside;
     if (!full || fresh) return tl::unexpected(error_of(end, input, limits));
   }

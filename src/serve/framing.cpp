@@ -11,6 +11,11 @@
 #include <charconv>
 #include <utility>
 
+// Messages from bytes: a line each, or behind headers with their length, as the first bytes tell.
+// What is too long is read to its end and dropped, so the next message is found and memory stays
+// bounded. Reading wakes at a pace to see whether to stop; a closed output is noticed without
+// writing to it.
+
 namespace planish::serve {
 namespace {
 

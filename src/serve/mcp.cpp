@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <array>
 
+// Answers in the form of Model Context Protocol (serve.md#model-context-protocol): tools with their
+// JSON Schemas, results as text for people and as structured content for programs. Versions are
+// dates, so their texts compare; clients from before structured content get it as a second text.
+
 namespace planish::serve {
 namespace {
 

@@ -20,8 +20,8 @@ constexpr Refusal standard_input_taken{
 constexpr Refusal too_long{code::invalid_input, "The message is longer than 256 MiB.",
                            "Give the path of the file instead of its content."};
 constexpr Refusal no_length{code::invalid_input,
-                            "The headers have no Content-Length, so where the next message begins "
-                            "is unknown: this was the last."};
+                            "The headers have no Content-Length, so the next message cannot be "
+                            "found and no more are read."};
 constexpr Refusal no_such_schema{code::bad_option, "There is no schema {name}.",
                                  "Name one of these: {known}."};
 

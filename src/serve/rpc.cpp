@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <mutex>
 
+// Answers in the form of JSON-RPC 2.0. An error is the request's where its place is a field of the
+// request or an option; else the work failed. The answers to a list of requests wait for each
+// other, and a list of notifications has none.
+
 namespace planish::serve {
 namespace {
 

@@ -11,6 +11,10 @@
 #include <malloc.h>
 #endif
 
+// The loop of `planish serve`: read, hand over, until the client says so, the input ends or nobody
+// reads any more. No more is read while many requests wait, so a client that only writes is slowed
+// down and memory stays bounded. At the end of input all that was asked is answered.
+
 namespace planish::serve {
 namespace {
 
@@ -25,7 +29,6 @@ void wait_for(const Conversation& conversation, std::size_t open,
     std::this_thread::sleep_for(kDrainPace);
 }
 
-/// Until there is nothing more to be said.
 void converse(MessageReader& reader, MessageWriter& writer, Conversation& conversation,
               const std::function<bool()>& stopped) {
   while (!conversation.exit_status() && !stopped()) {

@@ -14,6 +14,11 @@
 #include <algorithm>
 #include <map>
 
+// A request in a worker's process. What can be said before the work is said before it: outputs that
+// would replace an input, folders that are missing, standard input, which carries the requests.
+// Artifacts to be written are asked for like others, and an error about one is moved to its place
+// in `write`, in the sentence too. Bytes that are no text go as base64.
+
 namespace planish::serve {
 namespace {
 

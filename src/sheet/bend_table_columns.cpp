@@ -10,6 +10,11 @@
 #include <algorithm>
 #include <numbers>
 
+// Columns of a bend table, as shops name them (formats.md#bend-table). A heading is squeezed to
+// letters and digits and looked up, with a unit in brackets or at its end; columns that are not
+// ours are skipped. Values are then one linear function away from r/t, mm, degrees or K. A header
+// that leaves a value unclear, or gives one twice, is refused.
+
 namespace planish::sheet_detail {
 namespace {
 

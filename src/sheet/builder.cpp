@@ -1,6 +1,10 @@
 #include <planish/base/assert.hpp>
 #include <planish/sheet/builder.hpp>
 
+// The one way to make a sheet. Ids are given in the order of adding and both directions of each
+// reference are set together, so faces and their flange or bend agree. `build` runs the checks of
+// check.cpp; no sheet leaves without them.
+
 namespace planish {
 
 SheetBuilder::SheetBuilder(double thickness, double reference_depth) {

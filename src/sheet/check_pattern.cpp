@@ -10,6 +10,10 @@
 #include <string_view>
 #include <utility>
 
+// The first rule that a flat pattern breaks: loops of finite curves, sizes that are numbers, an
+// angle for each line. Writers and rules rely on it, so their loops need no checks. A rule is a
+// full sentence, its place a JSON pointer or a bend.
+
 namespace planish {
 namespace {
 

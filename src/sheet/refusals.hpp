@@ -86,7 +86,8 @@ constexpr Refusal stop_hole_below_kerf{
 constexpr Refusal slit_opens_twice{
     code::unsupported_shape, "The slit from {@from} to {@to} is open in more than one place."};
 constexpr Refusal slit_too_wide{
-    code::bad_option, "The slit from {@from} to {@to} runs into what is {room} beside it.",
+    code::bad_option,
+    "The slit from {@from} to {@to} is too wide: there is something {room} beside it.",
     "Choose a smaller kerf or stop hole."};
 constexpr Refusal kerf_too_wide{
     code::bad_option, "The kerf of {kerf} is too wide where the slit leaves the sheet at {@at}.",

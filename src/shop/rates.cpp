@@ -10,6 +10,10 @@
 #include <algorithm>
 #include <array>
 
+// Prices from a shop's rates (pack.md#rates): a part costs its setup once, and each piece the sum
+// of what is counted times its rate. Nothing is guessed: a material without rates, or a rate by
+// weight where the mass is unknown, is an error, never a price that is too low.
+
 namespace planish::shop {
 namespace {
 

@@ -11,33 +11,31 @@ namespace planish::refuse {
 constexpr Refusal one_of_k{code::invalid_input,
                            "{@field} must have exactly one of k, deduction and allowance."};
 constexpr Refusal impossible_k{
-    code::invalid_input, "{@field} gives a K-factor of {k}, and K is from 0 to 1.",
+    code::invalid_input, "{@field} gives a K-factor of {k}, but K must be from 0 to 1.",
     "Check it, the angle of {angle}, the inside radius and the thickness."};
-constexpr Refusal same_gauge{
-    code::invalid_input,
-    "{@field} is {thickness}, which cannot be told from the gauge of {other} with a "
-    "thickness_tolerance of {tolerance}.",
-    "Give one of them, or a smaller tolerance."};
+constexpr Refusal same_gauge{code::invalid_input,
+                             "{@field} is {thickness}, too close to the gauge of {other} to tell "
+                             "them apart with a thickness_tolerance of {tolerance}.",
+                             "Give one of them, or a smaller tolerance."};
 constexpr Refusal same_material{code::invalid_input,
-                                "{@field} is \"{name}\", the name of another material too.",
-                                "Give each material a name of its own."};
-constexpr Refusal no_layer_name{
-    code::invalid_input, "{@field} is \"{name}\", which cannot be the name of a layer.",
-    "Use up to {most} letters, digits and signs other than {forbidden}."};
+                                "{@field} is \"{name}\", the name of another material.",
+                                "Give each material a different name."};
+constexpr Refusal no_layer_name{code::invalid_input,
+                                "{@field} is \"{name}\", which cannot be the name of a layer.",
+                                "Use up to {most} ASCII characters, none of {forbidden}."};
 constexpr Refusal cut_and_uncut{
-    code::invalid_input,
-    "{@field} put something that is not cut on \"{layer}\", which has a contour that is cut.",
+    code::invalid_input, "{@field} put lines that are not cut on layer \"{layer}\", which is cut.",
     "Name different layers."};
-constexpr Refusal k_range_reversed{
-    code::invalid_input, "{@field} have k_low {low} above k_high {high}.", "Exchange them."};
+constexpr Refusal k_range_reversed{code::invalid_input,
+                                   "{@field} have k_low {low} above k_high {high}.", "Swap them."};
 constexpr Refusal no_built_in_tool{code::invalid_input,
                                    "{@field} is \"{name}\", which is not a built-in tool.",
                                    "Choose from these: {known}."};
 constexpr Refusal no_tool_named{code::invalid_input, "{@field} must name a tool."};
 
 // Rules and materials.
-constexpr Refusal k_low_too_high{
-    code::invalid_input, "{@field} is {low}, above k_high, which is {high}.", "Exchange them."};
+constexpr Refusal k_low_too_high{code::invalid_input,
+                                 "{@field} is {low}, above k_high, which is {high}.", "Swap them."};
 constexpr Refusal strain_falls{code::invalid_input,
                                "{@field} has a smaller strain than the point before it.",
                                "List the points by growing strain."};
@@ -45,7 +43,8 @@ constexpr Refusal flat_curve{code::invalid_input,
                              "{@field} must reach a strain and a stress above 0."};
 
 // Rates. `file` is their file.
-constexpr Refusal rates_no_object{code::invalid_input, "{file}: the rates file is no JSON object."};
+constexpr Refusal rates_no_object{code::invalid_input,
+                                  "{file}: the rates file is not a JSON object."};
 constexpr Refusal not_rates{
     code::invalid_input,
     "{file}: {@field} is wrong: a rates file has \"format\": \"planish/rates\", \"version\": 1."};
@@ -62,7 +61,7 @@ constexpr Refusal no_rates_of{
     code::bad_option,
     "{file} has no rates for the material \"{material}\" of {part}; it has {known}."};
 constexpr Refusal mass_unknown{code::bad_option,
-                               "The mass of {part} is not known, and {file} asks for its kg.",
+                               "The mass of {part} is not known, but {file} has a rate per kg.",
                                "Give the density of {material} by --materials or --density."};
 
 }  // namespace planish::refuse
@@ -71,20 +70,21 @@ constexpr Refusal mass_unknown{code::bad_option,
 namespace planish::say {
 
 constexpr std::string_view gauge_not_stocked =
-    "{shop} does not stock {material} of {thickness}; the nearest {verb} {nearest}, and K is not "
+    "{shop} does not stock {material} of {thickness}; the nearest {verb} {nearest}, so K is not "
     "the shop's";
 constexpr std::string_view other_radius =
     "{@bend} has an inside radius of {radius}, but the radius of {shop} for {gauge} of {material} "
     "is {usual}";
 constexpr std::string_view other_radii = "{count:bend}: {worst}";
 constexpr std::string_view blank_too_large =
-    "the blank of {length} × {width} does not lie on the largest sheet of {shop}, {most_length} × "
+    "the blank of {length} × {width} does not fit on the largest sheet of {shop}, {most_length} × "
     "{most_width}";
 constexpr std::string_view blank_too_small =
-    "the blank of {length} × {width} is smaller than {shop} cuts, {least_length} × {least_width}";
+    "the blank of {length} × {width} is smaller than the smallest part of {shop}, {least_length} × "
+    "{least_width}";
 constexpr std::string_view
-    too_many_bends = "the part has {count:bend}, and {shop} makes {most} at most";
+    too_many_bends = "the part has {count:bend}, but {shop} makes at most {most}";
 constexpr std::string_view
-    bend_too_long = "{@bend} is {length} long, and {shop} bends {most} at most";
+    bend_too_long = "{@bend} is {length} long, but {shop} bends at most {most}";
 
 }  // namespace planish::say

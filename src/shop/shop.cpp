@@ -10,6 +10,11 @@
 #include <algorithm>
 #include <cmath>
 
+// What a shop profile makes of a part (shop-profiles.md): the nearest gauge within the tolerance,
+// its K, its limits in place of the rules', and findings where the part asks for what the shop does
+// not do. Only bends that take their radius from the tools are compared with the gauge's; hems,
+// folds and rolled bends have their own. The worst bend gives the message.
+
 namespace planish::shop {
 namespace {
 

@@ -9,6 +9,10 @@
 #include <string>
 #include <utility>
 
+// The first rule that a folded slit sheet breaks: numbers are finite, a strip has one ridge more
+// than quadrilaterals, facets name strips that exist, a symmetric sheet has no second panel.
+// Sheets, moulds and meshes made from it rely on this.
+
 namespace planish {
 namespace {
 

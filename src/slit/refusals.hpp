@@ -150,8 +150,8 @@ constexpr Refusal facet_of_no_strip{code::invalid_sheet,
 constexpr Refusal symmetric_second_panel{
     code::invalid_sheet,
     "A symmetric sheet has no second panel except the mirror image of its panel."};
-constexpr Refusal quads_between_ridges{code::invalid_sheet,
-                                       "A strip has quads, one between any two ridges."};
+constexpr Refusal quads_between_ridges{
+    code::invalid_sheet, "A strip has quads, one between each two neighbouring ridges."};
 constexpr Refusal strip_not_finite{code::invalid_sheet, "A strip has finite sizes."};
 
 // Moulds.

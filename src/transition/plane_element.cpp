@@ -5,6 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+// Pieces of a profile as curves with three derivatives: lines, quarters of ellipses, and curves set
+// off outwards (math.md#neutral-profiles). An offset moves along the normal, n = (t_y, −t_x), so
+// its speed grows by d times the rate of the tangent's angle, and its second derivative follows
+// from the curve's third, exactly. Circles stay circles, which solids and closed forms rely on.
+
 namespace planish::transition_detail {
 namespace {
 

@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+// Where curved patches are pressed (transition.md#the-net). A count or a largest angle divides the
+// turn evenly, a chord the longer border; 90° by 10° are 9 lines despite rounding. A patch that a
+// seam divides shares its lines so that the parts add up to the count.
+
 namespace planish::transition_detail {
 namespace {
 

@@ -10,6 +10,11 @@
 #include <cmath>
 #include <string>
 
+// Whether a profile can bound a hull (math.md#lateral-hull): a simple polygon, convex to within
+// rounding, or a spline that turns one way, and curved less than the thickness allows where it is
+// set off inwards. Corners are told as they were given, also where the profile was reversed.
+// Splines are sampled between knots, since their curvature is no closed form.
+
 namespace planish::transition_detail {
 namespace {
 

@@ -22,10 +22,10 @@ constexpr Refusal too_many_press_lines{
 constexpr Refusal frame_not_finite{code::invalid_input,
                                    "A coordinate of the frame is not a finite number.",
                                    "Give it finite numbers."};
-constexpr Refusal too_large{code::invalid_input,
-                            "The profiles are {size} wide or apart; the largest transition has "
-                            "{most}.",
-                            "Check the unit of the file."};
+constexpr Refusal too_large{
+    code::invalid_input,
+    "The profiles are {size} wide or apart, more than the {most} that is possible.",
+    "Check the unit of the file."};
 
 // Profiles. Their points are in their own plane.
 constexpr Refusal few_points{code::too_few_corners,
@@ -35,7 +35,7 @@ constexpr Refusal point_not_finite{code::invalid_input,
                                    "A coordinate of point {point} is not a finite number.",
                                    "Give each point two finite numbers."};
 constexpr Refusal point_repeated{code::repeated_corner,
-                                 "Points {point} and {next} lie at one place, ({x:6}, {y:6}).",
+                                 "Points {point} and {next} lie at the same place, ({x:6}, {y:6}).",
                                  "Leave one of them out; profiles close by themselves."};
 constexpr Refusal profile_crosses_itself{code::self_crossing,
                                          "The profile crosses itself at ({x:6}, {y:6}).",
@@ -56,7 +56,7 @@ constexpr Refusal radius_too_large{
 constexpr Refusal obround_too_short{
     code::invalid_input,
     "The length of {length:6}, over both half circles, is less than the width of {width:6}.",
-    "Exchange them, or set a larger length."};
+    "Swap them, or set a larger length."};
 
 // Seams.
 constexpr Refusal no_such_edge{code::unknown_seam,
@@ -77,7 +77,7 @@ constexpr Refusal no_sides{code::invalid_input,
                            "Make 1 or 2 pieces."};
 
 // Where the profiles lie.
-constexpr Refusal in_one_plane{code::profiles_meet, "Both profiles lie in one plane.",
+constexpr Refusal in_one_plane{code::profiles_meet, "Both profiles lie in the same plane.",
                                "Set their frames apart."};
 constexpr Refusal touches_plane{code::profiles_meet,
                                 "The {which} profile touches the plane of the other at {@at}.",

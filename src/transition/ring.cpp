@@ -4,6 +4,11 @@
 
 #include <limits>
 
+// The surface between two profiles as a ring of patches: profiles set off to the neutral surface
+// (math.md#neutral-profiles), their lateral hull, each patch ruled. Which way the axis points is
+// known only once both profiles are, so they are made twice. On the inside of the sheet no radius
+// may vanish.
+
 namespace planish::transition_detail {
 namespace {
 
@@ -33,8 +38,7 @@ Vec3 middle_of(const Boundary& boundary) {
   return sum / boundary.count();
 }
 
-/// Both boundaries; the first one's axis points to the second, the second one's away from the
-/// first.
+/// The first one's axis points to the second, the second one's away from the first.
 Result<std::array<Boundary, 2>> boundaries_of(const TransitionSpec& spec) {
   const double outwards = set_off(spec);
   const auto first = boundary_of(spec.from, outwards, spec.from.frame.z, "/from/profile");

@@ -4,6 +4,11 @@
 #include <array>
 #include <cmath>
 
+// A mesh of the surface without a seam, facets between rulings. A patch has as many as an arc of
+// its widest radius needs to keep within the chord. Points are shared where a side stands still,
+// about a corner, and at the end of the ring, so each side is a closed chain and the mesh has two
+// borders.
+
 namespace planish::transition_detail {
 namespace {
 

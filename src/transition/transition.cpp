@@ -7,6 +7,11 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/transition/transition.hpp>
 
+// A transition from its request to sheets: the ring of patches, seams that cut it into pieces,
+// press lines, names. The net's pieces and the pieces to fold are made from the same ring; only the
+// latter lose tips, where the inside radius would be too small, and are open at a single seam
+// (transition.md#output). A piece that would lose a tenth of its area is refused.
+
 namespace planish {
 namespace {
 

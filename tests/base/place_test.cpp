@@ -26,6 +26,7 @@ TEST(PlaceText, IsWhatPeopleCallIt) {
 TEST(PlaceText, OfAPointIsItsCoordinates) {
   EXPECT_EQ(text_of(place::point(std::array{12.5, 40.0})), "(12.5, 40)");
   EXPECT_EQ(text_of(place::point(std::array{-1.0, 0.25, 3.0})), "(-1, 0.25, 3)");
+  EXPECT_EQ(text_of(place::point(std::array{12.5, -3e-15, 4e-7})), "(12.5, 0, 0)") << "rounding";
 }
 
 TEST(PlaceId, LeavesTheKindAway) {

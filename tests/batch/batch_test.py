@@ -196,8 +196,8 @@ class SharedWork(BatchTest):
         self.batch("in", "-o", "a", "--shard", "1/2")
         self.assertIn("shard 2/2 is missing", self.sentence("--merge", "a", "-o", "m", status=3))
         self.batch("in", "-o", "a", "--shard", "2/2", "--k", "0.3")
-        self.assertIn("not of one batch", self.sentence("--merge", "a", "-o", "m", status=3))
-        self.assertIn("holds no results", self.sentence("--merge", "in", "-o", "m", status=3))
+        self.assertIn("belong to different batches", self.sentence("--merge", "a", "-o", "m", status=3))
+        self.assertIn("holds neither results", self.sentence("--merge", "in", "-o", "m", status=3))
         self.assertFalse((self.dir / "m" / "parts.jsonl").exists())
 
 

@@ -26,6 +26,10 @@
 
 #include <sstream>
 
+// What an independent reader finds in a STEP text, for tests and tools: the kernel reads it, checks
+// it, counts its parts and surfaces and measures it. Nothing that reads or writes parts is used
+// here, so an error there cannot hide.
+
 namespace planish::brep {
 namespace {
 

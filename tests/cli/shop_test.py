@@ -79,7 +79,7 @@ class Shop(CliTest):
         messages = [f["message"] for f in self.findings(self.report(shop(limits=tight)), "shop_limit")]
         self.assertEqual(len(messages), 3, messages)
         self.assertIn("largest sheet of S, 90 mm × 80 mm", messages[0])
-        self.assertIn("smaller than S cuts", messages[1])
+        self.assertIn("smaller than the smallest part of S", messages[1])
         self.assertIn("bend B1 is 60 mm long", messages[2])
         loose = {"sheet": [60.1, 97], "smallest_part": [60, 60], "longest_bend": 60, "most_bends": 1}
         self.assertFalse(self.findings(self.report(shop(limits=loose)), "shop_limit"))
@@ -153,7 +153,7 @@ class Shop(CliTest):
         self.assertAlmostEqual(report["sheet"]["mass"], 7e-6 * report["sheet"]["volume"], places=9)
         self.part_of("brass")
         error = self.refused("unfold", "part.step", "--shop", EXAMPLE, status=2)
-        self.assertIn("the part is of brass, which the shop profile does not have; it has mild steel, aluminium 5754",
+        self.assertIn("the part is made of brass, which the shop profile does not have; it has mild steel, aluminium 5754",
                       error)
 
     def test_gives_way_to_density_where_the_file_names_the_material(self):
@@ -167,7 +167,7 @@ class Shop(CliTest):
         for text, words in (("{", "shop.json:1:1"), ("", "is not JSON"),
                             (shop(gauge={"k": 3}), "shop.json/materials/0/gauges/0/k"),
                             (shop(gauge={"colour": 3}), "shop.json/materials/0/gauges/0/colour"),
-                            (shop(gauge={"k": None, "deduction": 30}), "K is from 0 to 1")):
+                            (shop(gauge={"k": None, "deduction": 30}), "K must be from 0 to 1")):
             self.write("shop.json", text)
             self.assertIn(words, self.refused("unfold", "part.step", "--shop", "shop.json", status=3))
         self.assertIn("none.json", self.refused("unfold", "part.step", "--shop", "none.json", status=3))

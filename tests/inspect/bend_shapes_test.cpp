@@ -53,9 +53,9 @@ TEST(KFactor, IsDoubtedOutsideItsRange) {
   EXPECT_TRUE(findings_of(flat_l(50, 30, {90, 2, 0.2})).empty());
   EXPECT_TRUE(findings_of(flat_l(50, 30, {90, 2, 0.5})).empty());
   EXPECT_THAT(only(findings_of(flat_l(50, 30, {90, 2, 0.19})), "k_factor").message,
-              HasSubstr("K-factor 0.19 (test)"));
+              HasSubstr("K-factor of 0.19 (test)"));
   EXPECT_EQ(only(findings_of(flat_l(50, 30, {90, 2, 0.6})), "k_factor").message,
-            "bend B1 has the K-factor 0.6 (test), outside [0.2, 0.5], the range of measured ones");
+            "bend B1 has a K-factor of 0.6 (test); measured ones lie between 0.2 and 0.5");
 }
 
 TEST(KFactor, IsDoubtedOnceForAllBendsThatHaveIt) {
@@ -64,12 +64,12 @@ TEST(KFactor, IsDoubtedOnceForAllBendsThatHaveIt) {
   test::add_bend(pattern, {Vec2(-40, 0), Vec2(-40, 40)}, {90, 2, 0.7});
   const auto found = findings_of(pattern);
   ASSERT_EQ(found.size(), 2u) << text_of(found);
-  EXPECT_THAT(found[0].message, HasSubstr("2 bends (bend B1 is the first) have the K-factor 0.6"));
+  EXPECT_THAT(found[0].message, HasSubstr("2 bends (bend B1 is the first) have a K-factor of 0.6"));
   ASSERT_EQ(found[0].about.size(), 2u);
   EXPECT_EQ(found[0].about[1].id, Place::Id("B2"));
   EXPECT_EQ(number_of(found[0], "measured"), 0.6);
   EXPECT_EQ(found[0].at.size(), 2u);
-  EXPECT_THAT(found[1].message, HasSubstr("bend B3 has the K-factor 0.7"));
+  EXPECT_THAT(found[1].message, HasSubstr("bend B3 has a K-factor of 0.7"));
 }
 
 }  // namespace

@@ -60,9 +60,10 @@ TEST(CheckRules, TellsARuleInOneFindingWithAllItsPlaces) {
     open(pattern, circular_opening({20.0 + 20 * i, i == 15 ? 5.5 : 6.0}, 3));
   open(pattern, circular_opening({480, 7.5}, 4));
   const Finding found = only(check_rules({}, pattern, strict_rules()), "opening_to_edge");
-  EXPECT_THAT(found.message,
-              HasSubstr("24 openings are too near to the outer edge; the worst: the opening Ø 6 mm "
-                        "at (320, 5.5) is 2.5 mm from"));
+  EXPECT_THAT(
+      found.message,
+      HasSubstr("24 openings are too close to the outer edge; the worst: the opening Ø 6 mm "
+                "at (320, 5.5) is 2.5 mm from"));
   ASSERT_EQ(found.places.size(), 24u);
   EXPECT_EQ(found.at.size(), 24u);
   EXPECT_THAT(found.places.front().message, HasSubstr("(320, 5.5)"));

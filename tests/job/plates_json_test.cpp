@@ -266,7 +266,7 @@ TEST(PlatesJson, RefusesBendsAndEdgesThatCannotBeMeant) {
   expect_mistake("/bends/0/edges/C", {1}, "is not a plate of this bend, which has A and B");
   expect_mistake("/bends/0/edges/A", json::array(), "must be a list of at least 1 edge (leave");
   expect_mistake("/bends/0/edges/A/1", 2, "is 2, which is already in the list");
-  expect_mistake("/plates/1/id", "A", "is \"A\", as is that of /plates/0");
+  expect_mistake("/plates/1/id", "A", "is \"A\", and so is the id of /plates/0");
 }
 
 TEST(PlatesJson, RefusesAFileOfNothing) {

@@ -21,9 +21,8 @@ TEST(ReportText, HasThicknessBlankBendsAndCertificate) {
   EXPECT_THAT(text, HasSubstr("bracket.step: sheet 2 mm (spread 0.000), 2 flanges, 1 bend\n"));
   EXPECT_THAT(text, HasSubstr("blank 100.000 × 60.000 mm, area 5921.5 mm², "
                               "cutting length 320.000 mm outer + 31.416 mm in 1 opening\n"));
-  EXPECT_THAT(text,
-              HasSubstr("certificate: volume 1.000000 (K = ½), edge lengths within 2.0e-13 mm, "
-                        "refold within 3.0e-09 mm\n"));
+  EXPECT_THAT(text, HasSubstr("certificate: volume 1.000000 (K = ½), edge lengths within 2e-13 mm, "
+                              "refold within 3e-09 mm\n"));
   EXPECT_THAT(text, Not(HasSubstr("findings")));
 }
 
@@ -40,7 +39,7 @@ TEST(ReportText, SaysWhatWasNotMeasured) {
   UnfoldReport report = sample_report();
   report.certificate.volume_ratio = kUnmeasured;
   report.certificate.refold_deviation = kUnmeasured;
-  EXPECT_THAT(report_text(report), HasSubstr("volume not measured, edge lengths within 2.0e-13 mm, "
+  EXPECT_THAT(report_text(report), HasSubstr("volume not measured, edge lengths within 2e-13 mm, "
                                              "refold not measured"));
 }
 

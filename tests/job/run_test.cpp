@@ -189,7 +189,7 @@ TEST(Run, ReadsFilesThatAnInputNamesFromItsFolderAlone) {
   const Error error = refused(asked);
   std::filesystem::current_path(before);
   EXPECT_EQ(error.where, "/input/folder");
-  EXPECT_THAT(error.message, HasSubstr("/input/folder is missing: the slit file names the file "));
+  EXPECT_THAT(error.message, HasSubstr("/input/folder is missing, but the slit file names"));
   asked["input"]["folder"] = folder;
   asked["effort"] = "full";  // a draft has little time: a busy machine may leave it unsolved
   EXPECT_NE(done(asked).status, Status::refused);

@@ -111,7 +111,7 @@ TEST(SummaryText, ShowsCertificatesAndReasons) {
   const std::string text = summary_text({sample_report(), refused_report()});
   EXPECT_THAT(text, HasSubstr("1 of 2 different bodies unfolded (4 pieces in all)"));
   EXPECT_THAT(text, HasSubstr("not_a_sheet: no two skins at one distance"));
-  EXPECT_THAT(text, HasSubstr("1.000000  2.0e-13  3.0e-09"));
+  EXPECT_THAT(text, HasSubstr("1.000000  2e-13   3e-09"));
 }
 
 }  // namespace

@@ -98,11 +98,11 @@ TEST(PackCover, TellsSheetsNotesAndWhatWasRefused) {
                   {{"y.step", "", 1}, "overlap", ""}};
   StockSheets stock;
   stock.sheets.push_back({"sheet_S235_2mm_1", "S235", 2.0, {{Placed{}, Placed{}}, 0.4287}});
-  stock.notes = {"huge is on no sheet"};
+  stock.notes = {"huge does not fit on a sheet"};
   const auto said = said_on(cover_of(list, stock, "chairs", ""));
   EXPECT_THAT(said, Contains(AllOf(HasSubstr("sheet_S235_2mm_1"), HasSubstr("2 pieces"),
                                    HasSubstr("42.9 %"))));
-  EXPECT_THAT(said, Contains("huge is on no sheet"));
+  EXPECT_THAT(said, Contains("huge does not fit on a sheet"));
   EXPECT_THAT(said, Contains(AllOf(HasSubstr("x.step: block ×3"), HasSubstr("it is a block"))));
   EXPECT_THAT(said,
               Contains(AllOf(HasSubstr("y.step"), HasSubstr("overlap"), Not(HasSubstr("×")))));

@@ -287,7 +287,7 @@ class Rates(PackTest):
 
     def test_are_read_strictly(self):
         self.angle()
-        for text, what in [("{", "no JSON object"), ('{"materials": {}}', "holds no rates"),
+        for text, what in [("{", "not a JSON object"), ('{"materials": {}}', "holds no rates"),
                            ('{"materials": {"a/b": {"cuts": 1}}}', "/materials/a~1b/cuts is an unknown key"),
                            ('{"materials": {"a": {"cut": -1}}}', "at least 0"),
                            ('{"prices": 1}', "/prices is an unknown key")]:
@@ -337,7 +337,7 @@ class Sheets(PackTest):
     def test_name_what_is_too_large(self):
         self.angle("part.step", leg=300.0)
         out = self.pack("part.step", "-o", "out", "--nest", "400x300")
-        self.assertIn("angle_unknown_2mm_x1 is on no sheet of 400 × 300 mm", out)
+        self.assertIn("angle_unknown_2mm_x1 does not fit on a sheet of 400 × 300 mm", out)
         self.assertEqual(self.table(name="sheets.csv"), [])
 
 

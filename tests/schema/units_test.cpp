@@ -49,7 +49,9 @@ TEST(Units, WriteNoZerosThatSayNothing) {
   EXPECT_EQ(kMillimetre.short_text(0.9784), "0.978");
   EXPECT_EQ(kInch.short_text(12.7), "0.5");
   EXPECT_EQ(kMillimetre.tiny_text(1.23e-13), "1.2e-13");
-  EXPECT_EQ(kInch.tiny_text(2.54e-3), "1.0e-04");
+  EXPECT_EQ(kInch.tiny_text(2.54e-3), "0.0001");
+  EXPECT_EQ(kMillimetre.tiny_text(0.0203), "0.02") << "no exponent where none is needed";
+  EXPECT_EQ(kMillimetre.tiny_text(0.0), "0");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(ParseShop, MeasuresDeductionsBeyondARightAngleAsTheProfileSays) {
   EXPECT_NEAR(k_of(gauge(to_line, R"(, "deduction_to": "mould_line")")), 0.4, 1e-12);
   EXPECT_NEAR(k_of(gauge(to_plane, R"(, "deduction_to": "tangent_plane")")), 0.4, 1e-12);
   // The other reading is 5.9 mm off, and no K gives it.
-  EXPECT_THAT(error_of(profile(gauge(to_plane, ""))).message, HasSubstr("K is from 0 to 1"));
+  EXPECT_THAT(error_of(profile(gauge(to_plane, ""))).message, HasSubstr("K must be from 0 to 1"));
 }
 
 TEST(ParseShop, ReadsLengthsInItsUnit) {
@@ -128,7 +128,7 @@ TEST(ParseShop, SaysWhatIsWrongAndWhere) {
       {profile(R"({"thickness": 2, "inside_radius": 2, "radius": 2, "k": 0.4})"),
        "/gauges/0/radius", ""},
       {profile(std::string(kTwo) + ", " + R"({"thickness": 2.04, "inside_radius": 2, "k": 0.4})"),
-       "/gauges/1/thickness", "cannot be told from the gauge of 2 mm"},
+       "/gauges/1/thickness", "too close to the gauge of 2 mm"},
       {R"({"materials": [{"name": "A", "gauges": [{"thickness": 2, "inside_radius": 2, "k": 0.4}]},
            {"name": "a", "gauges": [{"thickness": 2, "inside_radius": 2, "k": 0.4}]}]})",
        "/materials/1/name", "the name of another material"},

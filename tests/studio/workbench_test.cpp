@@ -97,9 +97,10 @@ TEST(Requests, NameMaterialsOfTheShopAndReadNoFile) {
                                       "\": it has mild steel, aluminium 5754.");
   const auto alone = asked(R"("material": "mild steel")");
   ASSERT_FALSE(alone);
-  EXPECT_EQ(alone.error().message,
-            "`material` is the name of a material only beside `shop`. Give the content of the "
-            "material file.");
+  EXPECT_EQ(
+      alone.error().message,
+      "`material` can be the name of a material only together with `shop`. Give the content of "
+      "the material file.");
   EXPECT_FALSE(asked(R"("k_table": ")" + file + "\""));
 }
 

@@ -13,7 +13,7 @@ export const flatText = (state: State): string => patternText(state) + measuring
 
 const measuringText = ({ measure }: State) =>
   measure.on
-    ? '. Arrow keys go from one thing to the next, Enter picks it, V goes to the other view, Escape ends.'
+    ? '. Arrow keys go from one thing to the next, Enter picks it, V goes to the other view, Escape ends measuring.'
     : '';
 
 function partText(state: State): string {

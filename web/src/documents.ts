@@ -317,7 +317,7 @@ export class Documents {
 /** What is said of files that were dropped with one that was opened. */
 function leftOut(others: string[], points: string[]): string {
   return [
-    ...(others.length ? [`One file at a time: ${others.join(', ')} was left out.`] : []),
+    ...(others.length ? [`One file at a time; left out: ${others.join(', ')}.`] : []),
     ...(points.length ? [`Not opened: ${points.join(', ')}, which the file does not name.`] : []),
   ].join(' ');
 }

@@ -78,11 +78,11 @@ export function flangeLengths(shape: Shape): Map<string, FlangeLength[] | string
 
 /** Why a bend has no outside lengths. */
 const why = {
-  cone: 'The radius of this bend changes along it, so that it has no mould line to measure from.',
-  noMouldLine: 'This bend has no deduction, and so no mould line to measure from.',
-  noFlange: 'This bend has no flange on one of its sides, but another bend or the edge of the sheet.',
-  tapers: 'This bend is wider at one end, so that its flanges have no one length.',
-  oneFlange: 'This bend has one and the same flange on both sides.',
+  cone: 'The radius of this bend changes along it, so it has no mould line to measure from.',
+  noMouldLine: 'This bend has no deduction, so it has no mould line to measure from.',
+  noFlange: 'This bend has no flange on one of its sides: there is another bend, or the edge of the sheet.',
+  tapers: 'This bend is wider at one end, so its flanges have no single length.',
+  oneFlange: 'This bend has the same flange on both sides.',
 };
 
 const same = 0.01; // mm

@@ -5,19 +5,19 @@ import { gaugeText, lengthText } from '../src/units.ts';
 
 test('what cannot be a value is refused with a sentence that says what can be', () => {
   const k = { label: 'K of the part', min: 0, max: 1 };
-  assert.equal(whyNot('5', k), 'K of the part cannot be 5; it is from 0 to 1.');
-  assert.equal(whyNot('abc', k), '“abc” is no number; K of the part needs one.');
+  assert.equal(whyNot('5', k), 'K of the part cannot be 5; it must be from 0 to 1.');
+  assert.equal(whyNot('abc', k), '“abc” is not a number; K of the part needs one.');
   assert.equal(whyNot('', k), 'K of the part needs a number.');
   assert.equal(whyNot('0.3', k), null);
   const thickness = { label: 'Thickness', min: 1e-6, unit: 'mm', digits: 3 };
-  assert.equal(whyNot('-3', thickness), 'Thickness cannot be -3; it is above 0.');
+  assert.equal(whyNot('-3', thickness), 'Thickness cannot be -3; it must be above 0.');
   assert.equal(whyNot('0.5', thickness), null);
-  assert.equal(whyNot('2', { label: 'Strips', min: 3 }), 'Strips cannot be 2; it is at least 3.');
-  assert.equal(whyNot('3.5', { label: 'Strips', whole: true }), 'Strips cannot be 3.5; it is a whole number.');
-  assert.equal(whyNot('x', { label: '0 x', name: 'x of corner 0' }), '“x” is no number; x of corner 0 needs one.');
+  assert.equal(whyNot('2', { label: 'Strips', min: 3 }), 'Strips cannot be 2; it must be at least 3.');
+  assert.equal(whyNot('3.5', { label: 'Strips', whole: true }), 'Strips cannot be 3.5; it must be a whole number.');
+  assert.equal(whyNot('x', { label: '0 x', name: 'x of corner 0' }), '“x” is not a number; x of corner 0 needs one.');
   assert.equal(
     whyNot('91', { label: 'Leans', unit: '°', min: -90, max: 90 }),
-    'Leans cannot be 91; it is from -90° to 90°.',
+    'Leans cannot be 91; it must be from -90° to 90°.',
   );
   assert.match(whyNot('1e12', thickness)!, /larger than anything/);
 });

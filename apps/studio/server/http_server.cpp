@@ -144,7 +144,7 @@ void explain(const httplib::Request& request, httplib::Response& response) {
        response.status == 413
            ? too_large()
            : failure(response.status, response.status == 404 ? "not_found" : "bad_request",
-                     "this is not understood", request.path));
+                     "the request is not understood", request.path));
 }
 
 }  // namespace

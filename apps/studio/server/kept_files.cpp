@@ -63,7 +63,7 @@ Answer KeptFiles::write(const std::string& name, const std::string& bytes) {
   if (bytes.size() > kLargestKept)
     return failure(
         413, "too_large",
-        fmt::format("{} is too large to be kept; {} MiB are the most", name, kLargestKept >> 20),
+        fmt::format("{} is too large to be kept; the limit is {} MiB", name, kLargestKept >> 20),
         name);
   const std::lock_guard lock(mutex_);
   if (folder_.empty()) return cannot_keep(name, "there is no home folder to keep anything in");

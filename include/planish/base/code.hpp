@@ -47,11 +47,11 @@ inline constexpr ErrorCode invalid_input{"invalid_input", ExitStatus::unreadable
 inline constexpr ErrorCode too_few_corners{"too_few_corners", ExitStatus::unreadable,
                                            "a polygon has fewer than three corners"};
 inline constexpr ErrorCode repeated_corner{"repeated_corner", ExitStatus::unreadable,
-                                           "two corners of a polygon lie at one place"};
+                                           "two corners of a polygon coincide"};
 inline constexpr ErrorCode self_crossing{"self_crossing", ExitStatus::unreadable,
                                          "a polygon crosses itself"};
 inline constexpr ErrorCode crashed{"crashed", ExitStatus::unreadable,
-                                   "work in a process of its own ended with a crash"};
+                                   "work in a separate process crashed"};
 // Understood, but no flat pattern exists.
 inline constexpr ErrorCode radius_too_small{"radius_too_small", ExitStatus::refused,
                                             "the sheet is too thick for the radius of a bend"};

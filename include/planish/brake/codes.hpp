@@ -12,7 +12,7 @@ inline constexpr ErrorCode no_straight_bend{
     "no_straight_bend", ExitStatus::refused,
     "no bend has a straight line that a press brake could press"};
 inline constexpr ErrorCode no_tool{"no_tool", ExitStatus::refused,
-                                   "no tool bears this thickness, radius or hem"};
+                                   "no tool suits this thickness, radius or hem"};
 inline constexpr ErrorCode cannot_bend{"cannot_bend", ExitStatus::refused,
                                        "no order of strokes forms all bends with these tools"};
 

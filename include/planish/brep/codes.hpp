@@ -16,7 +16,7 @@ inline constexpr ErrorCode no_solid{"no_solid", ExitStatus::unreadable,
 inline constexpr ErrorCode shell_not_solid{"shell_not_solid", ExitStatus::unreadable,
                                            "the file holds only surfaces or open shells"};
 inline constexpr ErrorCode too_far_away{"too_far_away", ExitStatus::unreadable,
-                                        "coordinates are too large to be computed with"};
+                                        "coordinates are too large to compute with"};
 inline constexpr ErrorCode kernel_failed{"kernel_failed", ExitStatus::unreadable,
                                          "the CAD kernel gave up with an exception"};
 inline constexpr ErrorCode thickness_not_constant{

@@ -24,7 +24,7 @@ class Units {
   std::string area_text(double mm2) const;
   /// Trailing zeros left out: "2", "0.978".
   std::string short_text(double mm) const;
-  /// For residuals: "1.2e-13".
+  /// For residuals: "0.0025", "1.2e-13".
   std::string tiny_text(double mm) const;
 
  private:

@@ -168,9 +168,9 @@ class Unfold(Pattern):
         *SOLID,
         *BENDING,
         ("App::PropertyEnumeration", "Up", "The skin that faces up; auto: the one from which more bends go up", UP),
-        ("App::PropertyEnumeration", "Relief", "How corners without relief are mended whose patterns overlap a little", RELIEF),
-        ("App::PropertyEnumeration", "BendRelief", "What is cut beside bends that lack the relief that the rules ask for", BEND_RELIEF),
-        ("App::PropertyEnumeration", "Extruded", "What is cut of holes through forms", EXTRUDED),
+        ("App::PropertyEnumeration", "Relief", "How to mend corners without relief that overlap a little when flat", RELIEF),
+        ("App::PropertyEnumeration", "BendRelief", "Reliefs to cut beside bends where the rules ask for one", BEND_RELIEF),
+        ("App::PropertyEnumeration", "Extruded", "What is cut for holes through forms", EXTRUDED),
         ("App::PropertyString", "RipEdges", "Edges along which a closed solid is cut open, as its refusal names them: 21,56", ""),
     ]
 

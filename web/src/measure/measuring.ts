@@ -72,9 +72,9 @@ export class Measuring {
       of = this.in(view),
       { first } = state.measure,
       say = (note: string) => this.ui.dispatch({ type: 'note', note });
-    if (!of) return say('Fold the part wholly to measure it here.');
+    if (!of) return say('Fold the part completely to measure it here.');
     if (!ref) return;
-    if (!thingOf(of, view, ref)) return say('That has no one place: pick a flange or an edge beside it.');
+    if (!thingOf(of, view, ref)) return say('That has no single place: pick a flange or an edge beside it.');
     if (first?.view === view && !answerOf(of, { view, a: first.ref, b: isSame(first.ref, ref) ? null : ref }))
       return say('Those two have no distance and no angle: pick something else.');
     this.ui.dispatch({ type: 'note', note: null });

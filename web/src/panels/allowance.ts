@@ -61,13 +61,15 @@ export function allowanceSection(ui: Ui) {
       )}
       <p class="hint">
         ${options.bend_k
-          ? html`${Object.keys(options.bend_k).length} bend(s) have a K of their own.
+          ? html`${ownK(Object.keys(options.bend_k).length)}
               <button class="link" data-testid="bend-k-clear" @click=${() => set({ bend_k: undefined })}>Clear</button>`
           : 'Each bend may have its own: enter it in the bend table.'}
       </p>`,
   )}
   ${massSection(ui)}`;
 }
+
+const ownK = (bends: number) => (bends === 1 ? 'One bend has its own K.' : `${bends} bends have their own K.`);
 
 /** The mass follows from the density: one that is entered, that of the shop's material, or that of the file. */
 export function massSection(ui: Ui) {
@@ -81,7 +83,7 @@ export function massSection(ui: Ui) {
       value: options.density,
       min: 1e-3,
       max: 100,
-      placeholder: densityKnown(ui) ? 'that of the material' : 'unknown',
+      placeholder: densityKnown(ui) ? 'from the material' : 'unknown',
       on: (v) => set(v ?? undefined),
     }),
     html`<span class="chips densities"
@@ -111,8 +113,8 @@ export function shopSection(ui: Ui) {
       'k-rule',
       used ? 'shop' : 'default',
       [
-        ['default', 'those of the file'],
-        ['shop', 'of a shop profile'],
+        ['default', 'from the file'],
+        ['shop', 'from a shop profile'],
       ] as const,
       (v) => chooseRule(ui, v),
     )}
@@ -166,7 +168,7 @@ function fileRow(ui: Ui, kind: FromFile, label: string, accept: string) {
         ? html`<button
             class="link"
             data-testid="${kind}-forget"
-            title="${file.name} is no longer kept on this machine; the part keeps what it has of it"
+            title="Stops keeping ${file.name} on this machine; the part keeps what it took from it"
             @click=${() => ui.dispatch({ type: 'table-forgotten', file })}
           >
             Forget it
@@ -199,7 +201,7 @@ async function useFile(ui: Ui, file: TableFile) {
   try {
     content = contentOf(file);
   } catch (error) {
-    return problem({ code: 'invalid_input', message: `${file.name} is no JSON: ${(error as Error).message}` });
+    return problem({ code: 'invalid_input', message: `${file.name} is not JSON: ${(error as Error).message}` });
   }
   const with_ = (material?: string) => withK(ui.state.input.options, { ...content, material });
   const materials = file.kind === 'shop' ? namesOfMaterials(content.shop?.content) : [],
@@ -251,7 +253,7 @@ function shopRows(ui: Ui) {
         'shop-material',
         material?.name ?? '',
         [
-          ...(material ? [] : [['', settingK ? 'choose …' : 'that of the file'] as const]),
+          ...(material ? [] : [['', settingK ? 'choose …' : 'from the file'] as const]),
           ...shop.materials.map((m) => [m.name, m.name] as const),
         ],
         use,
@@ -295,7 +297,7 @@ function gaugeTable(ui: Ui, shop: Shop, material: ShopMaterial) {
     ${sheet && !own
       ? html`<p class="hint bad" data-testid="no-gauge">
           The part is ${gaugeText(sheet.thickness, pieceOf(ui.state)?.units, ui.state.units)} ${units} thick, which the
-          shop does not stock: its K and radius do not hold.
+          shop does not stock, so its K and radius do not apply.
         </p>`
       : nothing}`;
 }

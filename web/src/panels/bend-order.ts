@@ -34,7 +34,7 @@ export function bendOrder(ui: Ui): TemplateResult {
       : nothing}
     ${old
       ? html`<p class="hint bad" data-testid="order-old">
-          ${order.of === input ? 'Other options are set now' : 'The part has changed since'}: plan again.
+          ${order.of === input ? 'The options have changed' : 'The part has changed since'}: plan again.
         </p>`
       : nothing}
     ${answer ? outcome(ui, answer, old) : html`<p class="hint">${whatItDoes}</p>`}`;
@@ -42,7 +42,7 @@ export function bendOrder(ui: Ui): TemplateResult {
 
 const whatItDoes =
   'Finds the cheapest order in which a press brake can bend the part, and shows each stroke in the machine. ' +
-  'Strokes can then be dragged to another place: each order is checked at once.';
+  'Then drag strokes to try another order; each one is checked at once.';
 
 function brakeSection(ui: Ui) {
   const { brake } = ui.state.order,
@@ -100,7 +100,7 @@ function brakeSection(ui: Ui) {
 
 /** A shop profile may say which of the tools that are built in the shop has. */
 const builtInTools = ({ state }: Ui) =>
-  shopOf(state.input.options)?.tools ? 'those of the shop profile' : 'common European';
+  shopOf(state.input.options)?.tools ? 'from the shop profile' : 'common European';
 
 /** The tools files that were opened on this machine before. */
 function keptTools(ui: Ui) {

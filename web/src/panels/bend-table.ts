@@ -11,10 +11,9 @@ import { refuse, whyNot } from './fields.ts';
 const most = 120;
 const outside =
   'The flanges on both sides, measured outside: from the mould line to the far edge, or to the next mould line if ' +
-  'that is farther; from 180° on from the plane that touches the bend. Under the pointer the flange of a number ' +
-  'lights up';
+  'that is farther; from 180° on from the plane that touches the bend. Point at a number to light up its flange';
 const deduction =
-  'Bend deduction: what the pattern is shorter than both outside lengths together. They are measured to the mould ' +
+  'Bend deduction: how much shorter the pattern is than both outside lengths together. They go to the mould ' +
   'line, where the outside faces would meet, above 90° too; from 180° on, where these do not meet, to the plane that ' +
   'touches the bend';
 

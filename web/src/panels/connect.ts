@@ -183,7 +183,7 @@ function edgesField(row: BendRow, own: BendSpec | undefined, id: string, set: (p
     const input = e.target as HTMLInputElement,
       edges = parseEdges(input.value);
     if (edges === null) {
-      refuse(input, `“${input.value}” names no edges; they are numbers such as 2 3 or 2…9.`);
+      refuse(input, `“${input.value}” is not a list of edges; write numbers such as 2 3 or 2…9.`);
       input.value = text;
       return;
     }

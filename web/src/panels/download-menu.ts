@@ -23,7 +23,7 @@ export function downloadMenu(ui: Ui): TemplateResult {
     html`<button
       data-testid="download-${name}"
       ?disabled=${refused && !isAlways}
-      title=${refused && !isAlways ? 'Refused: there is nothing to write. The reason stands at the top.' : nothing}
+      title=${refused && !isAlways ? 'Refused: there is nothing to write. The reason is at the top.' : nothing}
       @click=${save(name, suffix)}
     >
       ${description}
@@ -37,7 +37,7 @@ export function downloadMenu(ui: Ui): TemplateResult {
         ? html`<p class="hint">Open something first.</p>`
         : html`${refused
             ? html`<p class="hint" data-testid="download-refused">
-                Refused: there is no pattern to write. The reason stands at the top.
+                Refused: there is no pattern to write. The reason is at the top.
               </p>`
             : nothing}
           ${dxf
@@ -68,7 +68,7 @@ function dxfPanel(ui: Ui, maker: MakerRow) {
     takes = (name: keyof DxfChoices) => maker.options.some((o) => o.name === name),
     set = (patch: DxfChoices) =>
       ui.dispatch({ type: 'dxf', dxf: withoutHoles({ ...ui.state.workshop.dxf, ...patch }) });
-  const ofShop = ui.state.input.options.shop ? ([['', 'those of the shop profile']] as const) : [];
+  const ofShop = ui.state.input.options.shop ? ([['', 'from the shop profile']] as const) : [];
   const rows = [
     takes('units') &&
       choice(
@@ -84,7 +84,7 @@ function dxfPanel(ui: Ui, maker: MakerRow) {
         'dxf-release',
         dxf.r12 === undefined ? (ofShop.length ? '' : '2000') : dxf.r12 ? '12' : '2000',
         [
-          ...ofShop.map(([v]) => [v, 'that of the shop profile'] as const),
+          ...ofShop.map(([v]) => [v, 'from the shop profile'] as const),
           ['2000', '2000 (AC1015)'],
           ['12', '12 (AC1009)'],
         ],

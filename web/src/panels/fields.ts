@@ -45,14 +45,14 @@ export function whyNot(entered: string, limits: Limits): string | null {
     size = (v: number) => `${clean(v, digits)}${unit === '°' ? unit : unit ? ` ${unit}` : ''}`,
     nearZero = min !== undefined && min > 0 && Number(clean(min, digits)) === 0;
   if (entered === '') return `${label} needs a number.`;
-  if (!Number.isFinite(value)) return `“${entered}” is no number; ${label} needs one.`;
+  if (!Number.isFinite(value)) return `“${entered}” is not a number; ${label} needs one.`;
   if (!isSound(value)) return `${label} cannot be ${entered}: that is larger than anything in a workshop.`;
-  if (whole && !Number.isInteger(value)) return `${label} cannot be ${entered}; it is a whole number.`;
-  if (nearZero && value < min) return `${label} cannot be ${entered}; it is above 0.`;
+  if (whole && !Number.isInteger(value)) return `${label} cannot be ${entered}; it must be a whole number.`;
+  if (nearZero && value < min) return `${label} cannot be ${entered}; it must be above 0.`;
   if (min !== undefined && max !== undefined && (value < min || value > max))
-    return `${label} cannot be ${entered}; it is from ${size(min)} to ${size(max)}.`;
-  if (min !== undefined && value < min) return `${label} cannot be ${entered}; it is at least ${size(min)}.`;
-  if (max !== undefined && value > max) return `${label} cannot be ${entered}; it is at most ${size(max)}.`;
+    return `${label} cannot be ${entered}; it must be from ${size(min)} to ${size(max)}.`;
+  if (min !== undefined && value < min) return `${label} cannot be ${entered}; it must be at least ${size(min)}.`;
+  if (max !== undefined && value > max) return `${label} cannot be ${entered}; it must be at most ${size(max)}.`;
   return null;
 }
 

@@ -20,7 +20,7 @@ export function findingsList(ui: Ui): TemplateResult {
   if (!state.result) return html`<p class="hint">Findings appear with the full result.</p>`;
   if (findings.length === 0 && isRefused(state))
     return html`<p class="hint" data-testid="no-findings">
-      This was refused, so nothing was looked for. The reason stands at the top, beside “refused”.
+      The part was refused, so it was not checked. The reason is at the top, beside “refused”.
     </p>`;
   if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">No findings.</p>`;
   return html`${severityFilter(ui, findings)}

@@ -74,14 +74,14 @@ export function secondPanel(ui: Ui, spec: SlitSpec) {
         freely.${' '}${add(
           addSecondPanel,
           'Add one',
-          'In reach of all strips; it takes the place of ends that are placed',
+          'Within reach of all strips; it replaces placed ends',
         )}
       </p>`
     : html`<p class="hint">
         It is the mirror image of the
         first.${' '}${add(
           ownSecondPanel,
-          'Give it a form of its own',
+          'Give it its own form',
           'The sheet is no longer symmetric; its seat curve, anchors and scans are left out',
         )}
       </p>`;

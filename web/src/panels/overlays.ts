@@ -13,8 +13,8 @@ const keys: [string, string][] = [
   ['1 2 3 4', 'front, top, right, iso'],
   ['Space', 'fold and unfold; play the strokes'],
   ['Alt ↑, Alt ↓', 'move a stroke in the bend order'],
-  ['Delete', 'remove the plate, anchor or control point that is chosen'],
-  ['M, T', 'move, turn the plate that is chosen'],
+  ['Delete', 'remove the chosen plate, anchor or control point'],
+  ['M, T', 'move or turn the chosen plate'],
   ['Esc', 'clear the selection'],
   ['?', 'this list'],
 ];

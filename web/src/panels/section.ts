@@ -12,7 +12,7 @@ const axes: [SectionAxis, string, string][] = [
   ['x', 'X', 'Across the x axis'],
   ['y', 'Y', 'Across the y axis'],
   ['z', 'Z', 'Across the z axis'],
-  ['view', 'View', 'Across the direction in which one looks now'],
+  ['view', 'View', 'Across the current view direction'],
 ];
 const alongAxis: Record<'x' | 'y' | 'z', Vec3> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 

@@ -117,8 +117,8 @@ const explained: Record<string, string> = {
 function massOf(report: PieceReport | null): string {
   if (typeof report?.sheet?.mass !== 'number') return 'Needs a density: enter one, or choose a material';
   return report.sheet.volume
-    ? 'Volume of the solid, as it is drawn, times density; area times thickness times density differs a little, by K'
-    : 'Area times thickness times density';
+    ? 'Volume of the solid as drawn, times density; area × thickness × density differs a little, because of K'
+    : 'Area × thickness × density';
 }
 
 function kText(report: PieceReport | null): string {

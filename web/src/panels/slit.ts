@@ -66,8 +66,8 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
     const width = sheetWidth(spec),
       high = spec.sheet.panel_height;
     return html`<p class="hint">
-      There is
-      none.${spec.symmetric === false
+      No seat
+      curve.${spec.symmetric === false
         ? ' Seat curves belong to symmetric sheets.'
         : html` <button
             class="link"
@@ -105,7 +105,7 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
 function anchorFields(ui: Ui, spec: SlitSpec) {
   const anchors = spec.anchors ?? [];
   return html`<p class="hint">
-      Click the end of a ridge in the folded view to hold it; drag the ball; Delete removes it.
+      Click the end of a ridge in the folded view to anchor it; drag the ball to move it; Delete removes it.
     </p>
     ${anchors.map((a, i) => anchorBlock(ui, spec, a, i))}`;
 }
@@ -116,7 +116,7 @@ function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
     testid: `anchor-${i}`,
     head: {
       name: i + 1,
-      said: `strip ${a.strip}, ridge ${a.ridge}, ${a.side ?? 'left'}`,
+      said: `strip ${a.strip + 1}, ridge ${a.ridge + 1}, ${a.side ?? 'left'}`,
       aside: a.at.map((v) => lengthText(v, spec.units, ui.state.units)).join(' · '),
     },
     content: () =>
@@ -171,7 +171,7 @@ function stripTable(ui: Ui, spec: SlitSpec) {
       ${strips.map(
         (s, i) =>
           html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${stateOf(s)}>
-            <td>${i}${s.crosses?.length || s.crosses_plane ? ' ✕' : ''}</td>
+            <td>${i + 1}${s.crosses?.length || s.crosses_plane ? ' ✕' : ''}</td>
             ${columns.map(([, value]) => html`<td>${value(s)}</td>`)}
           </tr>`,
       )}
@@ -182,7 +182,7 @@ function stripTable(ui: Ui, spec: SlitSpec) {
 const stateOf = (s: StripRow) =>
   [
     s.status,
-    ...(s.crosses?.length ? [`runs through ${s.crosses.join(', ')}`] : []),
+    ...(s.crosses?.length ? [`runs through ${s.crosses.map((other) => other + 1).join(', ')}`] : []),
     ...(s.crosses_plane ? ['runs through its mirror image'] : []),
   ].join(', ');
 
@@ -216,7 +216,7 @@ function weightSliders(ui: Ui, spec: SlitSpec, set: Set) {
 function scanFields(ui: Ui, spec: SlitSpec, set: Set) {
   const count = ui.state.shape?.handles.scan?.length ?? 0;
   return html`<p class="hint" data-testid="scan-state">
-      ${spec.scan!.length} strips are scanned; ${count} points are drawn.
+      Scanned strips: ${spec.scan!.length}; points drawn: ${count}.
     </p>
     ${toggle('Move scans to the shape first', 'align-scan', spec.align_scan ?? false, (v) =>
       set({ align_scan: v || undefined }),

@@ -29,11 +29,11 @@ export function startScreen(ui: Ui) {
     </p>
     ${recents.length
       ? html`<h3>
-            ${recents.some((r) => r.edited) ? 'Opened and edited lately' : 'Opened lately'}
+            ${recents.some((r) => r.edited) ? 'Recent files and edits' : 'Recent files'}
             <button
               class="link"
               data-testid="forget-recents"
-              title="Removes what is kept of them"
+              title="Removes the copies kept of them"
               @click=${ui.forgetRecents}
             >
               Forget them

@@ -80,7 +80,7 @@ function stripBlock(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number, own: bo
     picks: { strip: i },
     testid: `strip-head-${i}`,
     head: {
-      name: i,
+      name: i + 1,
       said: `${text(strip.width)} wide${strip.gap ? `, gap ${text(strip.gap)}` : ''}`,
       aside: endOf(spec, i)?.position ? 'end is placed' : '',
     },

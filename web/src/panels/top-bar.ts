@@ -25,7 +25,7 @@ export function topBar(ui: Ui): TemplateResult {
     ${d
       ? html`<button
           data-testid="start-page"
-          title="Begin anew, open a file of lately; edits are kept among these"
+          title="Back to the start page; edits are kept among the recent files"
           @click=${ui.close}
         >
           Start page

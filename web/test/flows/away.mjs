@@ -148,7 +148,7 @@ export async function besides({ page }) {
   await open(page, [`${examples}bracket.step`, other, notes]);
   assert.equal(
     await message(),
-    'One file at a time: other.json was left out. Not opened: x y.txt, which the file does not name.',
+    'One file at a time; left out: other.json. Not opened: x y.txt, which the file does not name.',
   );
   await page.screenshot({ path: `${folder(page)}/notes.png` });
   const scans = [0, 1, 2, 3, 4, 5].map((i) => `${examples}slit/low_chair_scan${i}.xyz`);

@@ -163,7 +163,7 @@ export async function measurefolded({ page }) {
   await page.keyboard.press('ArrowLeft');
   const p = await place(page, 'folded', [60, 75, 2]);
   await page.mouse.click(p.x, p.y);
-  await page.waitForSelector('[data-testid=message]:has-text("Fold the part wholly")');
+  await page.waitForSelector('[data-testid=message]:has-text("Fold the part completely")');
   await untilDrawn(page, 'folded-overlay', 0);
   await page.focus('[data-testid=fold-slider]');
   await page.keyboard.press('ArrowRight');
@@ -289,7 +289,7 @@ export async function measurekeys({ page }) {
   // A part that is not wholly folded says why it is not measured; Escape ends it, and the views let the focus go.
   await page.evaluate(() => window.planish.store.dispatch({ type: 'fold', fold: 0.5 }));
   await page.keyboard.press('ArrowUp');
-  await page.waitForSelector('[data-testid=message]:has-text("Fold the part wholly")');
+  await page.waitForSelector('[data-testid=message]:has-text("Fold the part completely")');
   await page.keyboard.press('Escape');
   assert.equal(await state(page, 's.measure.on'), false);
   assert.equal(await page.getAttribute('.flat .canvas', 'role'), 'img');

@@ -111,7 +111,7 @@ export async function wrongentry({ page }) {
   await example(page, 'bracket.step');
   await page.click('[data-testid=download-menu]');
   await enter(page, 'dxf-arcs', 'abc');
-  assert.match(await note(page), /“abc” is no number; Arcs within needs one/);
+  assert.match(await note(page), /“abc” is not a number; Arcs within needs one/);
   await enter(page, 'dxf-arcs', '5');
   assert.equal(await note(page), null);
   await enter(page, 'dxf-arcs', 'abc');
@@ -124,7 +124,7 @@ export async function wrongentry({ page }) {
   await page.click('[data-testid=download-dxf]');
   await page.waitForTimeout(500);
   assert.equal(files, 0);
-  assert.match(await note(page), /“abc” is no number/);
+  assert.match(await note(page), /“abc” is not a number/);
   assert.equal(await page.isVisible('[data-testid=download-dxf]'), true);
   assert.equal(await page.evaluate(() => document.activeElement.dataset.testid), 'dxf-arcs');
   await page.screenshot({ path: `${folder(page)}/refused.png` });

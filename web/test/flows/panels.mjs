@@ -20,8 +20,8 @@ export async function leaning({ page }) {
   near(slid, -90 + 0.6 * 180, 4, 'the slider');
   near((await state(page, corner))[1], 700 * Math.cos((slid * Math.PI) / 180), 0.01, 'the panel follows');
   for (const [entered, sentence] of [
-    ['120', 'Leans back cannot be 120; it is from -90° to 90°.'],
-    ['upright', '“upright” is no number'],
+    ['120', 'Leans back cannot be 120; it must be from -90° to 90°.'],
+    ['upright', '“upright” is not a number'],
   ]) {
     await enter(page, 'leg-lean-number', entered);
     await page.waitForSelector(`[data-testid=message]:has-text("${sentence}")`);

@@ -207,7 +207,7 @@ export async function offered({ page }) {
   assert.ok(offers.length >= 7);
   for (const [name, disabled, title] of offers) {
     assert.equal(disabled, name !== 'download-json', name);
-    assert.equal(/The reason stands at the top/.test(title), disabled, name);
+    assert.equal(/The reason is at the top/.test(title), disabled, name);
   }
   assert.match(await page.textContent('[data-testid=download-refused]'), /Refused/);
   for (const theme of ['light', 'dark']) {
@@ -220,7 +220,7 @@ export async function offered({ page }) {
     assert.equal(await page.locator(`[data-testid=${one}]`).isDisabled(), true, one);
   await page.click('[data-testid=tab-findings]');
   await page.waitForSelector('[data-testid=no-findings]');
-  assert.match(await page.textContent('[data-testid=no-findings]'), /refused.*The reason stands at the top/s);
+  assert.match(await page.textContent('[data-testid=no-findings]'), /refused.*The reason is at the top/s);
   await page.click('[data-testid=tab-bends]');
   await page.locator('[data-testid=panel]', { hasText: 'Refused: no bends are known.' }).waitFor();
   // Opened along its edge it has all of it.

@@ -116,8 +116,8 @@ export async function refused({ page }) {
   const said = async (text) => page.waitForSelector(`[data-testid=message]:has-text("${text}")`);
   await page.selectOption('[data-testid=k-rule]', 'number');
   for (const [entered, sentence] of [
-    ['5', 'K of the part cannot be 5; it is from 0 to 1.'],
-    ['abc', '“abc” is no number'],
+    ['5', 'K of the part cannot be 5; it must be from 0 to 1.'],
+    ['abc', '“abc” is not a number'],
   ]) {
     await enter(page, 'k-number', entered);
     await said(sentence);
@@ -126,7 +126,7 @@ export async function refused({ page }) {
   await page.screenshot({ path: `${folder(page)}/refused.png` });
   await page.click('[data-testid=tab-bends]');
   await enter(page, 'bend-k-B1', '-1');
-  await said('K of B1 cannot be -1; it is from 0 to 1.');
+  await said('K of B1 cannot be -1; it must be from 0 to 1.');
   await example(page, 'connect/a_folded.json');
   await page.click('[data-testid=tab-input]');
   const before = await page.inputValue('[data-testid=thickness]');
@@ -146,16 +146,16 @@ export async function refused({ page }) {
     assert.deepEqual(await state(page, 's.input'), input);
   };
   await example(page, 'transition/a_square_to_round.json');
-  await kept('from-width-number', '-3', 'Width cannot be -3; it is above 0.');
-  await kept('from-width-number', '0', 'Width cannot be 0; it is above 0.');
-  await kept('to-radius-number', 'big', '“big” is no number; Radius needs one.');
+  await kept('from-width-number', '-3', 'Width cannot be -3; it must be above 0.');
+  await kept('from-width-number', '0', 'Width cannot be 0; it must be above 0.');
+  await kept('to-radius-number', 'big', '“big” is not a number; Radius needs one.');
   await page.selectOption('[data-testid=press-lines]', 'count');
   await rested(page);
-  await kept('press-count-number', '2.5', 'Lines per bend cannot be 2.5; it is a whole number.');
+  await kept('press-count-number', '2.5', 'Lines per bend cannot be 2.5; it must be a whole number.');
   await example(page, 'slit/chair.json');
-  await kept('panel-height', '0', 'Panel height cannot be 0; it is above 0.');
-  await kept('ridges', '10.5', 'Ridges at the start cannot be 10.5; it is a whole number.');
-  await kept('strips', '2.4', 'Strips cannot be 2.4; it is a whole number.');
+  await kept('panel-height', '0', 'Panel height cannot be 0; it must be above 0.');
+  await kept('ridges', '10.5', 'Ridges at the start cannot be 10.5; it must be a whole number.');
+  await kept('strips', '2.4', 'Strips cannot be 2.4; it must be a whole number.');
   await kept('weight-smooth-number', '-1', 'Smooth cannot be -1');
 }
 

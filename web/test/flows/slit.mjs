@@ -95,7 +95,7 @@ export async function scan({ page }) {
     coarse(page, 'scanned_chair.json'),
     ...[0, 1, 2, 3, 4, 5].map((i) => `${folder}low_chair_scan${i}.xyz`),
   ]);
-  assert.match(await page.textContent('[data-testid=scan-state]'), /6 strips are scanned; [1-9]\d* points are drawn/);
+  assert.match(await page.textContent('[data-testid=scan-state]'), /Scanned strips: 6; points drawn: [1-9]/);
   const distance = () => state(page, 's.shape.report.slit.strips.map((t) => t.scan_distance)'),
     before = await distance();
   await page.check('[data-testid=align-scan]');
