@@ -70,7 +70,7 @@ std::string Part::status() const {
   return {};
 }
 
-std::optional<Error> Part::refusal() const { return made_.made->report().refusal; }
+std::optional<Error> Part::refusal() const { return refusal_of(made_); }
 
 std::string Part::report() const { return made_.made->json(); }
 
