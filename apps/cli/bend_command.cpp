@@ -110,7 +110,7 @@ class Bend : public Command {
     request.bending.ask = job::Bending::Ask::plan;
     auto work = maker_->open(*input, parent.progress);
     if (!work) return failed(work.error());
-    auto made = (*work)->make(request, parent.progress);
+    auto made = job::shown((*work)->make(request, parent.progress));
     if (!made) return failed(made.error());
     return outcome_of(**made, request);
   }

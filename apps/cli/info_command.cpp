@@ -41,11 +41,7 @@ class Info : public Command {
   }
 
   Outcome failed(const Error& error) const override {
-    job::InfoReport failed;
-    failed.input = arguments_.input;
-    failed.refusal = error;
-    failed.units = request_of(arguments_).units;
-    return {.json = job::info_json(failed), .error = error};
+    return {.json = job::failed_info_json(request_of(arguments_), error), .error = error};
   }
 
  private:

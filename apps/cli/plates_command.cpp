@@ -47,7 +47,6 @@ class Plates : public Command {
     request.rules.enabled = false;
     const auto report = job::unfold(request, parent.progress);
     if (!report) return failed(report.error());
-    if (report->refusal) return failed(*report->refusal);
     const PlateStructure plates = job::plates_of(report->sheet,
                                                  {.with_bends = arguments_.with_bends});
     if (arguments_.output == "-") return {.output = job::plates_text(plates)};

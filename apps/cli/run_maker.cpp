@@ -22,6 +22,7 @@ namespace {
 
 using job::Made;
 using job::UnfoldReport;
+using Bodies = std::vector<job::Outcome<UnfoldReport>>;
 
 constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid or not written
 
@@ -117,7 +118,7 @@ class OnePart : public MakerCommand {
     auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
     if (!work) return failed_outcome(arguments_, plan->request, work.error());
     work_ = std::move(*work);
-    auto made = work_->make(plan->request, parent.progress);
+    auto made = job::shown(work_->make(plan->request, parent.progress));
     if (!made) return failed_outcome(arguments_, plan->request, made.error());
     made_ = std::move(*made);
     return outcome_of(*made_, *plan);
@@ -127,7 +128,7 @@ class OnePart : public MakerCommand {
   Outcome outcome_of(Made& made, const Plan& plan) const {
     job::Report& report = made.report();
     Outcome outcome;
-    if (report.has_pattern()) {
+    if (!report.refusal) {
       auto files = files_of(made, plan);
       if (files)
         outcome = {.files = std::move(*files), .inputs = plan.inputs};
@@ -154,14 +155,14 @@ class AllParts : public MakerCommand {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
     const auto begins = [&](int body) { parent.note({std::to_string(body)}); };
-    auto reports = job::unfold_all(plan->request, parent.progress, {given_up_, begins});
-    if (!reports) return failed_outcome(arguments_, plan->request, reports.error());
+    auto bodies = job::unfold_all(plan->request, parent.progress, {given_up_, begins});
+    if (!bodies) return failed_outcome(arguments_, plan->request, bodies.error());
     Outcome outcome;
     if (!arguments_.check)
-      outcome = {.files = files_of_bodies(*reports, *plan, begins), .inputs = plan->inputs};
+      outcome = {.files = files_of_bodies(*bodies, *plan, begins), .inputs = plan->inputs};
     parent.note({});
-    add_report(outcome, arguments_, job::summary_json(*reports), job::summary_text(*reports));
-    outcome.error = reason_of(*reports);
+    add_report(outcome, arguments_, job::summary_json(*bodies), job::summary_text(*bodies));
+    outcome.error = reason_of(*bodies);
     return outcome;
   }
 
@@ -175,39 +176,40 @@ class AllParts : public MakerCommand {
 
  private:
   /// The patterns of all bodies that have one, and the summary.
-  static std::vector<OutputFile> files_of_bodies(std::vector<UnfoldReport>& reports,
-                                                 const Plan& plan,
+  static std::vector<OutputFile> files_of_bodies(Bodies& bodies, const Plan& plan,
                                                  const std::function<void(int)>& begins) {
-    const std::vector<std::string> stems = job::stems(reports);
+    const std::vector<std::string> stems = job::stems(bodies);
     std::vector<OutputFile> all;
-    for (std::size_t i = 0; i < reports.size(); ++i) {
-      if (!reports[i].has_pattern()) continue;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!bodies[i]) continue;
       begins(static_cast<int>(i));
       Plan own = plan;
       for (const job::Artifact* format : plan.formats)
         own.targets.push_back({plan.folder / (stems[i] + std::string(format->file_end)), format});
-      auto files = files_of(*job::made_of(reports[i]), own);
+      auto files = files_of(*job::made_of(*bodies[i]), own);
       // A body whose pattern cannot be written must not stop the others.
       if (!files) {
-        reports[i].refusal = files.error();
+        UnfoldReport refused = std::move(*bodies[i]);
+        refused.refusal = files.error();
+        bodies[i] = std::move(refused);
         continue;
       }
-      append_names(reports[i].files, *files);
+      append_names(bodies[i]->files, *files);
       std::move(files->begin(), files->end(), std::back_inserter(all));
     }
-    all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
-    all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
+    all.push_back({plan.folder / "summary.csv", job::summary_csv(bodies)});
+    all.push_back({plan.folder / "summary.json", job::summary_json(bodies)});
     return all;
   }
 
   /// Why none of them has a pattern: the first reason; the table shows them all.
-  static std::optional<Error> reason_of(const std::vector<UnfoldReport>& reports) {
-    if (std::ranges::any_of(reports, [](const auto& r) { return r.has_pattern(); }))
+  static std::optional<Error> reason_of(const Bodies& bodies) {
+    if (std::ranges::any_of(bodies, [](const auto& body) { return body.has_value(); }))
       return std::nullopt;
-    Error none = *reports.front().refusal;
-    if (reports.size() > 1)
+    Error none = bodies.front().error();
+    if (bodies.size() > 1)
       say_before(none, tell("None of the {count} bodies has a flat pattern. The first: ",
-                            {{"count", reports.size()}})
+                            {{"count", bodies.size()}})
                            .sentence);
     return none;
   }

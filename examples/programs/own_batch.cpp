@@ -13,9 +13,8 @@ int main(int argc, char** argv) {
     job::Request request;
     request.input = argv[i];
     const auto report = job::unfold(request);  // lengths in mm
-    if (!report || report->refusal) {
-      const Error& why = report ? *report->refusal : report.error();
-      std::printf("%s;;;;;;;%s\n", argv[i], why.message.c_str());
+    if (!report) {
+      std::printf("%s;;;;;;;%s\n", argv[i], report.error().message.c_str());
       ++refused;
       continue;
     }

@@ -15,14 +15,14 @@ int main(int argc, char** argv) {
   const auto work = job::open_input(*job::built_in().maker("unfold"), request, {});
   if (!work) return std::fprintf(stderr, "%s\n", work.error().message.c_str()), 3;
   const auto made = (*work)->make(request, {});
-  if (!made) return std::fprintf(stderr, "%s\n", made.error().message.c_str()), 3;
-  const auto& refusal = (*made)->report().refusal;
-  const auto solid = (*made)->refused_solid();
-  if (!refusal || !solid) return std::fprintf(stderr, "there is a flat pattern\n"), 1;
+  if (made) return std::fprintf(stderr, "there is a flat pattern\n"), 1;
+  std::fprintf(stderr, "%s\n", made.error().message.c_str());
+  if (!made.error().shown) return 3;  // nothing was understood, so nothing is refused
+  const auto solid = (*made.error().shown)->refused_solid();
+  if (!solid) return std::fprintf(stderr, "its faces cannot be drawn\n"), 1;
 
-  std::fprintf(stderr, "%s\n", refusal->message.c_str());
   std::set<int> named;
-  for (const Place& place : refusal->places) {
+  for (const Place& place : made.error().places) {
     std::fprintf(stderr, "  %s\n", text_of(place).c_str());
     if (place.kind == PlaceKind::face) named.insert(std::get<int>(place.id));
     named.insert(place.faces.begin(), place.faces.end());  // beside an edge

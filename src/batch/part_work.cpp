@@ -94,20 +94,20 @@ std::string stem_of(const FileTask& task) {
 
 void unfold(const FileTask& task, const job::Maker& maker, const job::Request& request,
             const job::Catalogue& catalogue, const Listener& listener) {
-  auto reports = job::unfold_all(
+  auto bodies = job::unfold_all(
       request, listener.progress,
       {task.given_up, listener.begins, [&](int body) { return task.share.holds(body); }});
-  if (!reports) return listener.done(failed_part(task, catalogue, reports.error()));
-  for (std::size_t i = 0; i < reports->size(); ++i) {
-    const job::UnfoldReport& report = (*reports)[i];
-    listener.begins(report.number - 1);
-    const bool alone = report.bodies_in_file == 1;
-    const std::string stem = alone ? stem_of(task) : job::safe_name(report.body);
+  if (!bodies) return listener.done(failed_part(task, catalogue, bodies.error()));
+  for (auto& body : *bodies) {
+    const auto report = job::shown(std::move(body));
+    listener.begins(report->number - 1);
+    const bool alone = report->bodies_in_file == 1;
+    const std::string stem = alone ? stem_of(task) : job::safe_name(report->body);
     const std::string folder = alone ? task.name
-                                     : fmt::format("{}/{}_{}", task.name, report.number, stem);
-    const auto made = job::made_of(report);
+                                     : fmt::format("{}/{}_{}", task.name, report->number, stem);
+    const auto made = job::made_of(*report);
     PartDone part = finished(*made, maker, task, request, catalogue, folder, stem);
-    part.body = report.number - 1;
+    part.body = report->number - 1;
     listener.done(std::move(part));
   }
 }
@@ -156,7 +156,7 @@ void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listen
   if (!task.share.holds(0)) return;
   const auto work = (*maker)->open(*input, listener.progress);
   if (!work) return failed(work.error());
-  const auto made = (*work)->make(request, listener.progress);
+  const auto made = job::shown((*work)->make(request, listener.progress));
   if (!made) return failed(made.error());
   listener.done(finished(**made, **maker, task, request, catalogue, task.name, stem_of(task)));
 }

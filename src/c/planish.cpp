@@ -121,12 +121,10 @@ process::Limits limits_of(const planish_options& options) {
   return limits;
 }
 
-job::Ran failed(Error error) { return tl::unexpected(job::RunFailure{std::move(error)}); }
-
-job::Ran run(const char* request, const planish_options* given) {
-  if (!request) return failed(planish::error_of(planish::refuse::no_request, {}));
+job::Outcome<job::RunResult> run(const char* request, const planish_options* given) {
+  if (!request) return planish::fail(planish::refuse::no_request);
   const auto options = read_options(given);
-  if (!options) return failed(options.error());
+  if (!options) return pass_on(options);
   Caller caller(*options);
   if (options->where == PLANISH_HERE) return job::run(request, caller.progress());
   return job::run_apart(request, caller.progress(), limits_of(*options));
@@ -136,8 +134,7 @@ void run_into(planish_result& result, const char* request, const planish_options
   try {
     auto made = run(request, options);
     if (!made) set_error(result, made.error());
-    if (made || made.error().shown)
-      set_result(result, std::move(made ? *made : *made.error().shown));
+    if (auto told = shown(std::move(made))) set_result(result, std::move(*told));
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& defect) {

@@ -164,10 +164,17 @@ Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& pro
   const auto work = asked.content ? asked.maker->open(*asked.content, progress)
                                   : open_input(*asked.maker, asked.request, progress);
   if (!work) return pass_on(work);
-  auto made = (*work)->make(asked.request, progress);
+  auto made = shown((*work)->make(asked.request, progress));
   if (!made) return made;
-  if (auto shown = piece_of(**made, asked.request.piece); !shown) return pass_on(shown);
+  if (auto piece = piece_of(**made, asked.request.piece); !piece) return pass_on(piece);
   return made;
+}
+
+Outcome<RunResult> told(const Made& made, std::vector<ArtifactFile> artifacts) {
+  const Report& report = made.report();
+  RunResult result{report.status(), made.json(), made.text(), std::move(artifacts)};
+  if (!report.refusal) return result;
+  return tl::unexpected(Refused<RunResult>(*report.refusal, std::move(result)));
 }
 
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,

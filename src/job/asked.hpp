@@ -30,15 +30,13 @@ struct Asked {
 Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
                          std::optional<std::string> bytes = std::nullopt);
 
-/// Errors: those of the maker's input.
+/// What is made, refused or not. Errors: those of the maker's input.
 Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& progress);
 
-/// What was done for a request, refused or not.
-struct RunDone : RunResult {
-  std::optional<Error> refusal = {};
-};
+/// What is told of what was made, with the artifacts of it.
+Outcome<RunResult> told(const Made& made, std::vector<ArtifactFile> artifacts);
 
-Result<RunDone> run_bend(const Asked& asked, const Progress& progress);
-Result<RunDone> run_info(const Asked& asked, const Progress& progress);
+Outcome<RunResult> run_bend(const Asked& asked, const Progress& progress);
+Outcome<RunResult> run_info(const Asked& asked, const Progress& progress);
 
 }  // namespace planish::job

@@ -50,8 +50,8 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const R
 
 }  // namespace
 
-Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
-                                     const Progress& progress) {
+Outcome<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
+                                      const Progress& progress) {
   ConnectReport report = begun<ConnectReport>(request, file.units);
   if (const auto error = run_reporting(report,
                                        [&] { return fill(report, file, request, progress); })) {
@@ -60,7 +60,7 @@ Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& requ
   return report;
 }
 
-Result<ConnectReport> connect(const Request& request, const Progress& progress) {
+Outcome<ConnectReport> connect(const Request& request, const Progress& progress) {
   const auto parse = [](const InputFile& input) { return parse_plates(input.content, input.name); };
   return from_file(request, "plates file", parse, connect_plates, progress);
 }

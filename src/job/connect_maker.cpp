@@ -54,9 +54,9 @@ class MadeConnection : public MadeReport<ConnectReport> {
   std::vector<Plate> plates_;  // as in the input, joined or not
 };
 
-Result<std::unique_ptr<Made>> connection_of(const PlatesFile& file, const Request& request,
-                                            const Progress& progress) {
-  auto report = connect_plates(file, request, progress);
+Outcome<std::unique_ptr<Made>> connection_of(const PlatesFile& file, const Request& request,
+                                             const Progress& progress) {
+  auto report = shown(connect_plates(file, request, progress));
   if (!report) return pass_on(report);
   return std::make_unique<MadeConnection>(std::move(*report), file.structure.plates);
 }

@@ -17,9 +17,10 @@ auto from_file(const Request& request, const std::string& kind, const Parse& par
   const auto file = parse(*input);
   if (!file) return pass_on(file);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  auto report = make(*file, request, progress);
-  if (report) report->read_seconds = taken.count();
-  return report;
+  auto report = shown(make(*file, request, progress));
+  if (!report) return pass_on(report);
+  report->read_seconds = taken.count();
+  return std::move(*report);
 }
 
 }  // namespace planish::job

@@ -35,13 +35,10 @@ std::vector<FlangeFaceInfo> flange_faces(const Sheet& sheet) {
   return faces;
 }
 
-SheetInfo sheet_info(const Body& body) {
-  SheetInfo info;
+Result<SheetInfo> sheet_info(const Body& body) {
   const auto found = found_sheet(body);
-  if (!found) {
-    info.refusal = found.error();
-    return info;
-  }
+  if (!found) return pass_on(found);
+  SheetInfo info;
   info.thickness = found->sheet.thickness;
   info.flanges = static_cast<int>(found->sheet.flanges.size());
   info.bends = static_cast<int>(found->sheet.bends.size());

@@ -18,15 +18,15 @@ Json size_json(const Vec3& size, const Units& units) {
   return json_array(size, [&](double extent) { return number_json(units.length(extent)); });
 }
 
-Json sheet_json(const SheetInfo& sheet, const Units& units) {
+Json sheet_json(const Result<SheetInfo>& sheet, const Units& units) {
   Json json;
-  json["reason"] = reason_json(sheet.refusal, units);
-  if (sheet.refusal) return json;
-  json["thickness"] = number_json(units.length(sheet.thickness));
-  json["flanges"] = sheet.flanges;
-  json["bends"] = sheet.bends;
+  json["reason"] = reason_json(sheet ? std::nullopt : std::optional(sheet.error()), units);
+  if (!sheet) return json;
+  json["thickness"] = number_json(units.length(sheet->thickness));
+  json["flanges"] = sheet->flanges;
+  json["bends"] = sheet->bends;
   json["flange_faces"] = Json::array();
-  for (const FlangeFaceInfo& face : sheet.faces) {
+  for (const FlangeFaceInfo& face : sheet->faces) {
     json["flange_faces"].push_back(
         {{"number", face.number}, {"area", number_json(units.area(face.area))}});
   }
@@ -48,16 +48,15 @@ Json body_json(const BodyInfo& body, const Units& units) {
   return json;
 }
 
-std::string sheet_text(const SheetInfo& sheet, const Units& units) {
-  if (sheet.refusal) {
-    return fmt::format("no flat pattern [{}]: {}", code_name(sheet.refusal->code),
-                       printable(sheet.refusal->message));
-  }
+std::string sheet_text(const Result<SheetInfo>& sheet, const Units& units) {
+  if (!sheet)
+    return fmt::format("no flat pattern [{}]: {}", code_name(sheet.error().code),
+                       printable(sheet.error().message));
   std::string text = fmt::format("sheet {} {}, {}, {}; faces that can be the root, with area:",
-                                 units.short_text(sheet.thickness), units.symbol(),
-                                 counted(sheet.flanges, "flange"), counted(sheet.bends, "bend"));
-  for (const FlangeFaceInfo& face : sheet.faces) {
-    text += fmt::format("{} {} ({})", &face == &sheet.faces.front() ? "" : ",", face.number,
+                                 units.short_text(sheet->thickness), units.symbol(),
+                                 counted(sheet->flanges, "flange"), counted(sheet->bends, "bend"));
+  for (const FlangeFaceInfo& face : sheet->faces) {
+    text += fmt::format("{} {} ({})", &face == &sheet->faces.front() ? "" : ",", face.number,
                         units.area_text(face.area));
   }
   return text;
@@ -92,9 +91,7 @@ std::string body_table(const InfoReport& report, const Units& units) {
   return table.text("  ");
 }
 
-}  // namespace
-
-std::string info_json(const InfoReport& report) {
+std::string json_of(const InfoReport& report, const std::optional<Error>& failure) {
   const Units units(report.units);
   Json json;
   json["format"] = "planish/info";
@@ -102,8 +99,8 @@ std::string info_json(const InfoReport& report) {
   json["command"] = "info";
   json["input"] = report.input;
   json["units"] = units.name();
-  json["status"] = status_name(report.refusal ? Status::refused : Status::ok);
-  json["reason"] = reason_json(report.refusal, units);
+  json["status"] = status_name(failure ? Status::refused : Status::ok);
+  json["reason"] = reason_json(failure, units);
   json["schema"] = report.schema;
   json["cad_system"] = report.cad_system;
   json["file_units"] = report.file_unit;
@@ -112,6 +109,17 @@ std::string info_json(const InfoReport& report) {
     json["bodies"].push_back(body_json(body, units));
   json["surface_bodies"] = report.surface_bodies;
   return text_of(json);
+}
+
+}  // namespace
+
+std::string info_json(const InfoReport& report) { return json_of(report, std::nullopt); }
+
+std::string failed_info_json(const InfoRequest& request, const Error& error) {
+  InfoReport report;
+  report.input = request.input.string();
+  report.units = request.units;
+  return json_of(report, error);
 }
 
 std::string info_text(const InfoReport& report) {

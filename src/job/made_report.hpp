@@ -64,7 +64,7 @@ class SpecWork : public Work {
     file_ = std::move(*file);
     return {};
   }
-  Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
+  Outcome<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
     return make_of(file_, request, progress);
   }
 

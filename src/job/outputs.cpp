@@ -57,14 +57,14 @@ std::string safe_name(const std::string& name) {
   return safe.empty() ? "body" : safe;
 }
 
-std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
+std::vector<std::string> stems(const std::vector<Outcome<UnfoldReport>>& bodies) {
   std::vector<std::string> all;
   std::set<std::string> taken;
-  for (const UnfoldReport& report : reports) {
+  for (const Outcome<UnfoldReport>& body : bodies) {
     all.emplace_back();
-    if (!report.has_pattern()) continue;
-    const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
-                                           trimmed_number(report.summary.thickness, 3));
+    if (!body) continue;
+    const std::string wanted = fmt::format("{}_t{}", safe_name(body->body),
+                                           trimmed_number(body->summary.thickness, 3));
     std::string stem = wanted;
     // "a-2" may itself be a body's name.
     for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {

@@ -25,10 +25,10 @@ std::shared_mutex& working_here() {
   return *one;
 }
 
-Result<RunDone> run_maker(const Asked& asked, const Progress& progress) {
+Outcome<RunResult> run_maker(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
-  RunDone result;
+  std::vector<ArtifactFile> artifacts;
   Report& report = (*made)->report();
   const std::string stem = report.body;
   for (const Artifact* artifact : asked.artifacts) {
@@ -40,35 +40,31 @@ Result<RunDone> run_maker(const Asked& asked, const Progress& progress) {
     }
     if (!files) return pass_on(files);
     for (WrittenArtifact& file : *files)
-      result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
-                                  std::string(artifact->media_type), std::move(file.bytes)});
+      artifacts.push_back({std::string(artifact->name), std::move(file.name),
+                           std::string(artifact->media_type), std::move(file.bytes)});
   }
-  result.status = report.status();
-  result.refusal = report.refusal;
-  result.report = (*made)->json();
-  result.summary = (*made)->text();
-  return result;
+  return told(**made, std::move(artifacts));
 }
 
 /// An error of options is at its pointer in the request.
-template <typename T>
-Result<T> at_request(Result<T> result) {
-  if (!result) return tl::unexpected(at_pointer(result.error(), "/options"));
-  return result;
+tl::unexpected<Error> fail_in_request(Error error) {
+  return tl::unexpected(at_pointer(std::move(error), "/options"));
 }
 
-Result<RunDone> done(const Asked& asked, const Progress& progress) {
-  return at_request(asked.task == Asked::Task::info   ? run_info(asked, progress)
-                    : asked.task == Asked::Task::bend ? run_bend(asked, progress)
-                                                      : run_maker(asked, progress));
+Outcome<RunResult> done(const Asked& asked, const Progress& progress) {
+  auto result = asked.task == Asked::Task::info   ? run_info(asked, progress)
+                : asked.task == Asked::Task::bend ? run_bend(asked, progress)
+                                                  : run_maker(asked, progress);
+  if (result || result.error().shown) return result;
+  return fail_in_request(std::move(result.error()));
 }
 
 constexpr std::size_t kOfResult = 5, kOfFile = 4;
 
-Texts texts_of(const Result<RunDone>& done) {
-  if (!done) return packed(done.error());
-  const RunDone& result = *done;
-  const Texts refusal = result.refusal ? packed(*result.refusal) : Texts();
+Texts texts_of(const Outcome<RunResult>& done) {
+  const Texts refusal = done ? Texts() : packed(done.error());
+  if (!done && !done.error().shown) return refusal;
+  const RunResult& result = done ? *done : *done.error().shown;
   Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report,
               result.summary, std::to_string(refusal.size())};
   texts.insert(texts.end(), refusal.begin(), refusal.end());
@@ -77,7 +73,7 @@ Texts texts_of(const Result<RunDone>& done) {
   return texts;
 }
 
-std::optional<Result<RunDone>> result_in(const Texts& texts) {
+std::optional<Outcome<RunResult>> result_in(const Texts& texts) {
   if (auto error = unpacked(texts)) return tl::unexpected(std::move(*error));
   if (texts.size() < kOfResult || texts[0] != "result") return std::nullopt;
   const auto of_refusal = parse_number(texts[4]);
@@ -85,50 +81,42 @@ std::optional<Result<RunDone>> result_in(const Texts& texts) {
     return std::nullopt;
   const std::size_t head = kOfResult + static_cast<std::size_t>(*of_refusal);
   if ((texts.size() - head) % kOfFile != 0) return std::nullopt;
-  RunDone result;
+  RunResult result;
   for (const Status status : {Status::ok, Status::warning, Status::refused})
     if (texts[1] == std::to_string(static_cast<int>(status))) result.status = status;
   result.report = texts[2];
   result.summary = texts[3];
-  result.refusal = unpacked(std::span(texts).subspan(kOfResult, head - kOfResult));
   for (std::size_t i = head; i < texts.size(); i += kOfFile)
     result.artifacts.push_back({texts[i], texts[i + 1], texts[i + 2], texts[i + 3]});
-  return result;
-}
-
-Ran failed(Error error) { return tl::unexpected(RunFailure{std::move(error)}); }
-
-/// What the caller gets: a refusal is an error that has something to show.
-Ran told(RunDone done) {
-  if (!done.refusal) return Ran(std::move(static_cast<RunResult&>(done)));
-  Error refusal = std::move(*done.refusal);
-  return tl::unexpected(RunFailure{std::move(refusal), std::move(static_cast<RunResult&>(done))});
+  auto refusal = unpacked(std::span(texts).subspan(kOfResult, head - kOfResult));
+  if (!refusal) return result;
+  return tl::unexpected(Refused<RunResult>(std::move(*refusal), std::move(result)));
 }
 
 }  // namespace
 
-Ran run(const std::string& request, const Progress& progress, const Catalogue& catalogue) {
+Outcome<RunResult> run(const std::string& request, const Progress& progress,
+                       const Catalogue& catalogue) {
   const std::shared_lock here(working_here());
   const auto asked = read_asked(request, catalogue);
-  if (!asked) return failed(asked.error());
-  auto result = done(*asked, progress);
-  return result ? told(std::move(*result)) : failed(std::move(result.error()));
+  if (!asked) return pass_on(asked);
+  return done(*asked, progress);
 }
 
-Result<MadeRequest> make(const std::string& request, const Progress& progress,
-                         std::optional<std::string> bytes, const Catalogue& catalogue) {
+Outcome<MadeRequest> make(const std::string& request, const Progress& progress,
+                          std::optional<std::string> bytes, const Catalogue& catalogue) {
   const std::shared_lock here(working_here());
   auto asked = read_asked(request, catalogue, std::move(bytes));
   if (!asked) return pass_on(asked);
   if (!asked->maker) return schema::fail_at(refuse::info_makes_nothing, "/maker");
-  auto made = at_request(make_asked(*asked, progress));
-  if (!made) return pass_on(made);
+  auto made = make_asked(*asked, progress);
+  if (!made) return fail_in_request(std::move(made.error()));
   (*made)->report().of_bending = asked->task == Asked::Task::bend;
   return MadeRequest{asked->maker, std::move(asked->request), std::move(*made)};
 }
 
-Ran run_apart(const std::string& request, const Progress& progress, const Limits& limits,
-              const Catalogue& catalogue) {
+Outcome<RunResult> run_apart(const std::string& request, const Progress& progress,
+                             const Limits& limits, const Catalogue& catalogue) {
   std::unique_lock alone(working_here());
   const auto answering = [&](const Texts&, const Parent& parent) {
     alone.unlock();  // the copy's own
@@ -137,16 +125,16 @@ Ran run_apart(const std::string& request, const Progress& progress, const Limits
     parent.note({asked->request.input.string()});
     return texts_of(done(*asked, parent.progress));
   };
-  Worker<AsAgreed, Result<RunDone>> worker(
+  Worker<AsAgreed, Outcome<RunResult>> worker(
       [&] { return ChildProcess::copy(answering, limits.memory); }, result_in);
   const auto begun = worker.begin();
   alone.unlock();
-  if (!begun) return failed(begun.error());
+  if (!begun) return pass_on(begun);
   std::string input = "the request";
   const auto name = [&](const Texts& note) { input = note.empty() ? input : note.front(); };
   auto result = worker.work_on({}, {.time = limits.time, .parent = {progress, name}});
-  if (!result) return failed(error_of(result.error(), input, limits));
-  return *result ? told(std::move(**result)) : failed(std::move(result->error()));
+  if (!result) return fail(error_of(result.error(), input, limits));
+  return std::move(*result);
 }
 
 }  // namespace planish::job

@@ -15,12 +15,12 @@ Result<std::string> bytes_of(const Artifact& artifact, const Made& made,
 
 }  // namespace
 
-Result<RunDone> run_bend(const Asked& asked, const Progress& progress) {
+Outcome<RunResult> run_bend(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
   Report& report = (*made)->report();
   report.of_bending = true;
-  RunDone result;
+  std::vector<ArtifactFile> artifacts;
   // A page shows why a part cannot be bent.
   const bool drawn = !report.refusal || report.plan;
   std::vector<Page> pages;
@@ -30,15 +30,11 @@ Result<RunDone> run_bend(const Asked& asked, const Progress& progress) {
       pages = bend_plan_pages(**made, asked.request.bending);
     auto bytes = bytes_of(*artifact, **made, pages);
     if (!bytes) return pass_on(bytes);
-    result.artifacts.push_back({std::string(artifact->name),
-                                report.body + "_plan" + std::string(artifact->suffix),
-                                std::string(artifact->media_type), std::move(*bytes)});
+    artifacts.push_back({std::string(artifact->name),
+                         report.body + "_plan" + std::string(artifact->suffix),
+                         std::string(artifact->media_type), std::move(*bytes)});
   }
-  result.status = report.status();
-  result.refusal = report.refusal;
-  result.report = (*made)->json();
-  result.summary = (*made)->text();
-  return result;
+  return told(**made, std::move(artifacts));
 }
 
 }  // namespace planish::job

@@ -18,16 +18,13 @@ Result<InfoReport> info_of_content(const InputFile& file, const InfoRequest& req
 
 }  // namespace
 
-Result<RunDone> run_info(const Asked& asked, const Progress& progress) {
+Outcome<RunResult> run_info(const Asked& asked, const Progress& progress) {
   const InfoRequest request{asked.request.input, asked.request.body, asked.sheets,
                             asked.request.units.value_or(LengthUnit::mm)};
   const auto report = asked.content ? info_of_content(*asked.content, request, progress)
                                     : info(request, progress);
   if (!report) return pass_on(report);
-  RunDone result;
-  result.report = info_json(*report);
-  result.summary = info_text(*report);
-  return result;
+  return RunResult{Status::ok, info_json(*report), info_text(*report), {}};
 }
 
 }  // namespace planish::job

@@ -211,8 +211,8 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const Reques
 
 }  // namespace
 
-Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
-                               const Request& request, const Progress& progress) {
+Outcome<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
+                                const Request& request, const Progress& progress) {
   SlitReport report = begun<SlitReport>(request, file.units);
   if (const auto error = run_reporting(
           report, [&] { return lay_solved(report, session, file, request, progress); }))
@@ -220,8 +220,8 @@ Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
   return report;
 }
 
-Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
-                              const Progress& progress) {
+Outcome<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
+                               const Progress& progress) {
   SlitReport report = begun<SlitReport>(request, file.units);
   if (const auto error = run_reporting(report,
                                        [&] { return fill(report, file, request, progress); }))
@@ -229,7 +229,7 @@ Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
   return report;
 }
 
-Result<SlitReport> slit(const Request& request, const Progress& progress) {
+Outcome<SlitReport> slit(const Request& request, const Progress& progress) {
   const auto parse = [](const InputFile& input) {
     return parse_slits(input.content, input.name, input.folder);
   };

@@ -119,23 +119,23 @@ class SlitWork : public Work {
     return {};
   }
 
-  Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
+  Outcome<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
     auto report = request.effort == Effort::draft ? draft(request, progress)
-                                                  : slit_sheet(file_, request, progress);
+                                                  : shown(slit_sheet(file_, request, progress));
     if (!report) return pass_on(report);
     return std::make_unique<MadeSlitSheet>(std::move(*report), file_, request.effort);
   }
 
  private:
   /// Solves for a moment: strips that are not finished then are `open`, and the next draft
-  /// continues.
+  /// continues. The report may be refused.
   Result<SlitReport> draft(const Request& request, const Progress& progress) {
     if (auto followed = drafts_.follow(file_, progress); !followed) {
       const Error error = placed(followed.error(), place_name(request.input.string()));
       if (exit_status(error.code) != kErrorOfForm) return tl::unexpected(error);
       return failed_report<SlitReport>(request, error);
     }
-    auto report = slit_solved(drafts_.now(), file_, request, progress);
+    auto report = shown(slit_solved(drafts_.now(), file_, request, progress));
     if (report) report->scan_motion = drafts_.scan_motion();
     return report;
   }

@@ -54,8 +54,8 @@ Json slit_json(const SlitReport& report, Ridges ridges, const Units& units) {
   if (report.strips.empty()) return nullptr;
   Json json;
   json["gap"] = number_json(units.length(report.gap));
-  json["flat_deviation"] = report.has_pattern() ? number_json(units.length(report.flat_deviation))
-                                                : Json(nullptr);
+  json["flat_deviation"] = report.refusal ? Json(nullptr)
+                                          : number_json(units.length(report.flat_deviation));
   json["leg_scales"] = Json::array();
   for (const double scale : report.leg_scales)
     json["leg_scales"].push_back(number_json(scale));
@@ -119,8 +119,7 @@ std::string report_text(const SlitReport& report) {
   const Units units(report.units);
   const std::string table = report.strips.empty() ? "" : strip_table(report, units);
   // There are too many ridges to read; the table of strips has what matters.
-  if (!report.has_pattern())
-    return text_of(report, input_name(report), "", BendList::left_out) + table;
+  if (report.refusal) return text_of(report, input_name(report), "", BendList::left_out) + table;
   return text_of(report, input_name(report),
                  table + fmt::format("the developed sheet is the one that was cut, within {} {}\n",
                                      units.tiny_text(report.flat_deviation), units.symbol()),

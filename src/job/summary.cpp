@@ -19,25 +19,31 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-int unfolded(const std::vector<UnfoldReport>& reports) {
+using Bodies = std::vector<Outcome<UnfoldReport>>;
+
+const UnfoldReport& report_of(const Outcome<UnfoldReport>& body) {
+  return body ? *body : body.error().shown.value();
+}
+
+int unfolded(const Bodies& bodies) {
   return static_cast<int>(
-      std::ranges::count_if(reports, [](const auto& report) { return report.has_pattern(); }));
+      std::ranges::count_if(bodies, [](const auto& body) { return body.has_value(); }));
 }
 
 // Of all bodies together: refused only if no body has a pattern.
-Status status_of(const std::vector<UnfoldReport>& reports) {
-  if (unfolded(reports) == 0) return Status::refused;
+Status status_of(const Bodies& bodies) {
+  if (unfolded(bodies) == 0) return Status::refused;
   const bool clean = std::ranges::all_of(
-      reports, [](const auto& report) { return report.status() == Status::ok; });
+      bodies, [](const auto& body) { return body && body->status() == Status::ok; });
   return clean ? Status::ok : Status::warning;
 }
 
-LengthUnit unit_of(const std::vector<UnfoldReport>& reports) {
-  return reports.empty() ? LengthUnit::mm : reports.front().units;
+LengthUnit unit_of(const Bodies& bodies) {
+  return bodies.empty() ? LengthUnit::mm : report_of(bodies.front()).units;
 }
 
-int pieces(const std::vector<UnfoldReport>& reports) {
-  return sum_of(reports, &UnfoldReport::quantity);
+int pieces(const Bodies& bodies) {
+  return sum_of(bodies, [](const auto& body) { return report_of(body).quantity; });
 }
 
 std::string plain(double value) {
@@ -115,9 +121,10 @@ Cells measures(const UnfoldReport& report, const Units& units) {
   return cells;
 }
 
-std::string warnings_text(const std::vector<UnfoldReport>& reports) {
+std::string warnings_text(const Bodies& bodies) {
   std::string text;
-  for (const UnfoldReport& report : reports) {
+  for (const auto& body : bodies) {
+    const UnfoldReport& report = report_of(body);
     for (const Finding& finding : report.findings) {
       if (finding.severity == Severity::info) continue;
       text += fmt::format("  body {}: {} [{}]: {}\n", report.number,
@@ -130,33 +137,33 @@ std::string warnings_text(const std::vector<UnfoldReport>& reports) {
 
 }  // namespace
 
-std::string summary_json(const std::vector<UnfoldReport>& reports) {
+std::string summary_json(const Bodies& bodies) {
   Json json;
   json["format"] = "planish/summary";
   json["version"] = 1;
   json["command"] = "unfold";
-  json["input"] = reports.empty() ? "" : reports.front().input;
-  json["units"] = Units(unit_of(reports)).name();
-  json["status"] = status_name(status_of(reports));
-  json["unfolded"] = unfolded(reports);
-  json["refused"] = static_cast<int>(reports.size()) - unfolded(reports);
-  json["pieces"] = pieces(reports);
+  json["input"] = bodies.empty() ? "" : report_of(bodies.front()).input;
+  json["units"] = Units(unit_of(bodies)).name();
+  json["status"] = status_name(status_of(bodies));
+  json["unfolded"] = unfolded(bodies);
+  json["refused"] = static_cast<int>(bodies.size()) - unfolded(bodies);
+  json["pieces"] = pieces(bodies);
   json["bodies"] = Json::array();
-  for (const UnfoldReport& report : reports)
-    json["bodies"].push_back(report_value(report));
+  for (const auto& body : bodies)
+    json["bodies"].push_back(report_value(report_of(body)));
   return text_of(json);
 }
 
-std::string summary_csv(const std::vector<UnfoldReport>& reports) {
+std::string summary_csv(const Bodies& bodies) {
   std::string text = csv_row(field_names());
-  for (const UnfoldReport& report : reports)
-    text += csv_row(fields(report));
+  for (const auto& body : bodies)
+    text += csv_row(fields(report_of(body)));
   return text;
 }
 
-std::string summary_text(const std::vector<UnfoldReport>& reports) {
+std::string summary_text(const Bodies& bodies) {
   using Align = Table::Align;
-  const Units units(unit_of(reports));
+  const Units units(unit_of(bodies));
   Table table({{"no", Align::right},
                {"body"},
                {"quantity", Align::right},
@@ -168,7 +175,8 @@ std::string summary_text(const std::vector<UnfoldReport>& reports) {
                {"edges", Align::right},
                {"refold", Align::right},
                {"file or reason"}});
-  for (const UnfoldReport& report : reports) {
+  for (const auto& body : bodies) {
+    const UnfoldReport& report = report_of(body);
     Cells cells{fmt::format("{}", report.number), report.body, fmt::format("{}", report.quantity),
                 std::string(status_name(report.status()))};
     for (std::string& cell : measures(report, units))
@@ -177,8 +185,8 @@ std::string summary_text(const std::vector<UnfoldReport>& reports) {
     table.add(std::move(cells));
   }
   return fmt::format("{} of {} different bodies unfolded ({} in all), lengths in {}\n{}{}",
-                     unfolded(reports), reports.size(), counted(pieces(reports), "piece"),
-                     units.name(), table.text("  "), warnings_text(reports));
+                     unfolded(bodies), bodies.size(), counted(pieces(bodies), "piece"),
+                     units.name(), table.text("  "), warnings_text(bodies));
 }
 
 }  // namespace planish::job

@@ -134,8 +134,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
 
 }  // namespace
 
-Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
-                                            const Progress& progress) {
+Outcome<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
+                                             const Progress& progress) {
   TransitionReport report = begun<TransitionReport>(request, file.units);
   if (const auto error = run_reporting(report,
                                        [&] { return fill(report, file, request, progress); }))
@@ -143,7 +143,7 @@ Result<TransitionReport> transition_between(const TransitionFile& file, const Re
   return report;
 }
 
-Result<TransitionReport> transition(const Request& request, const Progress& progress) {
+Outcome<TransitionReport> transition(const Request& request, const Progress& progress) {
   const auto parse = [](const InputFile& input) {
     return parse_transition(input.content, input.name);
   };

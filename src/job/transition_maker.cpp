@@ -50,9 +50,9 @@ class MadeTransition : public MadeReport<TransitionReport> {
   }
 };
 
-Result<std::unique_ptr<Made>> transition_of(const TransitionFile& file, const Request& request,
-                                            const Progress& progress) {
-  auto report = transition_between(file, request, progress);
+Outcome<std::unique_ptr<Made>> transition_of(const TransitionFile& file, const Request& request,
+                                             const Progress& progress) {
+  auto report = shown(transition_between(file, request, progress));
   if (!report) return pass_on(report);
   // Nobody reads them during a drag, and they would be half of what is sent.
   if (request.effort == Effort::draft) report->transition.true_lengths.clear();

@@ -30,8 +30,8 @@ Result<TimedFile> timed_read(const Request& request, const Progress& progress) {
 }
 
 // The one place that keeps a failure in one body from affecting the others.
-Result<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
-                                      const Progress& progress) {
+Outcome<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
+                                       const Progress& progress) {
   try {
     return unfold_body(body, request, progress);
   } catch (const std::exception& defect) {
@@ -73,25 +73,26 @@ UnfoldReport failed_unfold(const Request& request, const Error& error) {
   return report;
 }
 
-Result<UnfoldReport> unfold(const Request& request, const Progress& progress) {
+Outcome<UnfoldReport> unfold(const Request& request, const Progress& progress) {
   const auto read = timed_read(request, progress);
   if (!read) return pass_on(read);
   const auto index = choose_body(read->file, request.body);
   if (!index) return pass_on(index);
-  auto report = unfold_body(read->file.bodies[*index], request, progress);
-  if (!report) return report;
+  auto report = shown(unfold_body(read->file.bodies[*index], request, progress));
+  if (!report) return pass_on(report);
   report->input = request.input.string();
   report->number = *index + 1;
   report->bodies_in_file = static_cast<int>(read->file.bodies.size());
   report->read_seconds = read->seconds;
-  return report;
+  return std::move(*report);
 }
 
-Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress,
-                                             const AllBodies& all) {
+Result<std::vector<Outcome<UnfoldReport>>> unfold_all(const Request& request,
+                                                      const Progress& progress,
+                                                      const AllBodies& all) {
   const auto read = timed_read(request, progress);
   if (!read) return pass_on(read);
-  std::vector<UnfoldReport> reports;
+  std::vector<Outcome<UnfoldReport>> bodies;
   const int count = static_cast<int>(read->file.bodies.size());
   const Progress unfolding = part_of(progress, kUnfoldRead, 1.0);
   for (int i = 0; i < count; ++i) {
@@ -100,19 +101,19 @@ Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progr
     if (all.wanted && !all.wanted(i)) continue;
     if (all.begins) all.begins(i);
     const auto given_up = all.given_up.find(i);
-    auto report = given_up != all.given_up.end()
-                      ? Result<UnfoldReport>(tl::unexpect, given_up->second)
-                      : unfold_carefully(body, request, share_of(unfolding, i, count, body.name()));
-    if (!report && report.error().code == code::cancelled) {
-      return pass_on(report);
-    }
-    reports.push_back(report ? std::move(*report) : refused(body, request, report.error()));
-    reports.back().input = request.input.string();
-    reports.back().number = i + 1;
-    reports.back().bodies_in_file = count;
-    reports.back().read_seconds = read->seconds;
+    auto report = shown(
+        given_up != all.given_up.end()
+            ? tl::unexpected(given_up->second)
+            : unfold_carefully(body, request, share_of(unfolding, i, count, body.name())));
+    if (!report && report.error().code == code::cancelled) return pass_on(report);
+    if (!report) report = refused(body, request, report.error());
+    report->input = request.input.string();
+    report->number = i + 1;
+    report->bodies_in_file = count;
+    report->read_seconds = read->seconds;
+    bodies.push_back(std::move(*report));
   }
-  return reports;
+  return bodies;
 }
 
 }  // namespace planish::job

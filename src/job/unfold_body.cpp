@@ -57,8 +57,8 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
 
 }  // namespace
 
-Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
-                                       const Request& request, const Progress& progress) {
+Outcome<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
+                                        const Request& request, const Progress& progress) {
   UnfoldReport report = begun(body, request);
   if (const auto error = run_reporting(
           report, [&] { return fill(report, body, found, request, progress); }))
@@ -66,8 +66,8 @@ Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized
   return report;
 }
 
-Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
-                                 const Progress& progress) {
+Outcome<UnfoldReport> unfold_body(const Body& body, const Request& request,
+                                  const Progress& progress) {
   UnfoldReport report = begun(body, request);
   const auto work = [&] {
     progress.at("finding the sheet", 0.2);

@@ -73,12 +73,12 @@ class UnfoldWork : public Work {
     return info ? info_json(*info) : "null";
   }
 
-  Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
+  Outcome<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
     const auto index = choose_body(file_, request.body);
     if (!index) return pass_on(index);
     const Body& body = file_.bodies[*index];
-    auto report = unfold_recognized(body, sheet_of(*index, request.rip_edges, progress), request,
-                                    progress);
+    auto report = shown(
+        unfold_recognized(body, sheet_of(*index, request.rip_edges, progress), request, progress));
     if (!report) return pass_on(report);
     report->input = request.input.string();
     report->number = *index + 1;

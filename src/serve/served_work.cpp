@@ -178,13 +178,12 @@ Result<WorkDone> work_on(const WorkTask& task, const job::Catalogue& catalogue,
   if (auto fine = check_writes(task, request, catalogue); !fine) return pass_on(fine);
   const bool writes = !task.writes.empty();
   const std::size_t asked = writes ? ask_for_writes(request, task) : 0;
-  auto made = job::run(writes ? text_of(request) : task.request, parent.progress, catalogue);
-  if (!made && !made.error().shown)
-    return tl::unexpected(writes ? of_writes(made.error(), request, asked) : Error(made.error()));
+  auto made = shown(job::run(writes ? text_of(request) : task.request, parent.progress, catalogue));
+  if (!made) return tl::unexpected(writes ? of_writes(made.error(), request, asked) : made.error());
   std::map<std::string, Wanted> wanted;
   for (const auto& [artifact, path] : task.writes)
     wanted[name_in_results(request, artifact, catalogue)] = {path};
-  return done_of(std::move(made ? *made : *made.error().shown), std::move(wanted));
+  return done_of(std::move(*made), std::move(wanted));
 }
 
 process::Texts texts_of(const WorkTask& task) {

@@ -26,17 +26,13 @@ namespace {
 
 using Options = test::RandomRun;
 
-job::ConnectReport joined(const PlateStructure& structure) {
+job::Outcome<job::ConnectReport> joined(const PlateStructure& structure) {
   job::Request request;
   request.input = "pair.json";
   request.rules.enabled = false;
   job::PlatesFile file;
   file.structure = structure;
-  auto report = job::connect_plates(file, request);
-  if (report) return std::move(*report);
-  job::ConnectReport failed;
-  failed.refusal = report.error();
-  return failed;
+  return job::connect_plates(file, request);
 }
 
 Polygon polygon_on(const Frame& frame, const std::vector<Vec3>& outline) {
@@ -127,7 +123,7 @@ std::string text_of(const BendRequest& request) {
 bool folds(PlateStructure pair) {
   BendRequest fold{.between = {pair.plates[0].id, pair.plates[1].id}, .inside_radius = 0.0};
   pair.bends = {fold};
-  return !joined(pair).refusal;
+  return joined(pair).has_value();
 }
 
 // The longest bend that joins what a shop would call one part: twice the plates' diagonals.
@@ -150,8 +146,8 @@ std::optional<std::string> missed_choice(const PlateStructure& pair, bool touchi
     asked.bends = {request};
     asked.largest_span = largest_span(pair);
     if (!connect(asked)) return false;
-    const job::ConnectReport report = joined(asked);
-    if (report.refusal || !wrong_with(report, touching).empty()) return false;
+    const auto report = joined(asked);
+    if (!report || !wrong_with(*report, touching).empty()) return false;
     missed = text_of(request);
     return true;
   });
@@ -166,20 +162,20 @@ struct Tally {
 void examine(const Options& options, int index, Tally& tally) {
   const RandomPair pair = random_pair(options.seed, index);
   const bool touching = pair.how.starts_with("at ");
-  const job::ConnectReport report = joined(pair.structure);
+  const auto report = joined(pair.structure);
   const auto tell = [&](const std::string& what) {
     fmt::print("{} ({}): {}\n", index, pair.how, what);
     std::fflush(stdout);
     keep(options, index, pair.structure);
   };
-  if (!report.refusal) {
-    ++(report.status() == job::Status::ok ? tally.joined : tally.warned);
-    for (const Finding& finding : report.findings)
+  if (report) {
+    ++(report->status() == job::Status::ok ? tally.joined : tally.warned);
+    for (const Finding& finding : report->findings)
       if (finding.severity == Severity::warning) ++tally.codes["warning " + finding.code];
-    const std::string wrong = wrong_with(report, touching);
+    const std::string wrong = wrong_with(*report, touching);
     if (wrong.empty()) return;
     // Plates nearer than their thickness at their borders run into each other whatever joins them.
-    if (wrong_with(report, true).empty() && !missed_choice(pair.structure, false)) {
+    if (wrong_with(*report, true).empty() && !missed_choice(pair.structure, false)) {
       ++tally.codes["warning self_intersection that no choice avoids"];
       return;
     }
@@ -188,7 +184,7 @@ void examine(const Options& options, int index, Tally& tally) {
     return;
   }
   ++tally.refused;
-  const std::string code(code_name(report.refusal->code));
+  const std::string code(code_name(report.error().code));
   ++tally.codes[fmt::format("{} [{}]", pair.how, code)];
   if (pair.how == "at an edge" && folds(pair.structure)) ++tally.codes["… of them folded sharply"];
   const auto missed = missed_choice(pair.structure, touching);
@@ -196,7 +192,7 @@ void examine(const Options& options, int index, Tally& tally) {
   if (missed || options.list)
     tell(fmt::format("{} {}: {}",
                      missed ? "DEFECT: refused, but " + *missed + " joins it;" : "refused", code,
-                     report.refusal->message));
+                     report.error().message));
 }
 
 int run(const Options& options) {

@@ -95,8 +95,8 @@ Finding small_disc(double radius, double least) {
           .remedies = {{.change = "Make it larger, or have it turned by another shop."}}};
 }
 
-Result<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
-                                   const Progress& progress) {
+Outcome<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
+                                    const Progress& progress) {
   DiscReport report = begun<DiscReport>(request, file.units);
   const auto sheet = sheet_of(file);
   if (!sheet) return tl::unexpected(sheet.error());

@@ -15,7 +15,7 @@ std::optional<Error> read_step_and_unfold(const std::string& text, const Progres
   job::Request request;
   request.input = "input.step";
   request.body = "1";
-  const auto made = (*work)->make(request, progress);
+  const auto made = shown((*work)->make(request, progress));
   if (!made) return made.error();
   const std::string report = (*made)->json() + (*made)->text();
   if ((*made)->report().refusal) return (*made)->report().refusal;
@@ -74,7 +74,7 @@ std::optional<Error> make_json(const std::string& text, const Progress& progress
   if (!maker) return maker.error();
   const auto work = (*maker)->open({"input.json", input, std::nullopt}, progress);
   if (!work) return work.error();
-  const auto made = (*work)->make(request, progress);
+  const auto made = shown((*work)->make(request, progress));
   if (!made) return made.error();
   const std::string report = (*made)->json() + (*made)->text();
   return (*made)->report().refusal;

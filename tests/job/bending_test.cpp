@@ -32,7 +32,7 @@ std::unique_ptr<Made> made_of(const std::string& input, const Change& change) {
   EXPECT_TRUE(maker);
   const auto work = (*maker)->open({"channel.json", input, {}}, {});
   EXPECT_TRUE(work);
-  auto made = (*work)->make(request, {});
+  auto made = shown((*work)->make(request, {}));
   EXPECT_TRUE(made) << made.error().message;
   return std::move(*made);
 }

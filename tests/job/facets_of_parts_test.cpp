@@ -118,11 +118,11 @@ TEST(FacetsOfRealParts, CoverTheFlatPatternAndCarryItsLines) {
     job::Request request;
     request.input = entry.path();
     request.effort = job::Effort::draft;
-    const auto reports = job::unfold_all(request);
-    if (!reports) continue;  // not a STEP file with solids: tests/job/corpus_test.cpp
-    for (const job::UnfoldReport& report : *reports) {
-      if (report.refusal) continue;
-      expect_facets_cover(report);
+    const auto bodies = job::unfold_all(request);
+    if (!bodies) continue;  // not a STEP file with solids: tests/job/corpus_test.cpp
+    for (const auto& body : *bodies) {
+      if (!body) continue;
+      expect_facets_cover(*body);
       ++shown;
     }
   }

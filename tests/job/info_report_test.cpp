@@ -28,14 +28,14 @@ InfoReport two_bodies() {
   lid.faces = 14;
   lid.size = {25.4, 50.8, 76.2};
   lid.volume = 2 * 25.4 * 25.4 * 25.4;
-  lid.sheet = SheetInfo{{}, 2.54, 2, 1, {{7, 2 * 25.4 * 25.4}, {12, 25.4 * 25.4}}};
+  lid.sheet = SheetInfo{2.54, 2, 1, {{7, 2 * 25.4 * 25.4}, {12, 25.4 * 25.4}}};
   BodyInfo block = lid;
   block.number = 2;
   block.name = "block";
   block.material = "S235";
   block.colour = "#c0c0c0";
   block.density = 7.85;
-  block.sheet = SheetInfo{.refusal = Error{code::not_a_sheet, "no skins", "face 3"}, .faces = {}};
+  block.sheet = fail(code::not_a_sheet, "no skins", "face 3");
   report.bodies = {lid, block};
   return report;
 }
@@ -92,12 +92,11 @@ TEST(InfoReport, ConvertsLengthsAreasAndVolumes) {
 }
 
 TEST(InfoReport, IsRefusedWhereTheFileIs) {
-  InfoReport report;
-  report.input = "gone.step";
-  report.refusal = Error{code::cannot_read, "gone", "gone.step"};
-  const Json info = Json::parse(info_json(report));
+  const Json info = Json::parse(failed_info_json({.input = "gone.step", .body = {}},
+                                                 {code::cannot_read, "gone", "gone.step"}));
   EXPECT_EQ(mistake_of(info), "");
   EXPECT_EQ(info["status"], "refused");
+  EXPECT_EQ(info["input"], "gone.step");
   EXPECT_EQ(info["reason"]["code"], "cannot_read");
   EXPECT_TRUE(info["bodies"].empty());
 }

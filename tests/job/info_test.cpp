@@ -53,15 +53,15 @@ TEST(Info, MeasuresEachBody) {
 
 TEST(Info, FindsTheSheetAndTheFacesThatCanBeItsRoot) {
   const InfoReport report = told({.input = "two.step", .body = {}, .recognize = true});
-  const SheetInfo& bracket = *report.bodies[0].sheet;
-  ASSERT_FALSE(bracket.refusal);
+  ASSERT_TRUE(*report.bodies[0].sheet);
+  const SheetInfo& bracket = **report.bodies[0].sheet;
   EXPECT_NEAR(bracket.thickness, 2.0, 1e-9);
   EXPECT_EQ(bracket.flanges, 2);
   EXPECT_EQ(bracket.bends, 1);
   ASSERT_EQ(bracket.faces.size(), 2u) << "no bend";
   EXPECT_NEAR(bracket.faces[0].area, 50.0 * 40.0, 1e-6) << "the largest first";
   EXPECT_NEAR(bracket.faces[1].area, 30.0 * 40.0, 1e-6);
-  EXPECT_EQ(report.bodies[1].sheet->bends, 4);
+  EXPECT_EQ((*report.bodies[1].sheet)->bends, 4);
 }
 
 TEST(Info, TellsOfOneBodyWhereOneIsNamed) {

@@ -40,7 +40,7 @@ inline nlohmann::json channel_plates(double leg) {
   return plates;
 }
 
-/// What the maker of an input makes of it; fails, and is null, if it makes nothing.
+/// What the maker of an input makes of it, refused or not; fails, and is null, if it makes nothing.
 inline std::unique_ptr<job::Made> made_from(const std::string& name, const std::string& content,
                                             job::Request request = {}) {
   request.input = name;
@@ -48,7 +48,7 @@ inline std::unique_ptr<job::Made> made_from(const std::string& name, const std::
   if (!maker) return ADD_FAILURE() << maker.error().message, nullptr;
   const auto work = (*maker)->open({name, content, {}}, {});
   if (!work) return ADD_FAILURE() << work.error().message, nullptr;
-  auto made = (*work)->make(request, {});
+  auto made = shown((*work)->make(request, {}));
   if (!made) return ADD_FAILURE() << made.error().message, nullptr;
   return std::move(*made);
 }
@@ -64,17 +64,16 @@ inline std::unique_ptr<job::Made> made_in_two_pieces() {
 
 /// What comes of a request that is met, or that is refused and has a report all the same.
 inline job::RunResult done_by(const nlohmann::json& asked) {
-  const job::Ran ran = job::run(asked.dump());
-  if (ran) return *ran;
-  EXPECT_TRUE(ran.error().shown) << ran.error().message;
-  return ran.error().shown.value_or(job::RunResult{});
+  const auto done = shown(job::run(asked.dump()));
+  EXPECT_TRUE(done) << (done ? "" : done.error().message);
+  return done.value_or(job::RunResult{});
 }
 
 /// The error of one that is not.
 inline Error error_by(const nlohmann::json& asked) {
-  const job::Ran ran = job::run(asked.dump());
-  EXPECT_FALSE(ran.has_value()) << asked;
-  return ran ? Error{} : Error(ran.error());
+  const auto done = job::run(asked.dump());
+  EXPECT_FALSE(done.has_value()) << asked;
+  return done ? Error{} : Error(done.error());
 }
 
 }  // namespace planish::test

@@ -134,7 +134,6 @@ std::string brought_back(const job::UnfoldReport& part, const BendTree& tree,
   request.effort = job::Effort::draft;
   const auto made = job::connect_plates(*file, request);
   if (!made) return made.error().message;
-  if (made->refusal) return made->refusal->message;
   if (auto other = difference(tree, tree_of(made->connection)); !other.empty()) return other;
   const double ratio = made->flat.area / part.flat.area;
   return std::abs(ratio - 1.0) > kArea ? "area ratio " + std::to_string(ratio) : std::string();
@@ -147,7 +146,7 @@ std::optional<job::UnfoldReport> bent_part(const fs::path& path) {
   request.input = path;
   request.effort = job::Effort::draft;
   auto part = job::unfold(request);
-  if (!part || part->refusal) return std::nullopt;
+  if (!part) return std::nullopt;
   const int bends = static_cast<int>(part->sheet.bends.size());
   if (bends < kFewest || bends > kMost) return std::nullopt;
   return std::move(*part);
@@ -157,8 +156,7 @@ std::optional<job::UnfoldReport> bent_part(const fs::path& path) {
 bool overlaps_itself(const fs::path& path) {
   job::Request request;
   request.input = path;
-  const auto part = job::unfold(request);
-  return !part || part->refusal;
+  return !job::unfold(request);
 }
 
 TEST(PlatesOfRealParts, AreConnectedToThePartAgain) {

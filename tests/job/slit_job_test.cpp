@@ -33,7 +33,6 @@ SlitReport bent(const SlitFile& file, Effort effort = Effort::draft) {
 
 TEST(SlitJob, LaysFlatTheSheetThatWasCut) {
   const SlitReport report = bent(small_chair(), Effort::full);
-  ASSERT_FALSE(report.refusal) << report.refusal->message;
   ASSERT_EQ(report.strips.size(), 2u);
   EXPECT_LT(report.flat_deviation, 1e-6);
   double gap = 0.0;
@@ -55,18 +54,17 @@ TEST(SlitJob, CutsSlitsAsWideAsAsked) {
   const double whole = bent(file).flat.area;
   file.kerf = 2.0;
   const SlitReport report = bent(file);
-  ASSERT_FALSE(report.refusal) << report.refusal->message;
   EXPECT_TRUE(report.flat.slits.empty());
   EXPECT_LT(report.flat.area, whole - 400.0);
   file.kerf = 500.0;
   const auto wide = slit_sheet(file, slit_request());
-  const Error error = wide ? wide->refusal.value_or(Error{}) : wide.error();
-  EXPECT_EQ(error.where, "shop/chair.json/kerf");
+  ASSERT_FALSE(wide);
+  EXPECT_EQ(wide.error().where, "shop/chair.json/kerf");
   file.kerf = 0.0;
   file.stop_hole = 500.0;
   const auto hole = slit_sheet(file, slit_request());
-  EXPECT_EQ((hole ? hole->refusal.value_or(Error{}) : hole.error()).where,
-            "shop/chair.json/stop_hole");
+  ASSERT_FALSE(hole);
+  EXPECT_EQ(hole.error().where, "shop/chair.json/stop_hole");
 }
 
 TEST(SlitJob, ScalesLegCurvesThatMayFit) {
@@ -88,10 +86,12 @@ TEST(SlitJob, HalvesQuadsAsOftenAsAsked) {
 TEST(SlitJob, RefusesStripsThatDoNotReach) {
   SlitFile file = small_chair();
   file.design.sheet.half_length = 300;  // and the symmetry plane is 360 away
-  const SlitReport report = bent(file);
-  ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->code, code::out_of_reach);
-  EXPECT_EQ(report.refusal->where, "shop/chair.json/sheet/strips/0") << "the first of them";
+  const auto refused = slit_sheet(file, slit_request());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::out_of_reach);
+  EXPECT_EQ(refused.error().where, "shop/chair.json/sheet/strips/0") << "the first of them";
+  ASSERT_TRUE(refused.error().shown);
+  const SlitReport& report = *refused.error().shown;
   ASSERT_EQ(report.strips.size(), 2u);
   for (const StripState& strip : report.strips)
     EXPECT_NEAR(strip.shortfall, 60.0, 1.0);
@@ -101,11 +101,12 @@ TEST(SlitJob, RefusesStripsThatDoNotReach) {
 TEST(SlitJob, RefusesCurvesThatTheSheetDoesNotFit) {
   SlitFile file = small_chair();
   file.design.leg_curve = {{{360, 0}, {360, 60}}};
-  const SlitReport report = bent(file);
-  ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->code, code::curve_too_short);
-  EXPECT_EQ(report.refusal->where.rfind("shop/chair.json/leg_curve", 0), 0u);
-  EXPECT_TRUE(report.strips.empty());
+  const auto refused = slit_sheet(file, slit_request());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::curve_too_short);
+  EXPECT_EQ(refused.error().where.rfind("shop/chair.json/leg_curve", 0), 0u);
+  ASSERT_TRUE(refused.error().shown);
+  EXPECT_TRUE(refused.error().shown->strips.empty());
 }
 
 TEST(SlitJob, ReadsItsFile) {

@@ -99,8 +99,8 @@ TEST(SummaryJson, HoldsAWholeReportForEveryBody) {
 }
 
 TEST(SummaryJson, IsRefusedOnlyWhenNoBodyUnfolds) {
-  const auto status = [](const std::vector<UnfoldReport>& reports) {
-    return json::parse(summary_json(reports))["status"].get<std::string>();
+  const auto status = [](const std::vector<Outcome<UnfoldReport>>& bodies) {
+    return json::parse(summary_json(bodies))["status"].get<std::string>();
   };
   EXPECT_EQ(status({sample_report()}), "ok");
   EXPECT_EQ(status({sample_report(), refused_report()}), "warning");

@@ -40,7 +40,6 @@ TEST(TransitionJob, LaysAStraightDuctFlat) {
   Request request = request_for();
   request.density = 7.85;
   const TransitionReport report = reported(straight_duct(), request);
-  ASSERT_FALSE(report.refusal) << report.refusal->message;
   ASSERT_EQ(report.pieces.size(), 1u);
   EXPECT_EQ(report.body, "duct");
   EXPECT_EQ(report.pieces[0].body, "duct");
@@ -114,26 +113,29 @@ TEST(TransitionJob, TakesKFromTheCommandThenTheFileThenTheDefault) {
 TEST(TransitionJob, IsRefusedWithItsPlaceInTheFile) {
   TransitionFile file = straight_duct();
   file.spec.to.frame.origin = Vec3(0, 0, 0);
-  const TransitionReport report = reported(file, request_for());
-  ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->code, code::profiles_meet);
-  EXPECT_EQ(report.refusal->where.rfind("shop/duct.json", 0), 0u);
-  EXPECT_EQ(report.spec.thickness, 1.0);
+  const auto refused = transition_between(file, request_for());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::profiles_meet);
+  EXPECT_EQ(refused.error().where.rfind("shop/duct.json", 0), 0u);
+  ASSERT_TRUE(refused.error().shown);
+  EXPECT_EQ(refused.error().shown->spec.thickness, 1.0);
   file = straight_duct();
   std::get<PolygonProfile>(file.spec.from.profile).corners.resize(2);
   const auto invalid = transition_between(file, request_for());
-  ASSERT_FALSE(invalid) << "an input that is wrong gives no report";
+  ASSERT_FALSE(invalid);
+  EXPECT_FALSE(invalid.error().shown) << "an input that is wrong gives no report";
   EXPECT_EQ(invalid.error().where.rfind("shop/duct.json/from/profile/polygon", 0), 0u);
 }
 
 TEST(TransitionJob, KeepsThePatternOfAPieceThatIsRefused) {
   Request request = request_for();
   request.bending.ask = Bending::Ask::plan;  // no brake closes a duct
-  const TransitionReport report = reported(straight_duct(), request);
-  ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->code, code::cannot_bend);
-  EXPECT_NEAR(report.flat.area, 320.0 * 80.0, 1e-3);
-  EXPECT_TRUE(report.plan);
+  const auto refused = transition_between(straight_duct(), request);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::cannot_bend);
+  ASSERT_TRUE(refused.error().shown);
+  EXPECT_NEAR(refused.error().shown->flat.area, 320.0 * 80.0, 1e-3);
+  EXPECT_TRUE(refused.error().shown->plan);
 }
 
 TEST(TransitionJob, ReadsItsFile) {

@@ -29,7 +29,6 @@ TEST(UnfoldBody, LaysAnAngleFlat) {
   request.allowance = ConstantK{0.4, "ours"};
   request.density = 7.85;
   const UnfoldReport report = unfolded(test::l_bracket(), request);
-  ASSERT_FALSE(report.refusal);
   // 50 | 90° r 3 | 30, width 40, t 2
   const double bend = std::numbers::pi / 2 * (3.0 + 0.4 * 2.0);
   EXPECT_NEAR(report.flat.area, 40.0 * (80.0 + bend), 1e-3);
@@ -74,37 +73,38 @@ TEST(UnfoldBody, RefusesWhatIsNoSheetAndKeepsItsName) {
   const auto file = read_step_text(*step, "cube.step");
   ASSERT_TRUE(file);
   const auto report = unfold_body(file->bodies.front(), {});
-  ASSERT_TRUE(report);
-  ASSERT_TRUE(report->refusal);
-  EXPECT_EQ(report->body, "cube");
-  EXPECT_NE(report->refusal->where, "rip_edges") << "which nobody asked for";
-  EXPECT_EQ(report->status(), Status::refused);
-  EXPECT_TRUE(report->flat.outer.loop.empty());
+  ASSERT_FALSE(report);
+  EXPECT_NE(report.error().where, "rip_edges") << "which nobody asked for";
+  ASSERT_TRUE(report.error().shown);
+  EXPECT_EQ(report.error().shown->body, "cube");
+  EXPECT_EQ(report.error().shown->status(), Status::refused);
+  EXPECT_TRUE(report.error().shown->flat.outer.loop.empty());
 }
 
 TEST(UnfoldBody, CutsOpenWhatIsClosed) {
   const test::FoldedBox box = test::folded_box({.length = 80, .width = 50, .height = 25});
   Request request;
   request.effort = Effort::draft;
-  const UnfoldReport closed = unfolded(box.sheet, request);
-  ASSERT_TRUE(closed.refusal);
-  EXPECT_EQ(closed.refusal->code, code::closed_loop);
-  ASSERT_FALSE(closed.refusal->remedies.empty());
-  EXPECT_EQ(closed.refusal->remedies[0].option, "rip_edges");
+  const auto closed = unfold_body(body_of(box.sheet), request);
+  ASSERT_FALSE(closed);
+  EXPECT_TRUE(closed.error().shown);
+  EXPECT_EQ(closed.error().code, code::closed_loop);
+  ASSERT_FALSE(closed.error().remedies.empty());
+  EXPECT_EQ(closed.error().remedies[0].option, "rip_edges");
   // The remedy is one: with it the part lies flat.
-  const std::string& rips = closed.refusal->remedies[0].value;
+  const std::string& rips = closed.error().remedies[0].value;
   for (std::size_t at = 0; at < rips.size(); at = rips.find(',', at) + 1) {
     request.rip_edges.push_back(std::stoi(rips.substr(at)));
     if (rips.find(',', at) == std::string::npos) break;
   }
   const UnfoldReport open = unfolded(box.sheet, request);
-  EXPECT_FALSE(open.refusal) << open.refusal->message;
   ASSERT_FALSE(open.notes.empty());
   for (const int edge : request.rip_edges)
     EXPECT_NE(open.notes.back().find(std::to_string(edge)), std::string::npos);
   request.rip_edges = {9999};
   const auto absent = unfold_body(body_of(box.sheet), request);
   ASSERT_FALSE(absent);
+  EXPECT_FALSE(absent.error().shown) << "the request is wrong, not the body";
   EXPECT_EQ(absent.error().where, "rip_edges");
 }
 
@@ -112,17 +112,17 @@ TEST(UnfoldBody, AddsToTheRipsThatWereAskedFor) {
   const test::FoldedBox box = test::folded_box({.length = 80, .width = 50, .height = 25});
   Request request;
   request.effort = Effort::draft;
-  const UnfoldReport closed = unfolded(box.sheet, request);
-  ASSERT_FALSE(closed.refusal->remedies.empty());
-  const std::string all = closed.refusal->remedies[0].value;
+  const auto closed = unfold_body(body_of(box.sheet), request);
+  ASSERT_FALSE(closed);
+  ASSERT_FALSE(closed.error().remedies.empty());
+  const std::string all = closed.error().remedies[0].value;
   ASSERT_NE(all.find(','), std::string::npos) << "several edges";
   request.rip_edges = {std::stoi(all)};
-  const UnfoldReport half = unfolded(box.sheet, request);
-  ASSERT_TRUE(half.refusal);
-  ASSERT_FALSE(half.refusal->remedies.empty());
-  EXPECT_EQ(half.refusal->remedies[0].value.rfind(std::to_string(request.rip_edges[0]) + ",", 0),
-            0u)
-      << half.refusal->remedies[0].value;
+  const auto half = unfold_body(body_of(box.sheet), request);
+  ASSERT_FALSE(half);
+  ASSERT_FALSE(half.error().remedies.empty());
+  const std::string& more = half.error().remedies[0].value;
+  EXPECT_EQ(more.rfind(std::to_string(request.rip_edges[0]) + ",", 0), 0u) << more;
 }
 
 TEST(UnfoldBody, TakesTheMaterialOfTheShop) {

@@ -51,20 +51,23 @@ TEST(UnfoldAll, ReportsEachBodyAndGoesOn) {
   all.begins = [&](int body) { begun.push_back(body); };
   Progress progress;
   progress.report = [&](std::string_view, double share) { shares.push_back(share); };
-  auto reports = unfold_all(request, progress, all);
-  ASSERT_TRUE(reports);
-  ASSERT_EQ(reports->size(), 1u);
+  auto bodies = unfold_all(request, progress, all);
+  ASSERT_TRUE(bodies);
+  ASSERT_EQ(bodies->size(), 1u);
   EXPECT_EQ(begun, std::vector<int>{0});
-  EXPECT_EQ((*reports)[0].number, 1);
-  EXPECT_EQ((*reports)[0].input, request.input.string());
+  ASSERT_TRUE((*bodies)[0]);
+  EXPECT_EQ((*bodies)[0]->number, 1);
+  EXPECT_EQ((*bodies)[0]->input, request.input.string());
   for (std::size_t i = 1; i < shares.size(); ++i)
     EXPECT_GE(shares[i], shares[i - 1]) << "progress only grows";
   EXPECT_LE(shares.back(), 1.0);
   all.given_up = {{0, {code::out_of_time, "too long", ""}}};
-  reports = unfold_all(request, {}, all);
-  ASSERT_TRUE(reports);
-  EXPECT_EQ((*reports)[0].refusal->code, code::out_of_time);
-  EXPECT_EQ((*reports)[0].body, "bracket");
+  bodies = unfold_all(request, {}, all);
+  ASSERT_TRUE(bodies);
+  ASSERT_FALSE((*bodies)[0]);
+  EXPECT_EQ((*bodies)[0].error().code, code::out_of_time);
+  ASSERT_TRUE((*bodies)[0].error().shown);
+  EXPECT_EQ((*bodies)[0].error().shown->body, "bracket");
   all.wanted = [](int) { return false; };
   EXPECT_TRUE(unfold_all(request, {}, all)->empty());
 }

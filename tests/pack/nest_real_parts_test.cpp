@@ -26,10 +26,10 @@ std::vector<FlatPattern> real_patterns() {
     job::Request request;
     request.input = files[i];
     request.effort = job::Effort::draft;
-    const auto reports = job::unfold_all(request);
-    if (!reports) continue;
-    for (const job::UnfoldReport& report : *reports)
-      if (!report.refusal && !report.flat.outer.loop.empty()) patterns.push_back(report.flat);
+    const auto bodies = job::unfold_all(request);
+    if (!bodies) continue;
+    for (const auto& body : *bodies)
+      if (body) patterns.push_back(body->flat);
   }
   return patterns;
 }

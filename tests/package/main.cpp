@@ -8,6 +8,5 @@ int main(int, char** argv) {
   request.input = argv[1];
   const auto report = planish::job::unfold(request);
   if (!report) return std::puts(report.error().message.c_str()), 1;
-  if (!report->has_pattern()) return std::puts(report->refusal->message.c_str()), 1;
   std::printf("flat: %.2f x %.2f mm\n", report->size.x(), report->size.y());
 }

@@ -68,8 +68,8 @@ std::shared_ptr<Part> make(const std::string& request, const std::optional<py::b
                            py::object listener) {
   Call call(std::move(listener));
   const auto bytes = content ? std::optional(std::string(*content)) : std::nullopt;
-  return std::make_shared<Part>(
-      call.run([&](const Progress& progress) { return job::make(request, progress, bytes); }));
+  return std::make_shared<Part>(call.run(
+      [&](const Progress& progress) { return job::shown(job::make(request, progress, bytes)); }));
 }
 
 std::string info(const std::string& file, const std::string& body, bool sheets,

@@ -62,7 +62,7 @@ std::string Part::status() const {
   return std::string(job::status_name(made_.made->report().status()));
 }
 
-std::optional<Error> Part::refusal() const { return made_.made->report().refusal; }
+std::optional<Error> Part::refusal() const { return refusal_of(made_); }
 
 std::string Part::report() const { return made_.made->json(); }
 

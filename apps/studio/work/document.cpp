@@ -75,7 +75,7 @@ Result<Document::MadePointer> Document::make(const Asked& asked, job::Effort eff
   const bool whole = effort == job::Effort::full;
   if (whole && last_ && last_->first == asked.key) return last_->second;
   if (auto taken = take_spec(asked); !taken) return pass_on(taken);
-  auto made = work_->make(request_of(asked, effort), progress);
+  auto made = job::shown(work_->make(request_of(asked, effort), progress));
   if (!made) return tl::unexpected(job::at_pointer(made.error(), kOptions));
   MadePointer shared(std::move(*made));
   if (whole) last_ = {asked.key, shared};

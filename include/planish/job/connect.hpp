@@ -3,6 +3,7 @@
 #include <planish/base/progress.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/connect/connect.hpp>
+#include <planish/job/outcome.hpp>
 #include <planish/job/plates_json.hpp>
 #include <planish/job/report.hpp>
 
@@ -19,15 +20,15 @@ struct ConnectReport : Report {
 };
 
 /// Joins the plates, lays the sheet flat and certifies it: the volume against the kernel's folded
-/// solid, edge lengths and refolding against the sheet's own borders. An error means that the file
-/// could not be read or is invalid; plates that cannot be joined give a report with `refusal`.
-/// `where` of both is the file's name, followed by the JSON pointer of the cause. Errors:
-/// `cannot_read`, those of `parse_plates`, those of `planish::connect` with exit status 3.
-Result<ConnectReport> connect(const Request& request, const Progress& progress = {});
+/// solid, edge lengths and refolding against the sheet's own borders. `where` of an error is the
+/// file's name, followed by the JSON pointer of the cause. The error shows a report if the plates
+/// cannot be joined; it shows none if the file cannot be read or is invalid: `cannot_read`, those
+/// of `parse_plates`, those of `planish::connect` with exit status 3.
+Outcome<ConnectReport> connect(const Request& request, const Progress& progress = {});
 
 /// The same for a file already read (`request.input` only names it).
-Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
-                                     const Progress& progress = {});
+Outcome<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
+                                      const Progress& progress = {});
 
 /// Report as JSON text with the keys of formats.md#report, and as a person reads it on a terminal.
 std::string report_json(const ConnectReport& report);

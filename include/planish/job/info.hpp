@@ -30,9 +30,8 @@ struct FlangeFaceInfo {
   double area = 0.0;  ///< mm²
 };
 
-/// The sheet found in a body, or why it was refused.
+/// The sheet found in a body.
 struct SheetInfo {
-  std::optional<Error> refusal;
   double thickness = 0.0;
   int flanges = 0, bends = 0;
   std::vector<FlangeFaceInfo> faces;  ///< largest first
@@ -42,17 +41,16 @@ struct BodyInfo {
   int number = 0;
   std::string name;
   int quantity = 1, faces = 0;
-  Vec3 size = Vec3::Zero();       ///< mm
-  double volume = 0.0;            ///< mm³
-  std::string material, colour;   ///< as the file says; empty: it does not say
-  std::optional<double> density;  ///< kg/dm³, likewise
-  std::optional<SheetInfo> sheet;
+  Vec3 size = Vec3::Zero();                ///< mm
+  double volume = 0.0;                     ///< mm³
+  std::string material, colour;            ///< as the file says; empty: it does not say
+  std::optional<double> density;           ///< kg/dm³, likewise
+  std::optional<Result<SheetInfo>> sheet;  ///< or why there is none; empty: nobody asked
 };
 
-/// What a STEP file holds, or why it could not be read. Lengths are mm; `units` is for the reports.
+/// What a STEP file holds. Lengths are mm; `units` is for the reports.
 struct InfoReport {
   std::string input;
-  std::optional<Error> refusal;
   std::string schema, cad_system, file_unit;
   std::vector<BodyInfo> bodies;
   int surface_bodies = 0;
@@ -68,7 +66,9 @@ Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
 
 /// JSON text; `status` and `reason` as in a report (formats.md#report).
 std::string info_json(const InfoReport& report);
-/// Text for a terminal; `refusal` is ignored.
+/// The same of a request that ended with an error.
+std::string failed_info_json(const InfoRequest& request, const Error& error);
+/// Text for a terminal.
 std::string info_text(const InfoReport& report);
 
 }  // namespace planish::job

@@ -5,6 +5,7 @@
 #include <planish/geometry/mesh.hpp>
 #include <planish/job/named_file.hpp>
 #include <planish/job/options.hpp>
+#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 
 #include <filesystem>
@@ -65,6 +66,10 @@ class Made {
   virtual std::optional<MeshOfFaces> refused_solid() const { return std::nullopt; }
 };
 
+inline const std::optional<Error>& refusal_of(const std::unique_ptr<Made>& made) {
+  return made->report().refusal;
+}
+
 /// The report of the piece that a request shows, from 0; the whole's if a refusal left no pieces.
 /// Errors: `bad_option` if there is no such piece; `where` is the option's name.
 Result<const Report*> piece_of(const Made& made, int piece);
@@ -92,10 +97,10 @@ class Work {
   /// Replaces the input by an edited one. Errors: those of the parser (the previous input stays);
   /// `bad_option` for inputs that cannot be edited.
   virtual Result<void> edit(const InputFile& input);
-  /// An error means that the input or the request is invalid; what cannot be made gives a report
-  /// with `refusal`. `where` of both is the input's name, followed by the JSON pointer of the
+  /// The error shows a report if the sheet cannot be made or bent; it shows none if the input or
+  /// the request is invalid. Its `where` is the input's name, followed by the JSON pointer of the
   /// cause, or the name of an option, followed by the pointer within its value.
-  virtual Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) = 0;
+  virtual Outcome<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) = 0;
   /// Frees what is kept only because freeing it takes a while; requests are answered as before.
   /// Returns whether there was anything.
   virtual bool free_spare() { return false; }

@@ -13,9 +13,9 @@ namespace planish::job {
 /// or '_'; at most 100 bytes; "body" if nothing is left.
 std::string safe_name(const std::string& name);
 
-/// One stem per report, "<safe name>_t<thickness in mm>"; where two would name the same file
-/// (ignoring case, as some file systems do), the later ones end in "-2", "-3", …. Empty for a
-/// report without a pattern.
-std::vector<std::string> stems(const std::vector<UnfoldReport>& reports);
+/// One stem per body, "<safe name>_t<thickness in mm>"; where two would name the same file
+/// (ignoring case, as some file systems do), the later ones end in "-2", "-3", …. Empty for a body
+/// without a pattern.
+std::vector<std::string> stems(const std::vector<Outcome<UnfoldReport>>& bodies);
 
 }  // namespace planish::job

@@ -24,15 +24,15 @@ enum class Status { ok, warning, refused };
 /// "ok", "warning", "refused".
 std::string_view status_name(Status status);
 
-/// What every command reports about a flat pattern. With `refusal` there is no pattern; `summary`
-/// (if its thickness > 0) and `flat` (if its outer contour is not empty) hold what was known.
-/// Lengths are mm; `units` is for the reports.
+/// What every command reports about a flat pattern. A refused report, which an `Outcome` only shows
+/// beside its error, has no pattern; `summary` (if its thickness > 0) and `flat` (if its outer
+/// contour is not empty) then hold what was known. Lengths are mm; `units` is for the reports.
 struct Report {
   std::string input;
   std::string body;  ///< name of the part: of the body in its file, or of its input file
   std::string material, colour;   ///< "S235", "#rrggbb" as its file says; empty: it does not say
   std::optional<double> density;  ///< kg/dm³, likewise
-  std::optional<Error> refusal;
+  std::optional<Error> refusal;   ///< empty in what an `Outcome` holds
   SheetSummary summary;
   Sheet sheet;  ///< the faces and bends that `flat` refers to; no faces if it was not known
   FlatPattern flat;
@@ -48,7 +48,6 @@ struct Report {
   std::vector<std::string> files;  ///< written, named as the writer names them
   LengthUnit units = LengthUnit::mm;
   double read_seconds = 0.0, unfold_seconds = 0.0;
-  bool has_pattern() const { return !refusal; }
   bool has_warnings() const;
   Status status() const;
 };

@@ -22,17 +22,8 @@ struct RunResult {
   std::vector<ArtifactFile> artifacts;
 };
 
-/// Why a request has no result. What was understood and refused has a report all the same, and the
-/// artifacts that show it: a bend plan shows what is in the way.
-struct RunFailure : Error {
-  std::optional<RunResult> shown = {};  ///< with status `refused`; empty: the request failed
-};
-
-/// What became of a request. Not to be dropped: whatever gave no pattern is an error.
-class [[nodiscard]] Ran : public tl::expected<RunResult, RunFailure> {
- public:
-  using tl::expected<RunResult, RunFailure>::expected;
-};
+/// A result holds its refusal as text only: whoever makes a refused one gives the error beside it.
+inline std::optional<Error> refusal_of(const RunResult&) { return std::nullopt; }
 
 /// What was made for a request, kept so that artifacts can be written of it.
 struct MadeRequest {
@@ -40,6 +31,10 @@ struct MadeRequest {
   Request request;
   std::unique_ptr<Made> made;
 };
+
+inline const std::optional<Error>& refusal_of(const MadeRequest& request) {
+  return refusal_of(request.made);
+}
 
 /// Runs a request (JSON text, "planish/request"; its schema is docs/schema/request.json):
 ///
@@ -52,16 +47,17 @@ struct MadeRequest {
 /// holds, with "sheets": true the sheet in each body. From any thread, several at a time. Errors:
 /// `invalid_input` for a request that breaks its schema (`where` is the JSON pointer) or is nested
 /// more than 100 deep, `bad_option` (`where` is that of the option, "/options/bend_k/B99"), those
-/// of the maker's input, and the refusal of its report, which is then in `shown`.
-Ran run(const std::string& request, const Progress& progress = {},
-        const Catalogue& catalogue = built_in());
+/// of the maker's input, and refusals, which show the report and the artifacts that explain it: a
+/// bend plan shows what is in the way.
+Outcome<RunResult> run(const std::string& request, const Progress& progress = {},
+                       const Catalogue& catalogue = built_in());
 
 /// What `run` makes before it writes, of a maker or "bend"; `artifacts` of the request are left
 /// unwritten. `bytes`, if given, stand for the content of its input, since JSON cannot hold any
 /// bytes. From any thread. Errors: those of `run`; `bad_option` for "info".
-Result<MadeRequest> make(const std::string& request, const Progress& progress = {},
-                         std::optional<std::string> bytes = std::nullopt,
-                         const Catalogue& catalogue = built_in());
+Outcome<MadeRequest> make(const std::string& request, const Progress& progress = {},
+                          std::optional<std::string> bytes = std::nullopt,
+                          const Catalogue& catalogue = built_in());
 
 /// The same in a separate process, a copy of this one: a file that crashes the CAD kernel ends that
 /// process, not this one. From any thread; the copy is made when no `run` is at work (so `progress`
@@ -70,8 +66,9 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress = 
 /// process immediately. Costs some milliseconds more. Errors beyond those of `run`: `crashed`,
 /// `out_of_time`, `out_of_memory`, each with the stage that was reached, and `internal` if the
 /// system cannot start a process.
-Ran run_apart(const std::string& request, const Progress& progress = {},
-              const process::Limits& limits = {}, const Catalogue& catalogue = built_in());
+Outcome<RunResult> run_apart(const std::string& request, const Progress& progress = {},
+                             const process::Limits& limits = {},
+                             const Catalogue& catalogue = built_in());
 
 /// Option values from the text of a JSON object, like the "options" of a request. With
 /// `OptionFiles::content` files are given by content only: {"name": "steel.csv", "content": ...};

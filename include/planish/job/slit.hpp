@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/progress.hpp>
+#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 #include <planish/job/slit_json.hpp>
 #include <planish/slit/session.hpp>
@@ -27,20 +28,20 @@ struct SlitReport : Report {
 };
 
 /// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the sheet
-/// that was cut. An error means that the file could not be read or is invalid; strips out of reach
-/// give a report with `refusal`. `where` of both is the file's name, followed by the JSON pointer
-/// of the cause. The request's rules do not apply: they are for press brakes. Errors:
-/// `cannot_read`, those of `parse_slits`, those of `SlitSession::start` with exit status 3.
-Result<SlitReport> slit(const Request& request, const Progress& progress = {});
+/// that was cut. The request's rules do not apply: they are for press brakes. `where` of an error
+/// is the file's name, followed by the JSON pointer of the cause. The error shows a report if
+/// strips are out of reach; it shows none if the file cannot be read or is invalid: `cannot_read`,
+/// those of `parse_slits`, those of `SlitSession::start` with exit status 3.
+Outcome<SlitReport> slit(const Request& request, const Progress& progress = {});
 
 /// The same for a file already read (`request.input` only names it).
-Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
-                              const Progress& progress = {});
+Outcome<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
+                               const Progress& progress = {});
 
 /// The same for a session in its current state (of `file`, only kerf, stop holes and units are
 /// used).
-Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
-                               const Request& request, const Progress& progress = {});
+Outcome<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
+                                const Request& request, const Progress& progress = {});
 
 /// Report as JSON text with the keys of formats.md#report, and as text for a terminal.
 std::string report_json(const SlitReport& report, Ridges ridges = Ridges::told);

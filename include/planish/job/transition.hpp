@@ -2,6 +2,7 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/brep/step.hpp>
+#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 #include <planish/job/transition_json.hpp>
 #include <planish/transition/transition.hpp>
@@ -26,16 +27,16 @@ struct TransitionReport : Report {
   std::vector<TransitionPiece> pieces;
 };
 
-/// Makes the transition, lays each piece flat and certifies it. An error means that the file could
-/// not be read or is invalid; profiles that have no transition give a report with `refusal`.
-/// `where` of both is the file's name, followed by the JSON pointer of the cause.
-/// Errors: `cannot_read`, those of `parse_transition`, those of `make_transition` with exit status
-/// 3, `bad_option` (`request.allowance` is a rule that needs inside radii).
-Result<TransitionReport> transition(const Request& request, const Progress& progress = {});
+/// Makes the transition, lays each piece flat and certifies it. `where` of an error is the file's
+/// name, followed by the JSON pointer of the cause. The error shows a report if the profiles have
+/// no transition; it shows none if the file cannot be read or is invalid: `cannot_read`, those of
+/// `parse_transition`, those of `make_transition` with exit status 3, `bad_option`
+/// (`request.allowance` is a rule that needs inside radii).
+Outcome<TransitionReport> transition(const Request& request, const Progress& progress = {});
 
 /// The same for a file already read (`request.input` only names it).
-Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
-                                            const Progress& progress = {});
+Outcome<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
+                                             const Progress& progress = {});
 
 /// Report as JSON text with the keys of formats.md#report, and as text for a terminal.
 std::string report_json(const TransitionReport& report);

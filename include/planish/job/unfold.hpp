@@ -2,6 +2,7 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
+#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 
 #include <functional>
@@ -24,11 +25,11 @@ struct UnfoldReport : Report {
   int quantity = 1;
 };
 
-/// Unfolds one body. An error means that the input could not be read or the request is invalid; a
-/// body without a flat pattern gives a report with `refusal`. Errors beyond those of `read_step`:
-/// `no_such_body` (also if there are several bodies and none is chosen), `no_such_face`,
-/// `bad_option`.
-Result<UnfoldReport> unfold(const Request& request, const Progress& progress = {});
+/// Unfolds one body. The error shows a report if the body has no flat pattern; it shows none if the
+/// input could not be read or the request is invalid. Errors of the latter beyond those of
+/// `read_step`: `no_such_body` (also if there are several bodies and none is chosen),
+/// `no_such_face`, `bad_option`.
+Outcome<UnfoldReport> unfold(const Request& request, const Progress& progress = {});
 
 /// Settings for unfolding all bodies; bodies count from 0.
 struct AllBodies {
@@ -38,18 +39,19 @@ struct AllBodies {
 };
 
 /// Unfolds every distinct body of the file (`request.body` is ignored), in file order. If one body
-/// fails, its report has the refusal, and the others continue.
-Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress = {},
-                                             const AllBodies& all = {});
+/// fails, its outcome is an error that shows a report, and the others continue.
+Result<std::vector<Outcome<UnfoldReport>>> unfold_all(const Request& request,
+                                                      const Progress& progress = {},
+                                                      const AllBodies& all = {});
 
 /// The same for a body already read (`request.input` and `request.body` are ignored; `input`,
 /// `number`, `bodies_in_file` and `read_seconds` of the report are not set).
-Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
-                                 const Progress& progress = {});
+Outcome<UnfoldReport> unfold_body(const Body& body, const Request& request,
+                                  const Progress& progress = {});
 
 /// The same, given what `recognize` found in the body, or why it found no sheet.
-Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
-                                       const Request& request, const Progress& progress = {});
+Outcome<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
+                                        const Request& request, const Progress& progress = {});
 
 /// The report of a request that ended with an error, so that scripts find the reason in one place.
 UnfoldReport failed_unfold(const Request& request, const Error& error);
@@ -60,11 +62,12 @@ std::unique_ptr<Made> made_of(const UnfoldReport& report);
 
 /// Report as JSON text with the keys of formats.md#report.
 std::string report_json(const UnfoldReport& report);
-/// Summary of several bodies as JSON and as CSV (one row per body).
-std::string summary_json(const std::vector<UnfoldReport>& reports);
-std::string summary_csv(const std::vector<UnfoldReport>& reports);
-/// The report as text for a terminal, and the summary of several bodies.
+/// The same as text for a terminal.
 std::string report_text(const UnfoldReport& report);
-std::string summary_text(const std::vector<UnfoldReport>& reports);
+/// Summary of several bodies as JSON, as CSV (one row per body), and as text for a terminal. Each
+/// outcome must show a report, as those of `unfold_all` do.
+std::string summary_json(const std::vector<Outcome<UnfoldReport>>& bodies);
+std::string summary_csv(const std::vector<Outcome<UnfoldReport>>& bodies);
+std::string summary_text(const std::vector<Outcome<UnfoldReport>>& bodies);
 
 }  // namespace planish::job
