@@ -54,8 +54,9 @@ class BestFirst {
       work_.prove(next.estimate);
       if (work_.stopped() != StrokeWork::Stop::none) return End::stopped;
       open_.take();
-      const int stage = nodes_[next.node].stage;
-      if (dominated(next.node) || book_.is_dead(*book_[stage].formed)) continue;
+      const Node& node = nodes_[next.node];
+      // A cheaper way may have been found since.
+      if (least_known(node) < node.cost || book_.is_dead(*book_[node.stage].formed)) continue;
       expand(next);
       if (n % kBetweenDives == 0) improve(next.node);
       if (is_power_of_two(n) && work_.renew_bound()) return End::bound_renewed;
@@ -84,22 +85,13 @@ class BestFirst {
     open_.add({estimate(node), kNothing, count(*book_[node.stage].formed), number});
   }
 
-  /// Whether another way to the stage costs no more, even with the change to this one's set-up.
-  bool worse_than_known(const Node& node) const {
-    if (static_cast<int>(at_stage_.size()) <= node.stage) return false;
-    return std::ranges::any_of(at_stage_[node.stage], [&](int other) {
-      const Node& known = nodes_[other];
-      return known.cost + book_.change(known.set_up, node.set_up) <= node.cost;
-    });
-  }
-
-  /// The same for a node that is known: by one that came later, and is strictly cheaper.
-  bool dominated(int number) const {
-    const Node& node = nodes_[number];
-    return std::ranges::any_of(at_stage_[node.stage], [&](int other) {
-      const Node& known = nodes_[other];
-      return known.cost + book_.change(known.set_up, node.set_up) < node.cost;
-    });
+  /// The least that a known way to the node's stage costs, with the change to the node's set-up.
+  double least_known(const Node& node) const {
+    double least = std::numeric_limits<double>::infinity();
+    if (static_cast<int>(at_stage_.size()) <= node.stage) return least;
+    for (const int other : at_stage_[node.stage])
+      least = std::min(least, nodes_[other].cost + book_.change(nodes_[other].set_up, node.set_up));
+    return least;
   }
 
   void expand(const Waiting& waiting) {
@@ -139,7 +131,7 @@ class BestFirst {
     next.cost = from.cost + book_.change(from.set_up, next.set_up) + book_.choice(choice).cost;
     if (const auto known = book_.find(after)) {
       next.stage = *known;
-      if (worse_than_known(next)) return;
+      if (least_known(next) <= next.cost) return;
     }
     if (!book_.feasible(from.stage, offer)) return;
     next.stage = book_.stage_of(after);

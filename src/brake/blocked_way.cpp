@@ -4,10 +4,9 @@
 // hit less (math.md#bend-order).
 #include "blocked_way.hpp"
 
-#include "closing.hpp"
+#include "check.hpp"
 #include "gauge.hpp"
 #include "one_line.hpp"
-#include "plane_side.hpp"
 #include "standing.hpp"
 #include "sweep.hpp"
 
@@ -101,14 +100,6 @@ BlockedBend deepest_of_all(StageCache& cache, const Setting& stroke, double most
   return worst;
 }
 
-std::optional<Obstruction> obstruction_of(StageCache& cache, const Setting& stroke, bool closes) {
-  if (!closes)
-    if (auto short_side = too_short(cache, stroke)) return short_side;
-  auto rows = closes ? closing(cache, stroke) : standing(cache, stroke);
-  if (rows) return std::nullopt;
-  return std::move(rows.error());
-}
-
 /// Of all ways to make a stroke that cannot be made the one in which least is in the way.
 BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& pressed,
                        Clock::time_point until) {
@@ -124,7 +115,7 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
       for (const int direction : {1, -1}) {
         if (Clock::now() > until && (!best.hits.empty() || !best.why.empty())) continue;
         const Setting stroke{&formed, pressed, line, punch, die, direction};
-        const auto obstruction = obstruction_of(cache, stroke, closes);
+        const auto obstruction = obstruction_of(cache, stroke);
         if (!obstruction) continue;
         const double most = best.hits.empty() ? kDeepest : best.depth;
         BlockedBend found = obstruction->part >= 0 && obstruction->hits
@@ -156,9 +147,7 @@ BlockedWay blocked_way(StageCache& cache, const LineSet& formed, const LineSet& 
 }
 
 BlockedBend blocked(StageCache& cache, const LineSet& formed, int line, Clock::time_point until) {
-  LineSet alone = no_lines(cache.inputs().lines());
-  insert(alone, line);
-  return blocked_way(cache, formed, alone, until).bend;
+  return blocked_way(cache, formed, only(cache.inputs().lines(), line), until).bend;
 }
 
 }  // namespace planish::brake_detail

@@ -38,8 +38,7 @@ double farthest(const Body& body, const BrakeLine& from, const Vec2& away) {
 
 void move(Body& body, const Vec2& by) {
   for (Convex& piece : body.pieces)
-    for (Vec2& p : piece)
-      p += by;
+    piece = moved(std::move(piece), by);
   for (FreeEdge& edge : body.edges)
     edge = {edge.a + by, edge.b + by};
 }
@@ -50,9 +49,8 @@ void take_out(Body& body, const BrakeLine& line, const Vec2& away, const Interva
   const double at = away.dot(line.origin);
   std::vector<Convex> pieces;
   for (const Convex& piece : body.pieces) {
-    Convex near = clipped(piece, away, at + strip.lo), far = clipped(piece, -away, -at - strip.hi);
-    for (Vec2& p : far)
-      p += back;
+    Convex near = clipped(piece, away, at + strip.lo),
+           far = moved(clipped(piece, -away, -at - strip.hi), back);
     for (Convex* kept : {&near, &far})
       if (kept->size() > 2) pieces.push_back(std::move(*kept));
   }

@@ -1,11 +1,14 @@
 #pragma once
 
-#include "stage_cache.hpp"
+#include "obstruction.hpp"
 
 namespace planish::brake_detail {
 
-/// Whether a stroke can be made: the sides bear the die, nothing hits a tool, and segments stand
-/// between what is beside them. If not, the lines by which this is so.
+/// Why a stroke cannot be made: the sides do not bear the die, something hits a tool, or no
+/// segments stand between what is beside them.
+std::optional<Obstruction> obstruction_of(StageCache& cache, const Setting& stroke);
+
+/// Whether a stroke can be made. If not, the lines by which this is so.
 StrokeVerdict check(StageCache& cache, const LineSet& formed, const StrokeChoice& choice);
 
 }  // namespace planish::brake_detail

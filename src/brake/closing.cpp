@@ -52,4 +52,9 @@ Standing closing(StageCache& cache, const Setting& stroke) {
   return rows_between(cache, stroke, walls);
 }
 
+Standing press_rows(StageCache& cache, const Setting& stroke) {
+  const bool closes = cache.inputs().work.lines[stroke.line].closes.has_value();
+  return closes ? closing(cache, stroke) : standing(cache, stroke);
+}
+
 }  // namespace planish::brake_detail

@@ -8,6 +8,9 @@ namespace planish::brake_detail {
 /// Where the flat tools stand that close a hem, or what is in their way.
 Standing closing(StageCache& cache, const Setting& stroke);
 
+/// Where the tools of any stroke stand, one that closes or one that bends, or what is in their way.
+Standing press_rows(StageCache& cache, const Setting& stroke);
+
 /// The parts of a hem's tree before it is closed, both its sides lying.
 std::vector<const PlacedPart*> open_parts(StageCache& cache, const Setting& stroke);
 

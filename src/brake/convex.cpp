@@ -158,6 +158,12 @@ double distance(const Convex& a, const Convex& b) {
   return std::min(corners_to_sides(a, b), corners_to_sides(b, a));
 }
 
+Convex moved(Convex polygon, const Vec2& by) {
+  for (Vec2& p : polygon)
+    p += by;
+  return polygon;
+}
+
 Convex mirrored(const Convex& polygon) {
   Convex result(polygon.rbegin(), polygon.rend());
   for (Vec2& p : result)

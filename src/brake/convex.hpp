@@ -24,6 +24,8 @@ double separation(const Convex& a, const Convex& b);
 /// Distance of polygons that are apart; 0 if they meet.
 double distance(const Convex& a, const Convex& b);
 
+Convex moved(Convex polygon, const Vec2& by);
+
 /// Seen in a mirror: x of each corner is negated.
 Convex mirrored(const Convex& polygon);
 

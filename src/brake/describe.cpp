@@ -7,7 +7,6 @@
 #include "closing.hpp"
 #include "gauge.hpp"
 #include "one_line.hpp"
-#include "standing.hpp"
 
 #include <algorithm>
 
@@ -56,7 +55,7 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   const Setting at = setting(inputs, formed, choice);
   const BrakeLine& line = inputs.work.lines[at.line];
   const bool from_left = at.direction > 0;
-  const Standing rows = line.closes ? closing(cache, at) : standing(cache, at);
+  const Standing rows = press_rows(cache, at);
   Stroke stroke;
   stroke.bends = bends_of(inputs.work, at.pressed);
   stroke.press_line = line.press_line;

@@ -11,6 +11,7 @@
 #include "scene.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/id_vector.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -70,9 +71,7 @@ class OrderSteps {
           const auto& closes = work_.lines[line].closes;
           return !closes || holds(formed_, *closes);
         });
-      LineSet alone = no_lines(cache_.inputs().lines());
-      insert(alone, *next);
-      add(alone);
+      add(only(cache_.inputs().lines(), *next));
       rest.erase(next);
     }
   }
@@ -96,11 +95,7 @@ class OrderSteps {
     return ways;
   }
 
-  bool can_press(int line) {
-    LineSet alone = no_lines(cache_.inputs().lines());
-    insert(alone, line);
-    return !ways(alone).empty();
-  }
+  bool can_press(int line) { return !ways(only(cache_.inputs().lines(), line)).empty(); }
 
   void add(const LineSet& lines) {
     OrderStep step{formed_, ways(lines)};
@@ -231,8 +226,7 @@ ToolSections tool_sections(const BrakeTools& tools) {
     if (!tools.machine.upper_beam.empty())
       sections.upper_beams.push_back(section_of(tools.machine.upper_beam, lowered(punch)).outline);
   }
-  for (const Die& die : tools.dies)
-    sections.dies.push_back(section_of(die).outline);
+  sections.dies = mapped(tools.dies, [](const Die& die) { return section_of(die).outline; });
   if (!tools.machine.lower_beam.empty())
     sections.lower_beam = section_of(tools.machine.lower_beam).outline;
   return sections;

@@ -22,10 +22,6 @@ const Vec2& cyclic(const ToolProfile& profile, std::size_t i) {
   return profile[i % profile.size()];
 }
 
-Segment edge_at(const ToolProfile& profile, std::size_t i) {
-  return {cyclic(profile, i), cyclic(profile, i + 1)};
-}
-
 std::string row(std::size_t corner) { return "/" + std::to_string(corner); }
 
 /// A place in the plane of the profile.
@@ -57,6 +53,7 @@ bool is_spike(const ToolProfile& profile, std::size_t i, double near) {
 std::optional<ProfileFault> bad_outline(const ToolProfile& profile) {
   const std::size_t n = profile.size();
   const double near = corner_tolerance(profile);
+  const auto edges = sides_of(profile);
   const auto crossing = [&](std::size_t i) {
     return ProfileFault{row(i), refuse::profile_crosses, at_corner(profile[i])};
   };
@@ -65,8 +62,7 @@ std::optional<ProfileFault> bad_outline(const ToolProfile& profile) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
       const bool neighbours = i == 0 && j + 1 == n;
-      if (!neighbours && distance(edge_at(profile, i), edge_at(profile, j)) < near)
-        return crossing(j);
+      if (!neighbours && distance(edges[i], edges[j]) < near) return crossing(j);
     }
   return std::nullopt;
 }
@@ -96,9 +92,7 @@ std::optional<std::size_t> corner_at(const ToolProfile& profile, const Vec2& pla
 }
 
 bool on_outline(const ToolProfile& profile, const Vec2& place) {
-  for (std::size_t i = 0; i < profile.size(); ++i)
-    if (distance(place, edge_at(profile, i)) <= corner_tolerance(profile)) return true;
-  return false;
+  return distance_to_ring(profile, place) <= corner_tolerance(profile);
 }
 
 double angle_within(const ToolProfile& profile, std::size_t corner) {

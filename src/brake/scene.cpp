@@ -44,8 +44,7 @@ std::vector<StandingSegment> standing_segments(const std::vector<ToolRow>& rows,
 /// The rows of tools of a stroke. Of one that cannot be made those that the line needs, whatever
 /// is in their way, and where there are no such segments one of its whole length.
 PressRows rows_wanted(StageCache& cache, const Setting& stroke) {
-  const bool closes = cache.inputs().work.lines[stroke.line].closes.has_value();
-  if (Standing rows = closes ? closing(cache, stroke) : standing(cache, stroke)) return *rows;
+  if (Standing rows = press_rows(cache, stroke)) return *rows;
   PressRows rows = rows_without_walls(cache, stroke);
   const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
   for (auto* row : {&rows.punch, &rows.die})

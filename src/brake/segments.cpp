@@ -43,9 +43,7 @@ std::vector<Stretch> stretches_of(const RowRequest& request) {
   std::vector<Stretch> stretches;
   size_t room = 0;
   for (const Interval& piece : request.pieces) {
-    const double middle = 0.5 * (piece.lo + piece.hi);
-    const Interval pressed{std::min(piece.lo + request.shortfall, middle),
-                           std::max(piece.hi - request.shortfall, middle)};
+    const Interval pressed = covered(piece, request.shortfall);
     while (room < rooms.size() && rooms[room].hi < pressed.hi)
       ++room;
     if (room == rooms.size() || rooms[room].lo > pressed.lo) return {};
@@ -85,6 +83,11 @@ bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches, Segmen
 }
 
 }  // namespace
+
+Interval covered(const Interval& piece, double shortfall) {
+  const double middle = 0.5 * (piece.lo + piece.hi);
+  return {std::min(piece.lo + shortfall, middle), std::max(piece.hi - shortfall, middle)};
+}
 
 double ToolRow::length() const { return std::accumulate(segments.begin(), segments.end(), 0.0); }
 

@@ -13,6 +13,9 @@ struct ToolRow {
   double length() const;
 };
 
+/// What a row must cover of a piece of the bend line, of which so much may be missing at each end.
+Interval covered(const Interval& piece, double shortfall);
+
 struct RowRequest {
   std::vector<Interval> pieces;   ///< of the bend line, from the lowest x on
   double shortfall = 0.0;         ///< may be missing at each end of a piece, mm

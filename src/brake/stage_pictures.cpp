@@ -48,12 +48,6 @@ std::vector<ToolProfile> sections_at(const PressMotion& motion,
   return sections;
 }
 
-ToolProfile moved(ToolProfile profile, const Vec2& by) {
-  for (Vec2& p : profile)
-    p += by;
-  return profile;
-}
-
 template <typename Tools>
 const auto& named(const Tools& tools, const std::string& id) {
   const auto found = std::ranges::find(tools, id, &Tools::value_type::id);

@@ -15,12 +15,6 @@
 namespace planish::brake_detail {
 namespace {
 
-/// What a row must cover of a piece of the bend line.
-Interval covered(const Interval& piece, double shortfall) {
-  const double middle = 0.5 * (piece.lo + piece.hi);
-  return {std::min(piece.lo + shortfall, middle), std::max(piece.hi - shortfall, middle)};
-}
-
 bool stands_in(const std::vector<Interval>& blocked, const std::vector<Interval>& pieces,
                double shortfall) {
   for (const Interval& piece : pieces) {

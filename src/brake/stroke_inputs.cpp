@@ -3,6 +3,8 @@
 #include "one_line.hpp"
 #include "tool_shape.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 namespace planish::brake_detail {
 namespace {
 
@@ -12,10 +14,9 @@ constexpr double kSameWay = 1e-3;  // of unit vectors: one direction of the gaug
 
 StrokeInputs stroke_inputs(Workpiece work, const BrakeTools& tools, const PlanOptions& options) {
   StrokeInputs inputs{std::move(work), tools, options, {}, {}, {}, {}, {}};
-  for (const Punch& punch : tools.punches)
-    inputs.punch_segments.emplace_back(punch.segments);
-  for (const Die& die : tools.dies)
-    inputs.die_segments.emplace_back(die.segments);
+  const auto sums = [](const auto& tool) { return SegmentSums(tool.segments); };
+  inputs.punch_segments = mapped(tools.punches, sums);
+  inputs.die_segments = mapped(tools.dies, sums);
   const std::vector<BrakeLine>& lines = inputs.work.lines;
   inputs.on_one_line.resize(lines.size());
   for (int i = 0; i < std::ssize(lines); ++i) {

@@ -100,10 +100,7 @@ double lowered(const Punch& punch) {
 }
 
 ToolSection section_of(const Punch& punch) {
-  ToolSection section{rounded_outline(oriented(punch.profile), {tip_of(punch)})};
-  for (Vec2& p : section.outline)
-    p.y() -= lowered(punch);
-  return section;
+  return {moved(rounded_outline(oriented(punch.profile), {tip_of(punch)}), {0.0, -lowered(punch)})};
 }
 
 ToolSection section_of(const Die& die) {
@@ -114,10 +111,7 @@ ToolSection section_of(const Die& die) {
 }
 
 ToolSection section_of(const ToolProfile& profile, double lowered) {
-  ToolSection section{oriented(profile)};
-  for (Vec2& p : section.outline)
-    p.y() -= lowered;
-  return section;
+  return {moved(oriented(profile), {0.0, -lowered})};
 }
 
 Shoulder shoulder_of(const Die& die) {
@@ -174,8 +168,7 @@ Obstacle mirrored(const Obstacle& obstacle) {
 
 Obstacle moved(Obstacle obstacle, const Vec2& by) {
   for (Convex& piece : obstacle.pieces)
-    for (Vec2& p : piece)
-      p += by;
+    piece = moved(std::move(piece), by);
   add_boxes(obstacle);
   return obstacle;
 }

@@ -26,11 +26,6 @@ constexpr Colour kUp = kPageUp, kDown = kPageDown, kGrey = kPageGrey;
 constexpr Colour kSheet = kPageSheet, kSteel{0.80, 0.83, 0.86}, kPart{0.16, 0.42, 0.75};
 constexpr Colour kBefore{0.78, 0.86, 0.95}, kAlert = kPageAlert;
 
-void add(Box2& box, const std::vector<Vec2>& points) {
-  for (const Vec2& p : points)
-    box.add(p);
-}
-
 const FlatBend& bend_of(const BendDrawing& drawing, BendId id) {
   const auto found = std::ranges::find(drawing.flat.bends, id, &FlatBend::bend);
   PLANISH_ASSERT(found != drawing.flat.bends.end());
@@ -114,8 +109,7 @@ void head(Page& page, const BendDrawing& drawing, std::size_t at, std::size_t of
 }
 
 void flat_drawing(Page& page, const BendDrawing& drawing, const Rectangle& into) {
-  Box2 box;
-  add(box, sampled(drawing.flat.outer.loop, 1.0));
+  const Box2 box = box_of(sampled(drawing.flat.outer.loop, 1.0));
   constexpr double kRoom = 9.0;  // for dimensions
   const Rectangle inner{into.corner + Vec2(kRoom, kRoom), into.size - Vec2(2 * kRoom, 2 * kRoom)};
   const Fit fit(box, inner, 1.0);
@@ -166,8 +160,7 @@ void lying(Page& page, const BendDrawing& drawing, std::size_t s, const Rectangl
       p = Vec2(p.dot(right), p.dot(up));
     return points;
   };
-  Box2 box;
-  add(box, seen(sampled(drawing.flat.outer.loop, 1.0)));
+  const Box2 box = box_of(seen(sampled(drawing.flat.outer.loop, 1.0)));
   constexpr double kRoom = 11.0;  // for the dimension
   const Fit fit(box, {into.corner, into.size - Vec2(kRoom, 0.0)}, 1.0);
   auto rings = mapped(rings_of(drawing.flat, fit.scale()),
@@ -194,7 +187,7 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
   Box2 box;
   for (const auto* sections : {&picture.lying, &picture.bent})
     for (const ToolProfile& section : *sections)
-      add(box, section);
+      box.add(box_of(section));
   const double room = std::max(20.0, 0.1 * (box.hi - box.lo).maxCoeff());
   box.lo -= Vec2(0.5 * room, 1.5 * room);
   box.hi += Vec2(0.5 * room, room);

@@ -4,6 +4,7 @@
 #include <planish/base/text.hpp>
 #include <planish/drawing/page_parts.hpp>
 #include <planish/drawing/part_pages.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/schema/units.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
@@ -32,8 +33,7 @@ const std::vector<double> kHidden{1.2, 0.6};  // dashes of outlines on the side 
 Box2 box_of(const std::vector<std::vector<Vec2>>& lines) {
   Box2 box;
   for (const auto& line : lines)
-    for (const Vec2& p : line)
-      box.add(p);
+    box.add(planish::box_of(line));
   return box;
 }
 

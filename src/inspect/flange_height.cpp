@@ -5,6 +5,8 @@
 
 #include "rule_checks.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <cmath>
 
 namespace planish::inspect_detail {
@@ -18,10 +20,7 @@ std::pair<double, size_t> first_other_bend(const Workpiece& workpiece, size_t be
                                            double reach) {
   double nearest = std::numeric_limits<double>::infinity();
   size_t which = bend;
-  Box2 box;
-  box.add(origin);
-  box.add(Vec2(origin + reach * direction));
-  workpiece.tangent_index.visit(box, [&](size_t i) {
+  workpiece.tangent_index.visit(box_of({origin, origin + reach * direction}), [&](size_t i) {
     const TangentSegment& other = workpiece.tangent_lines[i];
     if (other.bend == bend) return;
     for (const double t : crossings(other.line, origin, direction)) {

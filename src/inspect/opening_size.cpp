@@ -5,6 +5,7 @@
 #include "rule_checks.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/box_tree.hpp>
 
 // The largest circle within an opening. It touches the opening, so places of contact are tried
 // along its curves: a circle that touches there is shrunk until it touches the point nearest to its
@@ -20,8 +21,7 @@ struct NearestPoint {
 };
 
 NearestPoint nearest_point(const Opening& opening, const Vec2& p) {
-  Box2 place;
-  place.add(p);
+  const Box2 place{p, p};
   NearestPoint best;
   for (size_t i = 0; i < opening.loop->size(); ++i) {
     if (box_distance(opening.boxed.boxes[i], place) >= best.distance) continue;

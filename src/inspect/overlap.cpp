@@ -8,6 +8,8 @@
 #include "ring_index.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/geometry/box_tree.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
@@ -116,12 +118,7 @@ void add_crossing(const Loop& loop, const std::optional<Vec2>& opening, double c
   std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);
   std::erase_if(crossings, [&](const Vec2& p) {
     return std::ranges::any_of(findings, [&](const Finding& finding) {
-      Box2 box;
-      for (const Vec2& corner : finding.at)
-        box.add(corner);
-      Box2 place;
-      place.add(p);
-      return widened(place, 2.0 * clearance + chord).overlaps(box);
+      return widened({p, p}, 2.0 * clearance + chord).overlaps(box_of(finding.at));
     });
   });
   if (crossings.empty()) return;

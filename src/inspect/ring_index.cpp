@@ -26,9 +26,7 @@ std::vector<Box2> RingIndex::boxes_of(const std::vector<Edge>& edges) {
 }
 
 int RingIndex::winding(const Vec2& p) const {
-  Box2 ray;
-  ray.lo = ray.hi = p;
-  ray.hi.x() = std::numeric_limits<double>::infinity();
+  const Box2 ray{p, {std::numeric_limits<double>::infinity(), p.y()}};
   int turns = 0;
   index_.visit(ray, [&](size_t id) {
     const Vec2& a = edges_[id].a;
@@ -45,10 +43,8 @@ int RingIndex::winding(const Vec2& p) const {
 bool RingIndex::odd(const Vec2& p) const { return winding(p) % 2 != 0; }
 
 bool RingIndex::clear(const Vec2& p, double distance) const {
-  Box2 box;
-  box.add(p);
   bool result = true;
-  index_.visit(widened(box, distance), [&](size_t id) {
+  index_.visit(widened({p, p}, distance), [&](size_t id) {
     const Curve2 edge = Segment{edges_[id].a, edges_[id].b};
     if (result && nearest(edge, p).distance < distance) result = false;
   });
@@ -56,10 +52,7 @@ bool RingIndex::clear(const Vec2& p, double distance) const {
 }
 
 Box2 RingIndex::ray_box(const Vec2& origin, const Vec2& direction, double reach) {
-  Box2 box;
-  box.add(origin);
-  box.add(Vec2(origin + reach * direction));
-  return box;
+  return box_of({origin, origin + reach * direction});
 }
 
 std::optional<double> RingIndex::hit(const Edge& edge, const Vec2& origin, const Vec2& direction) {

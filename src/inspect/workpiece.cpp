@@ -7,6 +7,7 @@
 #include "observation.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/box_tree.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -129,9 +130,7 @@ class SizeTeller {
 };
 
 bool at_loop(const Opening& opening, const Vec2& p) {
-  Box2 box;
-  box.add(p);
-  if (box_distance(box, opening.boxed.box) > kDrawn) return false;
+  if (box_distance({p, p}, opening.boxed.box) > kDrawn) return false;
   return std::ranges::any_of(
       *opening.loop, [&](const Curve2& curve) { return nearest(curve, p).distance <= kDrawn; });
 }

@@ -3,6 +3,7 @@
 #include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/box_tree.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -59,13 +60,6 @@ bool meets(const PlacedLabel& label, const PlacedLabel& other) {
          meets(label, Segment{c[0], c[2]});
 }
 
-Box2 box_of(const PlacedLabel& label) {
-  Box2 box;
-  for (const Vec2& corner : corners(label))
-    box.add(corner);
-  return box;
-}
-
 /// The lines that labels keep off.
 class Lines {
  public:
@@ -74,7 +68,8 @@ class Lines {
   /// How many of them enter the label's box.
   std::size_t met_by(const PlacedLabel& label) const {
     std::size_t met = 0;
-    tree_.visit(box_of(label), [&](std::size_t i) { met += meets(label, lines_[i]) ? 1 : 0; });
+    tree_.visit(box_of(corners(label)),
+                [&](std::size_t i) { met += meets(label, lines_[i]) ? 1 : 0; });
     return met;
   }
 
@@ -91,13 +86,13 @@ class Lines {
 class Placed {
  public:
   void add(PlacedLabel label) {
-    boxes_.push_back(box_of(label));
+    boxes_.push_back(box_of(corners(label)));
     labels_.push_back(std::move(label));
   }
 
   /// How many of them the label would cover.
   std::size_t met_by(const PlacedLabel& label) const {
-    const Box2 box = box_of(label);
+    const Box2 box = box_of(corners(label));
     std::size_t met = 0;
     for (std::size_t i = 0; i < boxes_.size(); ++i)
       met += boxes_[i].overlaps(box) && meets(label, labels_[i]) ? 1 : 0;

@@ -2,6 +2,8 @@
 
 #include <planish/base/assert.hpp>
 #include <planish/base/id_vector.hpp>
+#include <planish/geometry/box_tree.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -20,13 +22,6 @@ namespace {
 
 using Ring = std::vector<Vec2>;
 
-double distance_to(const Segment& line, const Vec2& p) {
-  const Vec2 along = line.b - line.a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - line.a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - line.a - t * along).norm();
-}
-
 /// Corners first … last of an open chain that keep it within `tolerance` (Douglas and Peucker),
 /// without the last.
 void keep_corners(const Ring& points, std::size_t first, std::size_t last, double tolerance,
@@ -34,7 +29,8 @@ void keep_corners(const Ring& points, std::size_t first, std::size_t last, doubl
   std::size_t farthest = first;
   double most = tolerance;
   for (std::size_t i = first + 1; i < last; ++i) {
-    const double distance = distance_to({points[first], points[last % points.size()]}, points[i]);
+    const double distance = planish::distance(points[i],
+                                              {points[first], points[last % points.size()]});
     if (distance > most) {
       most = distance;
       farthest = i;
@@ -106,11 +102,7 @@ bool has_curves(const Loop& contour) {
 }
 
 /// The box that far outwards. Outlines end there: a sharp corner that is grown may go on beyond.
-Path limits_of(Box2 box, double reach) {
-  box.lo.array() -= reach;
-  box.hi.array() += reach;
-  return rectangle(box);
-}
+Path limits_of(const Box2& box, double reach) { return rectangle(widened(box, reach)); }
 
 /// The ring's neighbourhood, as polygons of ever fewer corners, until one has few enough.
 Path neighbourhood(const Loop& contour, const Box2& box, double reach) {
