@@ -55,7 +55,8 @@ class Info : public Command {
 }  // namespace
 
 CLI::App* add_info(const Program& program, InfoArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand("info", "say what is in a STEP file");
+  const job::Task& task = *program.catalogue.task("info");
+  CLI::App* command = program.app.add_subcommand("info", std::string(task.description));
   add_step_input(*command, arguments.input);
   const job::Option &body = job::option("body"), &units = job::option("units");
   add_option(*command, body, "only this body: its number or name", type_name(body),

@@ -15,8 +15,6 @@ namespace planish::cli {
 
 namespace fs = std::filesystem;
 
-Error bad_option(std::string message) { return {code::bad_option, std::move(message), {}}; }
-
 std::string suffix_of(const fs::path& path) {
   std::string suffix = path.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),

@@ -120,17 +120,8 @@ Result<std::vector<WrittenArtifact>> write(const Artifact& artifact, const Made&
 }
 
 std::string_view role_name(Role role) {
-  switch (role) {
-    case Role::flat:
-      return "flat";
-    case Role::folded:
-      return "folded";
-    case Role::mould:
-      return "mould";
-    case Role::report:
-      break;
-  }
-  return "report";
+  constexpr std::string_view kWords[] = {"flat", "folded", "mould", "report"};
+  return kWords[static_cast<int>(role)];
 }
 
 }  // namespace planish::job

@@ -22,17 +22,8 @@ std::string_view facing_name(EdgeKind kind) {
 }
 
 std::string_view lateral_name(LateralBoundary lateral) {
-  switch (lateral) {
-    case LateralBoundary::straight:
-      return "straight";
-    case LateralBoundary::arc:
-      return "arc";
-    case LateralBoundary::corner:
-      return "corner";
-    case LateralBoundary::automatic:
-      break;
-  }
-  return "auto";
+  constexpr std::string_view kWords[] = {"auto", "straight", "arc", "corner"};
+  return kWords[static_cast<int>(lateral)];
 }
 
 const FittedBend* fitted(const ConnectReport& report, BendId id) {

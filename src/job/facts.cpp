@@ -4,27 +4,13 @@
 
 namespace planish::job {
 std::string_view severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::info:
-      return "info";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      break;
-  }
-  return "error";
+  constexpr std::string_view kWords[] = {"info", "warning", "error"};
+  return kWords[static_cast<int>(severity)];
 }
 
 std::string_view status_name(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::warning:
-      return "warning";
-    case Status::refused:
-      break;
-  }
-  return "refused";
+  constexpr std::string_view kWords[] = {"ok", "warning", "refused"};
+  return kWords[static_cast<int>(status)];
 }
 
 bool sheet_known(const Report& report) { return report.summary.thickness > 0.0; }

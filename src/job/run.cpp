@@ -21,6 +21,8 @@ std::shared_mutex& working_here() {
   return *one;
 }
 
+}  // namespace
+
 Result<RunDone> run_maker(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
@@ -46,6 +48,8 @@ Result<RunDone> run_maker(const Asked& asked, const Progress& progress) {
   return result;
 }
 
+namespace {
+
 /// An error of options is at its pointer in the request.
 template <typename T>
 Result<T> at_request(Result<T> result) {
@@ -54,9 +58,7 @@ Result<T> at_request(Result<T> result) {
 }
 
 Result<RunDone> done(const Asked& asked, const Progress& progress) {
-  return at_request(asked.task == Asked::Task::info   ? run_info(asked, progress)
-                    : asked.task == Asked::Task::bend ? run_bend(asked, progress)
-                                                      : run_maker(asked, progress));
+  return at_request(asked.task->run(asked, progress));
 }
 
 constexpr std::size_t kOfResult = 5, kOfFile = 4;
@@ -116,10 +118,10 @@ Result<MadeRequest> make(const std::string& request, const Progress& progress,
   const std::shared_lock here(working_here());
   auto asked = read_asked(request, catalogue, std::move(bytes));
   if (!asked) return pass_on(asked);
-  if (!asked->maker) return schema::fail_at(refuse::info_makes_nothing, "/maker");
+  if (!asked->maker)
+    return schema::fail_at(refuse::makes_nothing, "/maker", {{"task", asked->task->name}});
   auto made = at_request(make_asked(*asked, progress));
   if (!made) return pass_on(made);
-  (*made)->report().of_bending = asked->task == Asked::Task::bend;
   return MadeRequest{asked->maker, std::move(asked->request), std::move(*made)};
 }
 

@@ -17,15 +17,8 @@ using namespace schema;
 namespace {
 
 std::string_view status_word(StripStatus status) {
-  switch (status) {
-    case StripStatus::open:
-      return "open";
-    case StripStatus::solved:
-      return "solved";
-    case StripStatus::out_of_reach:
-      break;
-  }
-  return "out_of_reach";
+  constexpr std::string_view kWords[] = {"open", "solved", "out_of_reach"};
+  return kWords[static_cast<int>(status)];
 }
 
 Json ridge_json(const SlitRidge& ridge, const Units& units) {
