@@ -42,7 +42,7 @@ void add_used(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
 
 void add_options(CLI::App& app, const Maker& maker, job::OptionValues& values, bool of_input) {
   for (const OptionUse& use : maker.options)
-    if ((use.entry().group == "Input") == of_input) add_used(app, use, values);
+    if ((use.entry().group == job::OptionGroup::input) == of_input) add_used(app, use, values);
 }
 
 // ".dxf, .svg or .step"

@@ -2,9 +2,9 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
 #include "output_files.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
-#include <planish/job/bend.hpp>
 #include <planish/job/bend_plan_pages.hpp>
 #include <planish/shop/tools_json.hpp>
 
@@ -14,6 +14,8 @@
 
 namespace planish::cli {
 namespace {
+
+constexpr auto kBend = "bend";
 
 constexpr auto kBendExamples = R"(Examples:
   planish bend part.step                          the order of strokes, with common tools
@@ -46,7 +48,7 @@ void add_material(CLI::App& app, job::OptionValues& values) {
                      metal.description))
       ->check(not_empty)
       ->type_name("METAL|FILE.json")
-      ->group("Press brake");
+      ->group(std::string(job::heading(job::OptionGroup::brake)));
 }
 
 void add_time_limit(CLI::App& app, BendArguments& to) {
@@ -75,8 +77,8 @@ void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values
 std::optional<Error> unwritable(const BendArguments& arguments) {
   for (const std::string& name : arguments.outputs)
     if (suffix_of(name) != ".pdf" && suffix_of(name) != ".svg")
-      return bad_option(
-          fmt::format("-o {} does not say what to write: end it in .pdf or .svg", name));
+      return error_of(refuse::output_unclear,
+                      {{"option", "-o"}, {"file", name}, {"suffixes", ".pdf, .svg"}});
   std::vector<std::string> names = arguments.outputs;
   names.push_back(arguments.json);
   const auto files = files_named(names);
@@ -120,7 +122,7 @@ class Bend : public Command {
     request.input = arguments_.input;
     request.body = arguments_.options.text("body");
     const auto made = maker_->failed(request, error);
-    made->report().of_bending = true;
+    made->report().task = kBend;
     return {.json = made->json(), .error = error};
   }
 
@@ -130,8 +132,8 @@ class Bend : public Command {
     for (const job::Option& option : job::options())
       if ((job::is_of_sheet_to_bend(option) || option.name == "material") &&
           arguments_.options.given(option.name) && !maker_->takes(option.name))
-        return bad_option(
-            fmt::format("{} does not go with a {}", flag_of(option.name), maker_->input_kind()));
+        return error_of(refuse::not_for_input,
+                        {{"option", option.name}, {"kind", maker_->input_kind()}});
     return std::nullopt;
   }
 
@@ -154,7 +156,7 @@ class Bend : public Command {
   }
 
   Outcome outcome_of(job::Made& made, const job::Request& request) const {
-    made.report().of_bending = true;
+    made.report().task = kBend;
     const std::optional<Error>& refusal = made.report().refusal;
     // A page shows why a part cannot be bent.
     if (refusal && !made.report().plan) return {.json = made.json(), .error = refusal};
@@ -182,8 +184,8 @@ class Bend : public Command {
 }  // namespace
 
 CLI::App* add_bend(const Program& program, BendArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand(
-      "bend", "find the order in which a press brake bends a part");
+  const job::Task& task = *program.catalogue.task(kBend);
+  CLI::App* command = program.app.add_subcommand(kBend, std::string(task.description));
   add_text(*command, "input", arguments.input, "FILE",
            "STEP file, or the file of another maker, or - for standard input")
       ->required();
@@ -201,7 +203,7 @@ CLI::App* add_bend(const Program& program, BendArguments& arguments) {
             throw CLI::Success();
           },
           "print the built-in tools as a tools file, and exit")
-      ->group("Press brake");
+      ->group(std::string(job::heading(job::OptionGroup::brake)));
   add_repeatable(*command, "-o,--output", arguments.outputs,
                  "plan on pages to hang at the machine: .pdf or .svg; may be given several times")
       ->type_name("PATH")

@@ -1,8 +1,7 @@
 #include "contradictions.hpp"
 
 #include "output_files.hpp"
-
-#include <fmt/format.h>
+#include "refusals.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -11,10 +10,11 @@
 namespace planish::cli {
 namespace {
 
-// A condition under which the command line makes no sense, and the message for it.
+// A condition under which the command line makes no sense, and the error for it.
 struct Contradiction {
   bool holds;
-  std::string sentence;
+  const Refusal& refusal;
+  Facts facts = {};
 };
 
 int inputs_from_stdin(const Arguments& a) {
@@ -25,12 +25,12 @@ int inputs_from_stdin(const Arguments& a) {
 }
 
 std::vector<Contradiction> of_outputs(const Arguments& a) {
-  std::vector<Contradiction> all{
-      {inputs_from_stdin(a) > 1, "only one of the inputs can be standard input (-)"},
-      {a.check && !a.formats.empty(), "--check writes no pattern: leave --format out"}};
+  std::vector<Contradiction> all{{inputs_from_stdin(a) > 1, refuse::one_standard_input},
+                                 {a.check && !a.formats.empty(), refuse::check_writes_no_pattern}};
   for (const auto& [role, names] : a.outputs)
-    all.push_back({a.check && !names.empty(), fmt::format("--check writes no file: leave {} out",
-                                                          output_option(*a.maker, role))});
+    all.push_back({a.check && !names.empty(),
+                   refuse::check_writes_no_file,
+                   {{"option", output_option(*a.maker, role)}}});
   return all;
 }
 
@@ -47,8 +47,7 @@ std::vector<Contradiction> of_formats(const Arguments& a) {
   std::vector<Contradiction> all;
   std::set<std::string> seen;
   for (const std::string& format : formats_asked(a))
-    all.push_back({!seen.insert(format).second,
-                   fmt::format("--format names {} twice: leave one of them out", format)});
+    all.push_back({!seen.insert(format).second, refuse::format_twice, {{"format", format}}});
   return all;
 }
 
@@ -56,29 +55,25 @@ std::vector<Contradiction> of_several_bodies(const job::Catalogue& catalogue, co
   const auto& outputs = a.outputs.at(job::Role::flat);
   if (!a.all) {
     const bool folder = outputs.empty() || std::ranges::any_of(outputs, is_folder);
-    return {
-        {!folder && !a.formats.empty(),
-         "--format goes with a folder or without -o: the name of a file already sets its format"}};
+    return {{!folder && !a.formats.empty(), refuse::format_of_file}};
   }
   const std::string up = a.options.text("up"), root = a.options.text("root");
   const bool faces = (!root.empty() && root != "largest") ||
                      (!up.empty() && up != "auto" && up != "reference" && up != "other");
   return {
-      {a.options.given("body"), "--all and --body contradict each other"},
-      {faces, "--root and --up cannot name a face with --all: every body numbers its own faces"},
-      {outputs.empty() && !a.check,
-       "--all writes several files: name their folder with -o FOLDER/"},
+      {a.options.given("body"), refuse::all_and_body},
+      {faces, refuse::faces_of_all},
+      {outputs.empty() && !a.check, refuse::all_without_folder},
       {std::ranges::any_of(outputs,
                            [&](const auto& name) { return names_a_file(catalogue, a, name); }),
-       "--all writes several files: -o must be a folder, not a file"},
-      {outputs.size() > 1, "--all writes into one folder: give -o once"},
+       refuse::all_into_file},
+      {outputs.size() > 1, refuse::all_into_folders},
   };
 }
 
 }  // namespace
 
-std::optional<std::string> contradiction_in(const job::Catalogue& catalogue,
-                                            const Arguments& arguments) {
+std::optional<Error> contradiction_in(const job::Catalogue& catalogue, const Arguments& arguments) {
   std::vector<Contradiction> all = of_outputs(arguments);
   for (Contradiction& one : of_formats(arguments))
     all.push_back(std::move(one));
@@ -86,7 +81,7 @@ std::optional<std::string> contradiction_in(const job::Catalogue& catalogue,
     for (Contradiction& one : of_several_bodies(catalogue, arguments))
       all.push_back(std::move(one));
   for (const Contradiction& one : all)
-    if (one.holds) return one.sentence;
+    if (one.holds) return error_of(one.refusal, one.facts);
   return std::nullopt;
 }
 

@@ -51,7 +51,8 @@ class Info : public Command {
 }  // namespace
 
 CLI::App* add_info(const Program& program, InfoArguments& arguments) {
-  CLI::App* command = program.app.add_subcommand("info", "show what is in a STEP file");
+  const job::Task& task = *program.catalogue.task("info");
+  CLI::App* command = program.app.add_subcommand("info", std::string(task.description));
   add_step_input(*command, arguments.input);
   const job::Option &body = job::option("body"), &units = job::option("units");
   add_option(*command, body, "body to show, by number or name; default all", type_name(body),

@@ -22,7 +22,8 @@ constexpr double kOften = 0.2;  // seconds between lines on a terminal
 bool is_of_parts(const job::Option& option) {
   static const std::set<std::string_view> kOfOne{"body", "piece",  "root",
                                                  "up",   "bend_k", "rip_edges"};
-  return option.on_command_line && !kOfOne.contains(option.name) && option.group != "Order";
+  return option.on_command_line && !kOfOne.contains(option.name) &&
+         option.group != job::OptionGroup::order;
 }
 
 std::string duration_text(double seconds) {

@@ -33,7 +33,7 @@ void add_grouped(CLI::App& app, const job::Option& option, const std::string& de
                                  flag_of(option.name),
                                  [&values, &option] { values.set(option, true); }, description)
                            : add_option(app, option, description, type_name(option), values);
-  added->group(std::string(option.group));
+  added->group(std::string(job::heading(option.group)));
 }
 
 std::string type_name(const job::Option& option) {

@@ -10,8 +10,6 @@ namespace planish::cli {
 
 namespace fs = std::filesystem;
 
-Error bad_option(std::string message) { return {code::bad_option, std::move(message), {}}; }
-
 std::string suffix_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 bool is_folder(const std::string& output) {

@@ -14,8 +14,6 @@ namespace planish::cli {
 
 using job::all_different, job::folder_exists, job::spare_inputs;
 
-Error bad_option(std::string message);
-
 /// A name's last suffix in small letters, ".dxf"; "" for none.
 std::string suffix_of(const std::filesystem::path& path);
 

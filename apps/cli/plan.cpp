@@ -2,6 +2,7 @@
 
 #include "contradictions.hpp"
 #include "output_files.hpp"
+#include "refusals.hpp"
 
 #include <fmt/format.h>
 
@@ -40,9 +41,8 @@ tl::unexpected<Error> says_nothing(std::string_view option, const std::string& n
   std::string suffixes;
   for (const Artifact* artifact : known)
     suffixes += fmt::format("{}{}", suffixes.empty() ? "" : ", ", artifact->suffix);
-  return tl::unexpected(bad_option(
-      fmt::format("{} \"{}\" does not say what to write: the name must end in one of {}{}", option,
-                  name, suffixes, more)));
+  return fail(refuse::output_unclear,
+              {{"option", option}, {"file", name}, {"suffixes", suffixes + more}});
 }
 
 std::vector<const Artifact*> formats_of(const Planning& planning) {
@@ -57,11 +57,9 @@ std::vector<const Artifact*> formats_of(const Planning& planning) {
 
 Result<std::vector<Target>> default_targets(const Planning& planning) {
   const job::Maker& maker = *planning.arguments.maker;
+  const Role first = maker.makes(job::Source::folded_solid) ? Role::folded : Role::flat;
   if (planning.arguments.input == "-")
-    return tl::unexpected(bad_option(fmt::format(
-        "standard input has no name from which to name the outputs: give {} FILE, or --check "
-        "for no output",
-        output_option(maker, maker.makes(job::Source::folded_solid) ? Role::folded : Role::flat))));
+    return fail(refuse::outputs_unnamed, {{"option", output_option(maker, first)}});
   std::vector<Target> targets;
   if (maker.makes(job::Source::folded_solid)) {
     const Artifact* folded = planning.written(Role::folded).front();
@@ -172,7 +170,7 @@ std::vector<fs::path> inputs_of(const Arguments& arguments) {
 
 Result<Plan> planned(const job::Catalogue& catalogue, const Arguments& arguments) {
   if (const auto contradiction = contradiction_in(catalogue, arguments))
-    return tl::unexpected(bad_option(*contradiction));
+    return tl::unexpected(*contradiction);
   if (auto fine = arguments.options.check_together(); !fine) return pass_on(fine);
   const Planning planning{catalogue, arguments};
   Plan plan;

@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
 #include "output_files.hpp"
+#include "refusals.hpp"
 #include "terminal.hpp"
 
 #include <planish/base/text.hpp>
@@ -30,7 +31,7 @@ std::filesystem::path output_of(const PlatesArguments& arguments) {
 std::optional<Error> unwritable(const PlatesArguments& arguments) {
   if (arguments.output == "-") return std::nullopt;
   if (arguments.input == "-" && arguments.output.empty())
-    return bad_option("standard input has no name to call the plates file after: add -o FILE");
+    return error_of(refuse::plates_unnamed, {});
   if (const auto fine = check_output(output_of(arguments), arguments.input); !fine)
     return fine.error();
   return std::nullopt;

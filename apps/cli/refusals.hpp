@@ -5,7 +5,42 @@
 /// The sentences with which the program refuses.
 namespace planish::refuse {
 
+// What is written where.
+constexpr Refusal output_unclear{code::bad_option,
+                                 "{option} \"{file}\" does not say what to write.",
+                                 "End the name in one of {suffixes}."};
+constexpr Refusal outputs_unnamed{code::bad_option,
+                                  "Standard input has no name from which to name the outputs.",
+                                  "Give {option} FILE, or --check for no output."};
+constexpr Refusal plates_unnamed{
+    code::bad_option, "Standard input has no name to call the plates file after.", "Give -o FILE."};
+constexpr Refusal one_standard_input{code::bad_option,
+                                     "Only one of the inputs can be standard input (-)."};
+constexpr Refusal check_writes_no_pattern{code::bad_option, "--check writes no pattern.",
+                                          "Leave --format out."};
+constexpr Refusal check_writes_no_file{code::bad_option, "--check writes no file.",
+                                       "Leave {option} out."};
+constexpr Refusal format_twice{code::bad_option, "--format names {format} twice.",
+                               "Leave one of them out."};
+constexpr Refusal format_of_file{
+    code::bad_option,
+    "--format goes with a folder or without -o: the name of a file already sets its format."};
+
+// Several bodies.
+constexpr Refusal all_and_body{code::bad_option, "--all and --body contradict each other.",
+                               "Leave one of them out."};
+constexpr Refusal faces_of_all{
+    code::bad_option,
+    "--root and --up cannot name a face with --all: every body numbers its own faces."};
+constexpr Refusal all_without_folder{code::bad_option, "--all writes several files.",
+                                     "Name their folder with -o FOLDER/."};
+constexpr Refusal all_into_file{code::bad_option, "--all writes several files.",
+                                "Give -o a folder, not a file."};
+constexpr Refusal all_into_folders{code::bad_option, "--all writes into one folder.",
+                                   "Give -o once."};
 constexpr Refusal or_all_bodies{code::bad_option, "Or take all of them with --all -o FOLDER/."};
+
+constexpr Refusal not_for_input{code::bad_option, "`{option}` does not go with a {kind}."};
 constexpr Refusal bad_stock{
     code::bad_option,
     "--nest must be like 3000x1500, length and width of a sheet in mm, not \"{text}\"."};

@@ -25,18 +25,15 @@ It serves this machine alone and ends with Ctrl-C. More in docs/studio.md.)";
 
 const job::Option kPort{.name = "port",
                         .kind = job::OptionKind::whole,
-                        .group = "",
                         .description = "port of the page's address; default: any free port",
                         .range = {"a whole number from 1 to 65535", 1, 65535}};
 const job::Option kTimeLimit{.name = "time_limit",
                              .kind = job::OptionKind::whole,
-                             .group = "",
                              .description = "time limit for one request; default 120",
                              .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
 const job::Option kEndAfter{
     .name = "end_after",
     .kind = job::OptionKind::whole,
-    .group = "",
     .description = "end when no page has been open for this long; default: stay until Ctrl-C",
     .range = {"a whole number from 1 to 86400", 1, 86400}};
 

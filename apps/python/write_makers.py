@@ -75,8 +75,9 @@ def text_of(catalogue):
                               f'make("{maker["name"]}", input, options, name=name, progress=progress)'))
     bending = {option["name"]: option for maker in makers for option in maker["options"]}
     bending.pop("check_bending", None)
-    bending |= {option["name"]: option for option in catalogue["options"]
-                if option["group"] in ("Press brake", "Order")}
+    for option in catalogue["options"]:
+        if option["name"] in catalogue["tasks"]["bend"]:
+            bending.setdefault(option["name"], option)
     parts.append(function(
         "bend", "Find the order of strokes in which a press brake bends what a STEP file or a maker's input describes.",
         "what the makers take", list(bending.values()), "BendPlan",

@@ -45,16 +45,17 @@ std::string quantity_text(const Quantity& quantity, std::string_view format) {
   return fmt::format("{}{}{}", number_text(quantity.value, digits), space, quantity.unit);
 }
 
-std::string places_text(const std::vector<const Place*>& places) {
-  if (places.size() == 1) return text_of(*places.front());
+std::string places_text(const std::vector<const Place*>& places, std::string_view format) {
+  const bool bare = format == "id";
+  if (places.size() == 1) return bare ? id_text(*places.front()) : text_of(*places.front());
   std::vector<std::string> names;
   const PlaceKind kind = places.front()->kind;
   const bool alike = kind != PlaceKind::point && kind != PlaceKind::pointer &&
                      std::ranges::all_of(places, [&](const Place* p) { return p->kind == kind; });
   for (const Place* place : places)
-    names.push_back(alike ? id_text(*place) : text_of(*place));
+    names.push_back(alike || bare ? id_text(*place) : text_of(*place));
   const std::string many = kind == PlaceKind::body ? "bodies" : fmt::format("{}s", kind_name(kind));
-  return alike ? fmt::format("{} {}", many, listed(names)) : listed(names);
+  return alike && !bare ? fmt::format("{} {}", many, listed(names)) : listed(names);
 }
 
 std::optional<std::string> text_in(const Slot& slot, const Facts& facts) {
@@ -66,7 +67,8 @@ std::optional<std::string> text_in(const Slot& slot, const Facts& facts) {
     if (fact.quantity()) texts.push_back(quantity_text(*fact.quantity(), slot.format));
     if (fact.words()) texts.push_back(*fact.words());
   }
-  if (slot.is_place) return places.empty() ? std::nullopt : std::optional(places_text(places));
+  if (slot.is_place)
+    return places.empty() ? std::nullopt : std::optional(places_text(places, slot.format));
   return texts.empty() ? std::nullopt : std::optional(listed(texts));
 }
 
@@ -150,6 +152,27 @@ std::string sentence(std::string text, std::string_view pattern) {
   return pattern.starts_with("{@") ? capitalized(std::move(text)) : text;
 }
 
+std::vector<Piece> pieces_of(std::string_view text, const std::vector<Named>& all) {
+  std::vector<Piece> pieces;
+  std::size_t done = 0;
+  const auto plain_until = [&](std::size_t at) {
+    if (at > done) pieces.push_back({std::string(text.substr(done, at - done))});
+    done = at;
+  };
+  for (const Named& named : all) {
+    // A message that someone has written anew has no such parts any more.
+    if (named.at < done || named.at > text.size() ||
+        text.substr(named.at, named.text.size()) != named.text)
+      continue;
+    plain_until(named.at);
+    done += named.text.size();
+    pieces.push_back({named.text, named.option});
+    if (named.option.empty()) pieces.back().place = named.place;
+  }
+  plain_until(text.size());
+  return pieces;
+}
+
 std::string where_of(const std::vector<Place>& places) {
   std::vector<std::string> names;
   for (const Place& place : places) {
@@ -217,26 +240,8 @@ Error error_of(const Refusal& refusal, const Facts& facts, std::string where) {
   return error;
 }
 
-std::vector<Piece> wording(const Error& error) {
-  std::vector<Piece> pieces;
-  std::size_t done = 0;
-  const auto plain_until = [&](std::size_t at) {
-    if (at > done) pieces.push_back({error.message.substr(done, at - done)});
-    done = at;
-  };
-  for (const Named& named : error.named) {
-    // A message that someone has written anew has no such parts any more.
-    if (named.at < done || named.at > error.message.size() ||
-        error.message.compare(named.at, named.text.size(), named.text) != 0)
-      continue;
-    plain_until(named.at);
-    done += named.text.size();
-    pieces.push_back({named.text, named.option});
-    if (named.option.empty()) pieces.back().place = named.place;
-  }
-  plain_until(error.message.size());
-  return pieces;
-}
+std::vector<Piece> wording(const Told& told) { return pieces_of(told.sentence, told.named); }
+std::vector<Piece> wording(const Error& error) { return pieces_of(error.message, error.named); }
 
 void say_before(Error& error, std::string_view text) {
   error.message.insert(0, text);
@@ -255,6 +260,14 @@ void rename_place(Error& error, const Place& from, const Place& to) {
     named.text = name;
     named.place = to;
   }
+}
+
+void say_after(Told& told, std::string_view between, const Told& more) {
+  told.sentence += between;
+  append_named(told.named, more.named, told.sentence.size());
+  told.sentence += more.sentence;
+  told.places.insert(told.places.end(), more.places.begin(), more.places.end());
+  told.numbers.insert(told.numbers.end(), more.numbers.begin(), more.numbers.end());
 }
 
 void say_after(Error& error, const Error& more) {

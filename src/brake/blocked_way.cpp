@@ -7,6 +7,8 @@
 #include "check.hpp"
 #include "gauge.hpp"
 #include "one_line.hpp"
+#include "plane_side.hpp"
+#include "sentences.hpp"
 #include "standing.hpp"
 #include "sweep.hpp"
 
@@ -37,18 +39,41 @@ Interval where_it_counts(StageCache& cache, const Setting& stroke, ToolKind kind
   return {pieces.front().lo + left_out, pieces.back().hi - left_out};
 }
 
+/// What a stroke lacks, with what would help if that is known.
+Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die) {
+  Facts facts{{"tool", text_of(tool)}, {"is", lack.is, unit::mm}};
+  switch (lack.kind) {
+    case Lack::Kind::segments:
+      return remark_of(say::no_segments_fit, facts);
+    case Lack::Kind::plane_sides:
+      return remark_of(say::shoulders_touch_bend, facts);
+    case Lack::Kind::room:
+      return remark_of(say::beam_at_hem, {facts.front()});
+    default:
+      break;
+  }
+  facts.emplace_back("needed", lack.needs, unit::mm);
+  const double opening = 2.0 * (lack.is - die.shoulder_radius);
+  if (opening <= 0.0) return remark_of(say::short_of_any, facts);
+  facts.emplace_back("opening", opening, unit::mm);
+  return remark_of(say::short_side, facts);
+}
+
 /// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
 /// Outside `told` it is only said on which side it is: at most its lower end, or at least its upper
 /// one.
 BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction& obstruction,
                     const Interval& told) {
   const StrokeInputs& inputs = cache.inputs();
-  BlockedBend blocked{
-      inputs.work.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
-  if (obstruction.part >= 0) blocked.with = flange_of(cache, stroke.line, obstruction.part);
-  if (!obstruction.hits || obstruction.part < 0) return blocked;
-  const ToolKind kind = *obstruction.hits;
+  const ToolKind kind = obstruction.tool;
   const int tool = tool_of(kind, stroke);
+  const ToolName name = cache.tools().name(kind, tool);
+  BlockedBend blocked{inputs.work.lines[stroke.line].bends.front()};
+  if (obstruction.part >= 0) blocked.with = flange_of(cache, stroke.line, obstruction.part);
+  if (obstruction.lack.kind != Lack::Kind::nothing) {
+    blocked.why = remark_on(obstruction.lack, name, inputs.tools.dies[stroke.die]);
+    return blocked;
+  }
   const PlacedPart& placed = *cache.parts(stroke)[obstruction.part];
   const Interval along = where_it_counts(cache, stroke, kind);
   const auto turn_deeper = [&](double depth) {
@@ -60,7 +85,7 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;
-  blocked.hits = cache.tools().name(kind, tool);
+  blocked.hits = name;
   // Most ways are told apart from the best one by a single look.
   if (told.hi < kDeepest && turn_deeper(told.hi)) {
     blocked.depth = told.hi;
@@ -91,10 +116,10 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
 /// Of all parts that are in a tool the one that is deepest; one that is at least `most` deep will
 /// do.
 BlockedBend deepest_of_all(StageCache& cache, const Setting& stroke, double most) {
-  BlockedBend worst{cache.inputs().work.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, {}};
+  BlockedBend worst{cache.inputs().work.lines[stroke.line].bends.front()};
   for (const Obstruction& obstruction : collisions(cache, stroke)) {
     BlockedBend found = deepest(cache, stroke, obstruction, {worst.depth, most});
-    if (found.depth > worst.depth || worst.hits.empty()) worst = std::move(found);
+    if (found.depth > worst.depth || !worst.hits) worst = std::move(found);
     if (worst.depth >= most) break;
   }
   return worst;
@@ -113,21 +138,20 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
-        if (Clock::now() > until && (!best.hits.empty() || !best.why.empty())) continue;
+        if (Clock::now() > until && (best.hits || best.why)) continue;
         const Setting stroke{&formed, pressed, line, punch, die, direction};
         const auto obstruction = obstruction_of(cache, stroke);
         if (!obstruction) continue;
-        const double most = best.hits.empty() ? kDeepest : best.depth;
-        BlockedBend found = obstruction->part >= 0 && obstruction->hits
+        const double most = best.hits ? best.depth : kDeepest;
+        BlockedBend found = obstruction->lack.kind == Lack::Kind::nothing
                                 ? deepest_of_all(cache, stroke, most)
                                 : deepest(cache, stroke, *obstruction, {0.0, most});
-        const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
-        if (!collides && (best_collides || !best.why.empty())) continue;
-        if (collides && best_collides && found.depth >= best.depth) continue;
+        if (!found.hits && (best.hits || best.why)) continue;
+        if (found.hits && best.hits && found.depth >= best.depth) continue;
         best = std::move(found);
         way = stroke;
       }
-  if (best.hits.empty()) best.depth = 0.0;
+  if (!best.hits) best.depth = 0.0;
   StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
   choice.direction = direction_number(inputs, way.direction * first.across());
   choice.gauged = closes || gauge(cache, way).has_value();

@@ -6,8 +6,6 @@
 #include "standing.hpp"
 #include "sweep.hpp"
 
-#include <fmt/format.h>
-
 namespace planish::brake_detail {
 namespace {
 
@@ -43,10 +41,7 @@ Standing closing(StageCache& cache, const Setting& stroke) {
       const std::vector<Interval> blocked = blocked_along(still, hem.parts[part], tool, tool, 0.0);
       if (blocked.empty()) continue;
       const LineSet& path = tree.parts()[part].path;
-      if (!is_row(kind))
-        return tl::unexpected(Obstruction{
-            path, kind, -1,
-            fmt::format("the {} is in the way of closing the hem", cache.tools().name(kind, 0))});
+      if (!is_row(kind)) return tl::unexpected(Obstruction{path, kind, -1, {Lack::Kind::room}});
       add_wall(walls, kind, blocked, path);
     }
   return rows_between(cache, stroke, walls);

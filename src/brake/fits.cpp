@@ -3,7 +3,7 @@
 // math.md#closing-hems).
 #include "fits.hpp"
 
-#include "refusals.hpp"
+#include "sentences.hpp"
 
 #include <planish/base/tolerance.hpp>
 
@@ -38,18 +38,19 @@ std::string_view no_tool_pattern(const BrakeLine& line, const BrakeTools& tools,
 }
 
 /// Why no tool bears the line, with its numbers.
-void say_why(FittingTools& fitting, const BrakeLine& line, const BrakeTools& tools,
-             const PlanOptions& options, double force) {
-  const std::string_view pattern = no_tool_pattern(line, tools, options, fitting.punches.empty());
+Remark no_tool(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options,
+               double force, bool punches) {
+  const std::string_view pattern = no_tool_pattern(line, tools, options, punches);
   const double most = Angle::radians(largest_tool_angle(line, options)).degrees();
   const Facts all{{"tool_angle", most, unit::degrees},
                   {"bend_angle", 180.0 - options.springback.degrees(), unit::degrees},
                   {"tip_radius", line.inside_radius, unit::mm},
                   {"force", force, say::kPerMetre}};
+  Facts stated;
   for (const Fact& fact : all)
     if (pattern.find("{" + std::string(fact.name()) + "}") != std::string_view::npos)
-      fitting.facts.push_back(fact);
-  fitting.why = tell(pattern, fitting.facts).sentence;
+      stated.push_back(fact);
+  return remark_of({say::kNoTool, pattern}, stated);
 }
 
 }  // namespace
@@ -101,7 +102,8 @@ FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
   };
   add(tools.punches, fitting.punches);
   add(tools.dies, fitting.dies);
-  if (fitting.punches.empty() || fitting.dies.empty()) fitting.why = say::no_strong_flat_tools;
+  if (fitting.punches.empty() || fitting.dies.empty())
+    fitting.why = remark_of({say::kNoTool, say::no_strong_flat_tools});
   return fitting;
 }
 
@@ -136,9 +138,8 @@ FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
         bears(punch.max_force, force))
       fitting.punches.push_back(i);
   }
-  if (fitting.punches.empty() || fitting.dies.empty()) {
-    say_why(fitting, line, tools, options, force);
-  }
+  if (fitting.punches.empty() || fitting.dies.empty())
+    fitting.why = no_tool(line, tools, options, force, fitting.punches.empty());
   return fitting;
 }
 

@@ -33,8 +33,8 @@ WorkpieceOptions workpiece_options(double thickness, const BrakeTools& tools,
 struct FittingTools {
   std::vector<int> punches;  ///< positions in the list of tools
   std::vector<int> dies;     ///< all of one opening
-  std::string why;           ///< if one of them is empty: goes on from "there is"
-  Facts facts;               ///< what `why` states
+  /// If one of them is empty: goes on from "there is".
+  std::optional<Remark> why = {};
 };
 FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options);

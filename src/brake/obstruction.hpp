@@ -3,17 +3,27 @@
 #include "segments.hpp"
 #include "stage_cache.hpp"
 
-#include <optional>
-#include <string>
-
 namespace planish::brake_detail {
+
+/// What a stroke lacks without hitting a tool. Lengths in mm.
+struct Lack {
+  enum class Kind {
+    nothing,
+    segments,     ///< of the tool, to press a line as long as `is`
+    plane_sides,  ///< where the shoulders of the die touch: the bend is as wide as `is`
+    reach,        ///< of a side, which ends so far from the bend line: the die `needs` more
+    room,         ///< of the tool, to close a hem
+  };
+  Kind kind = Kind::nothing;
+  double is = 0.0, needs = 0.0;
+};
 
 /// Why a stroke cannot be made.
 struct Obstruction {
   LineSet because;  ///< the lines by whose states this is so
-  std::optional<ToolKind> hits = {};
-  int part = -1;  ///< that hits, of the line's tree
-  std::string why = {};
+  ToolKind tool = ToolKind::punch;
+  int part = -1;   ///< of the line's tree: that hits the tool, or is short; −1: none
+  Lack lack = {};  ///< unless a part hits the tool
 };
 
 /// Segments of punch and die, where they stand along the bend line.

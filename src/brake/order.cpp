@@ -9,6 +9,7 @@
 #include "prepared.hpp"
 #include "refusals.hpp"
 #include "scene.hpp"
+#include "sentences.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/base/id_vector.hpp>
@@ -104,7 +105,7 @@ class OrderSteps {
       auto nearest = blocked_way(cache_, stage, lines);
       const auto& closes = work_.lines[members(lines).front()].closes;
       if (closes && !holds(stage, *closes))
-        nearest.bend = {nearest.bend.bend, {}, {}, 0.0, {}, "a hem is bent before it is closed"};
+        nearest.bend = {.bend = nearest.bend.bend, .why = remark_of(say::hem_not_bent)};
       step.ways = {nearest.choice};
       step.blocked = nearest.bend;
     }

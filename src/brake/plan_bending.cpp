@@ -2,11 +2,9 @@
 #include "plan_search.hpp"
 #include "preferred_tools.hpp"
 #include "prepared.hpp"
+#include "sentences.hpp"
 
 #include <planish/brake/plan.hpp>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,36 +20,31 @@ namespace {
 
 using namespace brake_detail;
 
-/// "bend B1 has", "bends B1, B2 have"
-std::string bends_have(const std::vector<std::string>& names) {
-  return fmt::format("{} {} {}", names.size() == 1 ? "bend" : "bends", fmt::join(names, ", "),
-                     names.size() == 1 ? "has" : "have");
-}
-
-/// Radii that air bending over the chosen V does not give, a note for each of them.
+/// Radii that air bending over the chosen V does not give, a remark on each of them.
 void note_radii(const StrokeInputs& inputs, Plan& plan) {
   constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
-  std::vector<std::pair<std::string, std::vector<std::string>>> names_by_radius;
+  std::vector<std::pair<std::string, Facts>> bends_by_radius;
   for (int i = 0; i < inputs.lines(); ++i) {
     const BrakeLine& line = inputs.work.lines[i];
     const double opening = inputs.tools.dies[inputs.fitting[i].dies.front()].opening;
-    const double given = inputs.options.radius_of_opening * opening;
+    const double left = inputs.options.radius_of_opening * opening;
     if (!line.given_radius || line.closes || line.closed_by ||
-        std::abs(line.inside_radius - given) <= kBeyond * given)
+        std::abs(line.inside_radius - left) <= kBeyond * left)
       continue;
-    const std::string radius = fmt::format(
-        "an inside radius of {:.4g} mm, a V of {:.4g} mm leaves about {:.4g} mm",
-        line.inside_radius, opening, given);
-    auto known = std::ranges::find_if(names_by_radius,
-                                      [&](const auto& one) { return one.first == radius; });
-    if (known == names_by_radius.end()) known = names_by_radius.insert(known, {radius, {}});
+    const std::string sizes = number_text(line.inside_radius) + " " + number_text(opening);
+    auto known = std::ranges::find(bends_by_radius, sizes, &std::pair<std::string, Facts>::first);
+    if (known == bends_by_radius.end())
+      known = bends_by_radius.insert(known, {sizes,
+                                             {{"radius", line.inside_radius, unit::mm},
+                                              {"opening", opening, unit::mm},
+                                              {"left", left, unit::mm}}});
     for (const BendId bend : line.bends)
-      known->second.push_back(name_of(bend));
+      known->second.emplace_back("bend", place::bend(name_of(bend)));
   }
-  for (const auto& [radius, names] : names_by_radius)
-    plan.notes.push_back(fmt::format("{} {}", bends_have(names), radius));
+  for (const auto& [sizes, facts] : bends_by_radius)
+    plan.remarks.push_back(remark_of(say::other_radius, facts));
   for (const BendId bend : inputs.work.rolled)
-    plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
+    plan.remarks.push_back(remark_of(say::rolled, {{"bend", place::bend(name_of(bend))}}));
 }
 
 void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
@@ -62,14 +55,22 @@ void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
   }
 }
 
-/// What is in the way of a bend in a stage, as a sentence.
-std::string why_not(const BlockedBend& blocked) {
-  if (blocked.hits.empty()) return blocked.why;
-  std::string sentence;
-  if (blocked.with) sentence = fmt::format("flange {}", index_of(*blocked.with) + 1);
-  return fmt::format("{} is {:.3g} mm deep in the {}{}", sentence.empty() ? "the sheet" : sentence,
-                     blocked.depth, blocked.hits,
-                     blocked.at_turn ? fmt::format(" at {:.0f}°", blocked.at_turn->degrees()) : "");
+/// What is in the way of a bend in the stage that got furthest.
+Remark told_of(const BlockedBend& blocked) {
+  Facts facts{{"bend", place::bend(name_of(blocked.bend))}};
+  if (!blocked.hits) {
+    Remark remark = remark_of(say::cannot_be_bent, facts);
+    say_after(remark.told, ": ", blocked.why->told);
+    return remark;
+  }
+  if (blocked.with) facts.emplace_back("flange", place::flange(index_of(*blocked.with) + 1));
+  facts.emplace_back("depth", blocked.depth, unit::mm);
+  facts.emplace_back("tool", text_of(*blocked.hits));
+  Remark remark = remark_of(blocked.with ? say::flange_in_tool : say::sheet_in_tool, facts);
+  if (blocked.at_turn)
+    say_after(remark.told, " ",
+              tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));
+  return remark;
 }
 
 /// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
@@ -82,11 +83,10 @@ void note_furthest(StageCache& cache, const LineSet& furthest, Clock::time_point
   for (int line = 0; line < cache.inputs().lines(); ++line) {
     if (holds(furthest, line) || told == kTold) continue;
     const BlockedBend blocked = brake_detail::blocked(cache, furthest, line, until);
-    if (blocked.hits.empty() && blocked.why.empty()) continue;
+    if (!blocked.hits && !blocked.why) continue;
     ++told;
     plan.in_the_way.push_back(blocked);
-    plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
-                                     name_of(blocked.bend), why_not(blocked)));
+    plan.remarks.push_back(told_of(blocked));
   }
 }
 

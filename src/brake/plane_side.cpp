@@ -9,8 +9,6 @@
 
 #include <planish/geometry/plane.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace planish::brake_detail {
@@ -95,12 +93,6 @@ Interval measured_contact(const PressMotion& motion, double most) {
   return range;
 }
 
-std::string what_would_help(double far, const Die& die) {
-  const double opening = 2.0 * (far - die.shoulder_radius);
-  return opening > 0.0 ? fmt::format("a V of {:.4g} mm or less would take it", opening)
-                       : std::string("no V would take it");
-}
-
 }  // namespace
 
 double reach(StageCache& cache, const Setting& stroke, bool left) {
@@ -124,19 +116,18 @@ std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke) {
   const Die& die = inputs.tools.dies[stroke.die];
   const Interval contact = contact_range(cache, stroke.line, stroke.die);
   if (contact.lo < 0.5 * line.bend.allowance - kLongEnough)
-    return Obstruction{no_lines(inputs.lines()), ToolKind::die, -1,
-                       fmt::format("the shoulders of die {} would touch the bend, {:.4g} mm wide, "
-                                   "and not the plane sides",
-                                   die.id, line.bend.allowance)};
+    return Obstruction{no_lines(inputs.lines()),
+                       ToolKind::die,
+                       -1,
+                       {Lack::Kind::plane_sides, line.bend.allowance}};
   const double needed = std::max(0.5 * die.opening + die.shoulder_radius, contact.hi);
   for (const bool left : {false, true}) {
     const double far = reach(cache, stroke, left);
     if (far >= needed - kLongEnough) continue;
-    return Obstruction{
-        limits_of(cache, stroke, left), std::nullopt, left ? 1 : 0,
-        fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
-                    "mm; {}",
-                    far, die.id, needed, what_would_help(far, die))};
+    return Obstruction{limits_of(cache, stroke, left),
+                       ToolKind::die,
+                       left ? 1 : 0,
+                       {Lack::Kind::reach, far, needed}};
   }
   return std::nullopt;
 }

@@ -51,13 +51,16 @@ std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
     if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
     const BrakeLine& line = inputs.work.lines[i];
     const std::string name = name_of(line.bends.front());
-    Facts facts{{"bend", place::bend(name)},
-                {"angle", line.angle.degrees(), unit::degrees},
-                {"radius", line.inside_radius, unit::mm},
-                {"thickness", line.bend.thickness, unit::mm},
-                {"why", fitting.why}};
-    facts.insert(facts.end(), fitting.facts.begin(), fitting.facts.end());
-    return error_of(refuse::no_tool_bears, facts, name);
+    const Told& why = fitting.why->told;
+    Error error = error_of(refuse::no_tool_bears,
+                           {{"bend", place::bend(name)},
+                            {"angle", line.angle.degrees(), unit::degrees},
+                            {"radius", line.inside_radius, unit::mm},
+                            {"thickness", line.bend.thickness, unit::mm},
+                            {"why", why.sentence}},
+                           name);
+    error.numbers.insert(error.numbers.end(), why.numbers.begin(), why.numbers.end());
+    return error;
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 // more of a change helps no less, until it does harm elsewhere. Each is told only if it was
 // planned again (bend.md#proposals).
 #include "changed_work.hpp"
+#include "obstruction.hpp"
 #include "plan_search.hpp"
 #include "prepared.hpp"
 
@@ -182,15 +183,14 @@ class Trying {
   std::vector<BlockedBend> hits() const {
     std::vector<BlockedBend> all = plan_.blocked;
     all.insert(all.end(), plan_.in_the_way.begin(), plan_.in_the_way.end());
-    std::erase_if(all, [](const BlockedBend& one) { return one.hits.empty(); });
+    std::erase_if(all, [](const BlockedBend& one) { return !one.hits; });
     return all;
   }
 
   void try_taller() {
     const std::vector<BlockedBend> hits = this->hits();
-    const bool above = std::ranges::any_of(hits, [](const BlockedBend& one) {
-      return one.hits == "upper beam" || one.hits.starts_with("punch");
-    });
+    const bool above = std::ranges::any_of(
+        hits, [](const BlockedBend& one) { return is_above(one.hits->kind); });
     if (!above || !can_bend(with_taller_punches(tools_, kTallest))) return;
     double too_low = 0.0, enough = kTallest;
     while (enough - too_low > kStepOfPunch) {

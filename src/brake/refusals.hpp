@@ -104,23 +104,3 @@ constexpr Refusal radius_takes_edges{
     "Set a smaller radius."};
 
 }  // namespace planish::refuse
-
-/// Why no tool bears a line: goes on from "there is".
-namespace planish::say {
-
-constexpr std::string_view kPerMetre = "kN/m";
-
-constexpr std::string_view no_flat_tools = "no flat punch and flat die to close a hem";
-constexpr std::string_view
-    no_strong_flat_tools = "no flat punch and flat die that bear the force of closing a hem";
-constexpr std::string_view
-    has_to_be_rolled = "no tool that bends by {bend_angle} or more: it has to be rolled";
-constexpr std::string_view no_sharp_punch = "no punch of {tool_angle} or less";
-constexpr std::string_view
-    no_fine_punch = "no punch of {tool_angle} or less with a tip radius of at most {tip_radius}";
-constexpr std::string_view no_strong_punch =
-    "no punch of {tool_angle} or less with a tip radius of at most {tip_radius} that bears {force}";
-constexpr std::string_view no_sharp_die = "no die of {tool_angle} or less";
-constexpr std::string_view no_strong_die = "no die of {tool_angle} or less that bears the force";
-
-}  // namespace planish::say

@@ -8,8 +8,6 @@
 #include "one_line.hpp"
 #include "sweep.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace planish::brake_detail {
@@ -70,7 +68,7 @@ std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
     for (const ToolKind kind : kToolKinds) {
       const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, kind, motion);
       if (!blocked.empty() && (!is_row(kind) || stands_in(blocked, pieces, left_out)))
-        all.push_back({tree.parts()[part].path, kind, part, {}});
+        all.push_back({tree.parts()[part].path, kind, part});
     }
   return all;
 }
@@ -87,7 +85,7 @@ Standing standing(StageCache& cache, const Setting& stroke) {
       if (blocked.empty()) continue;
       const LineSet& path = tree.parts()[part].path;
       if (!is_row(kind) || stands_in(blocked, pieces, left_out))
-        return tl::unexpected(Obstruction{path, kind, part, {}});
+        return tl::unexpected(Obstruction{path, kind, part});
       add_wall(walls, kind, blocked, path);
     }
   return rows_between(cache, stroke, walls);
@@ -114,11 +112,10 @@ Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& 
                                                 walls.walls[row]);
     if (made.empty())
       return tl::unexpected(
-          Obstruction{walls.because[row], kind, -1,
-                      fmt::format("no segments of {} press the line, {:.4g} mm long, and stand "
-                                  "between what is beside it",
-                                  cache.tools().name(kind, tool_of(kind, stroke)),
-                                  pieces.back().hi - pieces.front().lo)});
+          Obstruction{walls.because[row],
+                      kind,
+                      -1,
+                      {Lack::Kind::segments, pieces.back().hi - pieces.front().lo}});
     (row == 0 ? rows.punch : rows.die) = std::move(made);
   }
   return rows;

@@ -3,8 +3,6 @@
 // key for both directions of the gauge.
 #include "tool_room.hpp"
 
-#include <fmt/format.h>
-
 namespace planish::brake_detail {
 namespace {
 
@@ -85,10 +83,10 @@ const Obstacle& ToolRoom::deeper(ToolKind kind, int tool, double depth) {
   return at->second;
 }
 
-std::string ToolRoom::name(ToolKind kind, int tool) const {
-  if (kind == ToolKind::punch) return fmt::format("punch {}", tools_.punches[tool].id);
-  if (kind == ToolKind::die) return fmt::format("die {}", tools_.dies[tool].id);
-  return kind == ToolKind::upper_beam ? "upper beam" : "lower beam";
+ToolName ToolRoom::name(ToolKind kind, int tool) const {
+  if (kind == ToolKind::punch) return {kind, tools_.punches[tool].id};
+  if (kind == ToolKind::die) return {kind, tools_.dies[tool].id};
+  return {kind};
 }
 
 }  // namespace planish::brake_detail

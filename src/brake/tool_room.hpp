@@ -4,12 +4,10 @@
 
 #include <array>
 #include <map>
-#include <string>
 #include <tuple>
 
 namespace planish::brake_detail {
 
-enum class ToolKind { punch, upper_beam, die, lower_beam };
 inline constexpr std::array kToolKinds = {ToolKind::upper_beam, ToolKind::lower_beam,
                                           ToolKind::punch, ToolKind::die};
 
@@ -39,7 +37,7 @@ class ToolRoom {
   const Obstacle& deeper(ToolKind kind, int tool, double depth);
   /// Of the back gauge, where it touches at the origin.
   const Obstacle& finger() const { return finger_; }
-  std::string name(ToolKind kind, int tool) const;
+  ToolName name(ToolKind kind, int tool) const;
 
  private:
   struct Seen {

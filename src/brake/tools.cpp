@@ -207,6 +207,16 @@ std::optional<Error> fault_of_tools(const std::vector<Tool>& tools, const std::s
 
 }  // namespace
 
+std::string_view kind_name(ToolKind kind) {
+  constexpr std::string_view kNames[] = {"punch", "upper beam", "die", "lower beam"};
+  return kNames[static_cast<int>(kind)];
+}
+
+std::string text_of(const ToolName& tool) {
+  std::string text(kind_name(tool.kind));
+  return tool.id.empty() ? text : text + " " + tool.id;
+}
+
 bool flattens(Angle angle) {
   return std::abs(angle.radians() - std::numbers::pi) <= tolerance::kComputed;
 }

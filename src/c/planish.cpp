@@ -18,12 +18,9 @@
 // where there is no memory for a result there is one made beforehand. A result owns its texts;
 // those that never change are made once and not freed, and before a process is copied, so that no
 // lock is held in the copy.
-
-namespace code = planish::code;
 namespace job = planish::job;
 namespace process = planish::process;
 using planish::Error;
-using planish::ErrorCode;
 
 /// All texts that a result gives out are its own.
 struct planish_result {
@@ -138,9 +135,10 @@ void run_into(planish_result& result, const char* request, const planish_options
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& defect) {
-    set_error(result, {code::internal, defect.what(), {}});
+    set_error(result, planish::error_of(planish::refuse::defect, {{"reason", defect.what()}}));
   } catch (...) {
-    set_error(result, {code::internal, "an exception of unknown type", {}});
+    set_error(result, planish::error_of(planish::refuse::defect,
+                                        {{"reason", "An exception of unknown type"}}));
   }
 }
 
@@ -148,9 +146,7 @@ void run_into(planish_result& result, const char* request, const planish_options
 planish_result& no_memory() {
   static planish_result result = [] {
     planish_result none;
-    none.code = "out_of_memory";
-    none.message = "there is no memory for a result";
-    none.exit_status = 4;
+    set_error(none, planish::error_of(planish::refuse::no_memory, {}));
     return none;
   }();
   return result;

@@ -13,6 +13,8 @@ constexpr Refusal where_unknown{
 constexpr Refusal time_limit_wrong{
     code::bad_option,
     "The member planish_options.time_limit must be a number of seconds, at least 0."};
+constexpr Refusal no_memory{code::out_of_memory, "There is no memory for a result."};
+constexpr Refusal defect{code::internal, "{reason}."};
 constexpr Refusal no_request{code::invalid_input, "The request is a null pointer, not JSON."};
 
 }  // namespace planish::refuse

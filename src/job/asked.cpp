@@ -4,7 +4,6 @@
 #include "request_schema.hpp"
 
 #include <planish/base/text.hpp>
-#include <planish/job/bend.hpp>
 #include <planish/schema/fail_at.hpp>
 #include <planish/schema/json_depth.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -18,15 +17,7 @@ namespace planish::job {
 using namespace schema;
 namespace {
 
-using Task = Asked::Task;
-
 constexpr auto kOptions = "/options";
-
-/// What `info` takes, as a maker.
-const Maker& info_options() {
-  static const Maker maker{.name = kInfo, .input = "STEP", .options = {{"body"}, {"units"}}};
-  return maker;
-}
 
 Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
                                      const std::string& pointer) {
@@ -68,11 +59,11 @@ void read_input_key(Asked& asked, const Json& input) {
   asked.content = std::move(file);
 }
 
-/// Which maker reads the input; what is to be bent is read for that.
+/// Which maker reads the input, whose format says so where the request does not.
 Result<void> choose_maker(Asked& asked, const std::string& name, const Catalogue& catalogue) {
-  asked.task = name == kBend ? Task::bend : name == kInfo ? Task::info : Task::make;
-  if (asked.task == Task::make) asked.maker = catalogue.maker(name);
-  if (asked.task == Task::bend) {
+  asked.task = catalogue.task(name);
+  if (asked.task->reader == Reader::named) asked.maker = catalogue.maker(name);
+  if (asked.task->reader == Reader::by_format) {
     if (!asked.content) {
       auto file = read_input_file(asked.request.input, "input file");
       if (!file) return pass_on(file);
@@ -87,52 +78,64 @@ Result<void> choose_maker(Asked& asked, const std::string& name, const Catalogue
 }
 
 Result<void> read_options(Asked& asked, const Json& options) {
-  const Maker maker = asked.task == Task::info   ? info_options()
-                      : asked.task == Task::bend ? bending_with(*asked.maker)
-                                                 : *asked.maker;
-  const auto values = checked_options(options, maker, OptionFiles::path_or_content, kOptions);
+  const auto values = checked_options(options, asked.task->taking(asked.maker),
+                                      OptionFiles::path_or_content, kOptions);
   if (!values) return pass_on(values);
   if (auto entered = values->enter(asked.request); !entered)
     return tl::unexpected(at_pointer(entered.error(), kOptions));
   return {};
 }
 
-std::vector<std::string_view> names_written(const Asked& asked, const Catalogue& catalogue) {
-  if (asked.task == Task::bend) return {std::begin(kBendArtifacts), std::end(kBendArtifacts)};
-  std::vector<std::string_view> names;
-  if (asked.task == Task::make)
-    for (const Artifact* one : catalogue.written_by(*asked.maker))
-      names.push_back(one->name);
-  return names;
-}
-
-/// The artifact of that name; null if it is not written.
-const Artifact* written(const Asked& asked, const std::string& name, const Catalogue& catalogue) {
-  if (asked.task == Task::info) return nullptr;
-  if (asked.task == Task::bend &&
-      std::ranges::find(kBendArtifacts, name) == std::end(kBendArtifacts))
-    return nullptr;
-  return catalogue.artifact(*asked.maker, name);
+Result<void> read_flags(Asked& asked, const Json& json, const Catalogue& catalogue) {
+  for (const Task& task : catalogue.tasks)
+    for (const TaskFlag& flag : task.flags) {
+      const std::string key(flag.name);
+      if (!json.value(key, false)) continue;
+      if (&task != asked.task)
+        return fail_at(refuse::flag_of_another, "/" + key, {{"task", task.name}});
+      asked.flags.push_back(flag.name);
+    }
+  return {};
 }
 
 Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& catalogue) {
+  const auto& own = asked.task->artifacts;
+  const std::string_view task = asked.task->name.empty() ? asked.maker->name : asked.task->name;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto name = names[i].get<std::string>();
-    const Artifact* artifact = written(asked, name, catalogue);
-    if (!artifact && asked.task == Task::info)
-      return fail_at(refuse::info_writes_nothing, fmt::format("/artifacts/{}", i));
+    const std::string place = fmt::format("/artifacts/{}", i);
+    if (own && own->empty()) return fail_at(refuse::writes_nothing, place, {{"task", task}});
+    const bool known = !own || std::ranges::count(*own, name) > 0;
+    const Artifact* artifact = known ? catalogue.artifact(*asked.maker, name) : nullptr;
     if (!artifact)
       return fail_at(
-          refuse::not_written_by, fmt::format("/artifacts/{}", i),
-          {{"task", asked.task == Task::bend ? kBend : asked.maker->name},
+          refuse::not_written_by, place,
+          {{"task", task},
            {"artifact", shortened(name)},
-           {"known", fmt::format("{}", fmt::join(names_written(asked, catalogue), ", "))}});
+           {"known",
+            fmt::format("{}", fmt::join(written_by(*asked.task, asked.maker, catalogue), ", "))}});
     asked.artifacts.push_back(artifact);
   }
   return {};
 }
 
 }  // namespace
+
+std::vector<std::string_view> written_by(const Task& task, const Maker* maker,
+                                         const Catalogue& catalogue) {
+  if (task.artifacts) return *task.artifacts;
+  std::vector<std::string_view> names;
+  for (const Artifact* artifact : catalogue.written_by(*maker))
+    names.push_back(artifact->name);
+  return names;
+}
+
+std::vector<std::string_view> task_names(const Catalogue& catalogue) {
+  std::vector<std::string_view> names;
+  for (const Task& task : catalogue.tasks)
+    if (!task.name.empty()) names.push_back(task.name);
+  return names;
+}
 
 Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
                          std::optional<std::string> bytes) {
@@ -148,12 +151,8 @@ Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
   if (json.contains("options"))
     if (auto read = read_options(asked, json["options"]); !read) return pass_on(read);
   if (json.value("effort", "full") == "draft") asked.request.effort = Effort::draft;
-  if (asked.task == Task::bend) {
-    asked.request.effort = Effort::full;
-    asked.request.bending.ask = Bending::Ask::plan;
-  }
-  asked.sheets = json.value("sheets", false);
-  if (asked.sheets && asked.task != Task::info) return fail_at(refuse::sheets_of_info, "/sheets");
+  if (asked.task->ask) asked.task->ask(asked.request);
+  if (auto flags = read_flags(asked, json, catalogue); !flags) return pass_on(flags);
   if (json.contains("artifacts"))
     if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
       return pass_on(known);
@@ -167,6 +166,7 @@ Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& pro
   auto made = shown((*work)->make(asked.request, progress));
   if (!made) return made;
   if (auto piece = piece_of(**made, asked.request.piece); !piece) return pass_on(piece);
+  (*made)->report().task = asked.task->name;
   return made;
 }
 

@@ -1,6 +1,6 @@
 #include "bend_order_json.hpp"
 #include "bending.hpp"
-#include "bending_options.hpp"
+#include "option_tables.hpp"
 #include "plan_report.hpp"
 #include "refusals.hpp"
 

@@ -1,6 +1,7 @@
 #include "bend_order_json.hpp"
 
 #include "bending.hpp"
+#include "places_json.hpp"
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
 
@@ -61,17 +62,15 @@ Json scene_json(const CheckedStroke& checked) {
   return json;
 }
 
-/// Which of the tools a sentence like "punch P88" names.
-Json tool_json(const std::string& hits) {
-  for (const char* tool : {"punch", "die", "upper beam", "lower beam"})
-    if (hits.starts_with(tool)) return tool;
-  return nullptr;
+/// A sentence, and its pieces.
+void add_sentence(Json& json, const Told& told, const Report& report) {
+  json["sentence"] = told.sentence;
+  json["wording"] = wording_json(wording(told), Units(report.units));
 }
 
 Json blocked_stroke_json(const BlockedBend& blocked, const Report& report) {
   Json json = blocked_json(blocked, report);
-  json["tool"] = tool_json(blocked.hits);
-  json["sentence"] = blocked_sentence(blocked, report);
+  add_sentence(json, told_of(blocked, report), report);
   return json;
 }
 
@@ -110,9 +109,11 @@ Json planned_order_json(const Plan& plan, const Bending& bending, const Report& 
   json["status"] = status_word(plan.status);
   json["sentence"] = nullptr;
   if (plan.status == PlanStatus::infeasible)
-    json["sentence"] = cannot_sentence(report, plan, bending);
-  if (plan.status == PlanStatus::gave_up) json["sentence"] = gave_up_sentence(plan);
-  json["notes"] = plan.notes;
+    add_sentence(json, cannot_be_bent(report, plan, bending), report);
+  if (plan.status == PlanStatus::gave_up) add_sentence(json, no_plan_found(plan), report);
+  json["notes"] = Json::array();
+  for (const Remark& remark : plan.remarks)
+    json["notes"].push_back(remark.told.sentence);
   return json;
 }
 

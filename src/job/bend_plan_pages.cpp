@@ -47,7 +47,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
                                .proposals = {}};
   for (const BlockedBend& blocked : obstacles_of(report)) {
     drawing.blocked.push_back(blocked.bend);
-    drawing.obstacles.push_back(blocked_sentence(blocked, report));
+    drawing.obstacles.push_back(told_of(blocked, report).sentence);
   }
   if (report.plan)
     for (const Proposal& proposal : report.plan->proposals)

@@ -27,18 +27,16 @@ namespace {
 
 constexpr int kCannotStatus = 4;  // formats.md#exit-status
 
-std::string names_of(const Report& report, const std::vector<BendId>& bends) {
-  return fmt::format("{}", fmt::join(bend_ids(report, bends), ", "));
-}
-
-std::string reasons_of(const Report& report, const Plan& plan) {
+/// What is in the way of each bend; the data of all, in words the first.
+void say_blocked(Told& told, const Report& report, const std::vector<BlockedBend>& blocked) {
   constexpr std::size_t kTold = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kTold, plan.blocked.size()); ++i)
-    text += "; " + blocked_sentence(plan.blocked[i], report);
-  if (plan.blocked.size() > kTold)
-    text += fmt::format("; and {} more", plan.blocked.size() - kTold);
-  return text;
+  for (std::size_t i = 0; i < blocked.size(); ++i) {
+    Told one = told_of(blocked[i], report);
+    if (i >= kTold) one.sentence.clear(), one.named.clear();
+    say_after(told, i < kTold ? "; " : "", one);
+  }
+  if (blocked.size() > kTold)
+    say_after(told, "; ", tell(say::more_blocked, {{"more", blocked.size() - kTold}}));
 }
 
 /// Of a bend with several press lines the first that is blocked says why.
@@ -75,27 +73,14 @@ void find_ungauged(Report& report, const Plan& plan) {
       finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {}));
 }
 
-/// What a sentence about a bend that is in the way states.
-void add_blocked(Facts& facts, const BlockedBend& blocked, const Report& report) {
-  facts.emplace_back("bend", part_place(report.flat, blocked.bend));
-  if (blocked.hits.empty()) return;
-  if (blocked.with) facts.emplace_back("flange", place::flange(index_of(*blocked.with) + 1));
-  facts.emplace_back("depth", blocked.depth, unit::mm);
-  if (blocked.at_turn) facts.emplace_back("turn", blocked.at_turn->degrees(), unit::degrees);
-}
-
-/// `where` is empty: the whole part is meant.
+/// The whole part is meant: `where` is empty.
 Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending) {
-  std::string sentence = cannot_sentence(report, plan, bending);
-  sentence.front() = 'N';
-  Facts facts{{"sentence", std::move(sentence)}};
-  for (const BlockedBend& blocked : plan.blocked)
-    add_blocked(facts, blocked, report);
-  if (plan.blocked.empty())
-    for (const BendId bend : plan.unformed)
-      facts.emplace_back("bend", part_place(report.flat, bend));
-  Error error = error_of(refuse::cannot_bend, facts);
-  error.where.clear();
+  Told told = cannot_be_bent(report, plan, bending);
+  told.sentence.front() = 'N';
+  Error error = error_of(refuse::cannot_bend, {{"sentence", told.sentence}});
+  error.places = std::move(told.places);
+  error.numbers = std::move(told.numbers);
+  error.named = std::move(told.named);
   return error;
 }
 
@@ -122,18 +107,18 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
     else
       refusal = std::move(why);
   }
-  if (plan.status == PlanStatus::gave_up)
-    report.findings.push_back({"no_plan",
-                               Severity::warning,
-                               gave_up_sentence(plan),
-                               {},
-                               {},
-                               {},
-                               {{"stages", {static_cast<double>(plan.states)}}}});
+  if (plan.status == PlanStatus::gave_up) {
+    Told told = no_plan_found(plan);
+    report.findings.push_back({.code = "no_plan",
+                               .message = std::move(told.sentence),
+                               .at = {},
+                               .numbers = std::move(told.numbers)});
+  }
   number_bends(report.flat, plan);
   if (only_finding) return std::nullopt;
   find_ungauged(report, plan);
-  report.notes.insert(report.notes.end(), plan.notes.begin(), plan.notes.end());
+  for (const Remark& remark : plan.remarks)
+    report.notes.push_back(remark.told.sentence);
   report.plan = std::move(plan);
   return refusal;
 }
@@ -161,24 +146,28 @@ const BrakeTools& tools_of(const Bending& bending) {
   return bending.tools ? *bending.tools : default_tools();
 }
 
-std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending) {
-  std::string text = "no order of strokes forms all bends with these tools";
+Told cannot_be_bent(const Report& report, const Plan& plan, const Bending& bending) {
+  Told told = tell(say::no_order, {});
   if (!bending.begin_with.empty())
-    text += fmt::format(" that begins with {}", fmt::join(bending.begin_with, ", "));
-  if (!plan.blocked.empty()) return text + reasons_of(report, plan);
-  if (plan.unformed.empty()) return text;
-  text += fmt::format("; each can be formed, but not after the others: {} {} left at best",
-                      names_of(report, plan.unformed), plan.unformed.size() == 1 ? "is" : "are");
-  // The plan's last note is then about the stage that got furthest.
-  return plan.in_the_way.empty() ? text : text + "; " + plan.notes.back();
+    say_after(told, " ",
+              tell(say::that_begins,
+                   {{"begun", fmt::format("{}", fmt::join(bending.begin_with, ", "))}}));
+  if (!plan.blocked.empty() || plan.unformed.empty()) {
+    say_blocked(told, report, plan.blocked);
+    return told;
+  }
+  Facts left{{"are", plan.unformed.size() == 1 ? "is" : "are"}};
+  for (const BendId bend : plan.unformed)
+    left.emplace_back("bend", part_place(report.flat, bend));
+  say_after(told, "; ", tell(say::not_after_others, left));
+  // The last of these remarks: it says the most.
+  const auto furthest = std::ranges::find(plan.remarks.rbegin(), plan.remarks.rend(),
+                                          kFurthestStage, &Remark::code);
+  if (furthest != plan.remarks.rend()) say_after(told, "; ", furthest->told);
+  return told;
 }
 
-std::string gave_up_sentence(const Plan& plan) {
-  return fmt::format(
-      "no order of strokes was found among {} stages, nor was it shown that there is "
-      "none: give it more time",
-      plan.states);
-}
+Told no_plan_found(const Plan& plan) { return tell(say::no_plan, {{"stages", plan.states}}); }
 
 std::optional<Error> plan_strokes(Report& report, const Bending& bending,
                                   const Progress& progress) {

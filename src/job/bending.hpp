@@ -21,7 +21,7 @@ Result<std::vector<BendId>> bends_named(const Report& report,
                                         const std::vector<std::string>& names);
 
 /// Why there is no plan: no order is possible, or none was found.
-std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending);
-std::string gave_up_sentence(const Plan& plan);
+Told cannot_be_bent(const Report& report, const Plan& plan, const Bending& bending);
+Told no_plan_found(const Plan& plan);
 
 }  // namespace planish::job

@@ -1,5 +1,4 @@
-#include "bending_options.hpp"
-
+#include "option_tables.hpp"
 #include "refusals.hpp"
 
 #include <planish/shop/tools_json.hpp>
@@ -49,8 +48,6 @@ std::vector<std::string> words_between(const std::string& text, char separator) 
   return words;
 }
 
-const std::string& words_of(const OptionValue& value) { return std::get<std::string>(value); }
-
 Result<void> set_tools(Request& to, const OptionValue& value) {
   const OptionFile& file = std::get<OptionFile>(value);
   auto tools = parse_tools(file.text, file.name);
@@ -61,7 +58,7 @@ Result<void> set_tools(Request& to, const OptionValue& value) {
 
 Result<void> set_metal(Request& to, const OptionValue& value) {
   for (const Metal& metal : kMetals) {
-    if (metal.name != words_of(value)) continue;
+    if (metal.name != given_text(value)) continue;
     to.bending.metal = metal.name;
     to.bending.plan.tensile_strength = metal.tensile_strength;
     to.bending.plan.springback = Angle::degrees(metal.springback);
@@ -71,7 +68,7 @@ Result<void> set_metal(Request& to, const OptionValue& value) {
 }
 
 Result<void> set_weights(Request& to, const OptionValue& value) {
-  for (const std::string& word : words_between(words_of(value), ',')) {
+  for (const std::string& word : words_between(given_text(value), ',')) {
     const auto equals = word.find('=');
     const auto weight = std::ranges::find(kStrokeWeights, word.substr(0, equals), &Weight::name);
     const auto number = equals == std::string::npos ? std::nullopt
@@ -84,108 +81,67 @@ Result<void> set_weights(Request& to, const OptionValue& value) {
 }
 
 Result<void> set_fix(Request& to, const OptionValue& value) {
-  to.bending.begin_with = words_between(words_of(value), ',');
+  to.bending.begin_with = words_between(given_text(value), ',');
   return {};
 }
 
 }  // namespace
 
 const std::vector<Option>& bending_options() {
-  static const std::vector<Option> table{
-      {.name = "check_bending",
-       .kind = OptionKind::flag,
-       .group = "Press brake",
-       .description = "check whether a press brake can bend the part",
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.ask = std::get<bool>(value) ? Bending::Ask::finding : Bending::Ask::nothing;
-         return {};
+  static const std::vector<Option> table = joined({
+      {OptionGroup::brake,
+       {
+           row::flag("check_bending", "check whether a press brake can bend the part",
+                     [](Request& to, const OptionValue& value) -> Result<void> {
+                       to.bending.ask = std::get<bool>(value) ? Bending::Ask::finding
+                                                              : Bending::Ask::nothing;
+                       return {};
+                     }),
+           row::file(
+               "tools", "FILE.json", "tools file",
+               "press brake and its tools; `planish bend --print-tools` prints the built-in ones",
+               set_tools),
+           row::word("metal", {"steel", "stainless", "aluminium"}, "",
+                     "metal, which sets tensile strength, springback and the radius that air "
+                     "bending leaves; otherwise mild steel without springback",
+                     set_metal),
+           row::number(
+               "springback", kSpringback,
+               "springback in degrees, by which every bend is bent further",
+               [](Request& to, const OptionValue& value) -> Result<void> {
+                 to.bending.plan.springback = Angle::degrees(std::get<double>(value));
+                 return {};
+               },
+               "0, or the metal's"),
+           row::number("clearance", kAtLeastZero, "clearance to keep between part and tools, in mm",
+                       stored<&Request::bending, &Bending::plan, &PlanOptions::clearance>, "0"),
+           row::number("shortfall", kAtLeastZero,
+                       "distance by which the punch may be short of each end of a bend line, in mm",
+                       stored<&Request::bending, &Bending::plan, &PlanOptions::shortfall>,
+                       "the thickness"),
+           row::number("opening", kAboveZero,
+                       "wanted opening of the V, in mm; the nearest die is used",
+                       stored<&Request::bending, &Bending::plan, &PlanOptions::opening>,
+                       "by thickness: 6 times to 2.5 mm, 8 times to 8 mm, 10 times above"),
        }},
-      {.name = "tools",
-       .kind = OptionKind::file,
-       .group = "Press brake",
-       .description = "press brake and its tools; `planish bend --print-tools` prints the built-in "
-                      "ones",
-       .file_type = "FILE.json",
-       .file_kind = "tools file",
-       .set = set_tools},
-      {.name = "metal",
-       .kind = OptionKind::word,
-       .group = "Press brake",
-       .description = "metal, which sets tensile strength, springback and the radius that air "
-                      "bending leaves; otherwise mild steel without springback",
-       .words = {"steel", "stainless", "aluminium"},
-       .set = set_metal},
-      {.name = "springback",
-       .kind = OptionKind::number,
-       .group = "Press brake",
-       .description = "springback in degrees, by which every bend is bent further",
-       .otherwise = "0, or the metal's",
-       .range = kSpringback,
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.plan.springback = Angle::degrees(std::get<double>(value));
-         return {};
+      {OptionGroup::order,
+       {
+           row::name("weights", "costs by which the cheapest order is chosen", set_weights,
+                     "turn_over=3,rotate=2,tool_change=5,stroke=1,ungauged=4"),
+           row::name("fix", "bends that come first, in this order, as in B3,B1", set_fix),
+           row::flag("first", "stop at the first plan found",
+                     stored<&Request::bending, &Bending::plan, &PlanOptions::limits,
+                            &StrokeLimits::first>),
+           {.name = "search_time",
+            .kind = OptionKind::number,
+            .description = "seconds after which the best plan so far is given",
+            .otherwise = "6",
+            .range = kAboveZero,
+            .on_command_line = false,
+            .set = stored<&Request::bending, &Bending::plan, &PlanOptions::limits,
+                          &StrokeLimits::seconds>},
        }},
-      {.name = "clearance",
-       .kind = OptionKind::number,
-       .group = "Press brake",
-       .description = "clearance to keep between part and tools, in mm",
-       .otherwise = "0",
-       .range = kAtLeastZero,
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.plan.clearance = std::get<double>(value);
-         return {};
-       }},
-      {.name = "shortfall",
-       .kind = OptionKind::number,
-       .group = "Press brake",
-       .description = "distance by which the punch may be short of each end of a bend line, in mm",
-       .otherwise = "the thickness",
-       .range = kAtLeastZero,
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.plan.shortfall = std::get<double>(value);
-         return {};
-       }},
-      {.name = "opening",
-       .kind = OptionKind::number,
-       .group = "Press brake",
-       .description = "wanted opening of the V, in mm; the nearest die is used",
-       .otherwise = "by thickness: 6 times to 2.5 mm, 8 times to 8 mm, 10 times above",
-       .range = kAboveZero,
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.plan.opening = std::get<double>(value);
-         return {};
-       }},
-      {.name = "weights",
-       .kind = OptionKind::name,
-       .group = "Order",
-       .description = "costs by which the cheapest order is chosen",
-       .otherwise = "turn_over=3,rotate=2,tool_change=5,stroke=1,ungauged=4",
-       .set = set_weights},
-      {.name = "fix",
-       .kind = OptionKind::name,
-       .group = "Order",
-       .description = "bends that come first, in this order, as in B3,B1",
-       .set = set_fix},
-      {.name = "first",
-       .kind = OptionKind::flag,
-       .group = "Order",
-       .description = "stop at the first plan found",
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.plan.limits.first = std::get<bool>(value);
-         return {};
-       }},
-      {.name = "search_time",
-       .kind = OptionKind::number,
-       .group = "Order",
-       .description = "seconds after which the best plan so far is given",
-       .otherwise = "6",
-       .range = kAboveZero,
-       .on_command_line = false,
-       .set = [](Request& to, const OptionValue& value) -> Result<void> {
-         to.bending.plan.limits.seconds = std::get<double>(value);
-         return {};
-       }},
-  };
+  });
   return table;
 }
 

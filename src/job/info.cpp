@@ -1,5 +1,5 @@
-#include "found_sheet.hpp"
 #include "input.hpp"
+#include "lay_flat.hpp"
 #include "refusals.hpp"
 
 #include <planish/base/progress_part.hpp>

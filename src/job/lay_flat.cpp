@@ -233,6 +233,13 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
   return {};
 }
 
+Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips,
+                               const Progress& progress) {
+  const FlattenOptions options{.allowance = ConstantK{0.5, "recognition"}};
+  const auto lies = [&](const Sheet& open) { return lies_uncovered(open, options, progress); };
+  return recognize(body, {.rip_edges = rips, .passes = lies});
+}
+
 std::optional<Error> run_reporting(Report& report,
                                    const std::function<std::optional<Error>()>& work) {
   const auto start = std::chrono::steady_clock::now();

@@ -44,6 +44,11 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
 Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
                             const Progress& progress);
 
+/// `recognize`, where a refusal names a rip only if rips lead to a pattern that does not cover
+/// itself. Errors: those of `recognize`, `cancelled`.
+Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips = {},
+                               const Progress& progress = {});
+
 /// Does the work, which fills a report, and records its time; an error with exit status 4 becomes
 /// the report's refusal, any other is returned.
 std::optional<Error> run_reporting(Report& report,

@@ -86,6 +86,14 @@ const Maker* Catalogue::maker(std::string_view name) const {
   return found == makers.end() ? nullptr : &*found;
 }
 
+const Task* Catalogue::task(std::string_view name) const {
+  const bool of_maker = maker(name) != nullptr;
+  const auto found = std::ranges::find_if(tasks, [&](const Task& one) {
+    return of_maker ? one.reader == Reader::named : !name.empty() && one.name == name;
+  });
+  return found == tasks.end() ? nullptr : &*found;
+}
+
 Result<const Maker*> Catalogue::maker_for(const std::string& name,
                                           const std::string& content) const {
   const bool json = looks_like_json(content);
@@ -146,7 +154,7 @@ const Artifact* Catalogue::artifact(const Maker& maker, std::string_view name) c
 }
 
 const Catalogue& built_in() {
-  static const Catalogue all{makers(), artifacts()};
+  static const Catalogue all{makers(), artifacts(), tasks()};
   return all;
 }
 

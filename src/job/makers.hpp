@@ -12,4 +12,9 @@ std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own);
 /// The same, and those of a pattern that a press brake can bend.
 std::vector<OptionUse> with_bending_options(std::vector<OptionUse> own);
 
+/// Schemas of the makers' input files; the parsers accept nothing else.
+const schema::Schema& plates_schema();
+const schema::Schema& transition_schema();
+const schema::Schema& slits_schema();
+
 }  // namespace planish::job

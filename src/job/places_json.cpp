@@ -41,18 +41,6 @@ Json breach_json(const FindingPlace& breach, const Units& units) {
   return json;
 }
 
-/// The message in pieces, where it names an option or a place.
-Json wording_json(const Error& error, const Units& units) {
-  Json json = Json::array();
-  for (const Piece& piece : wording(error)) {
-    Json& row = json.emplace_back();
-    row["text"] = piece.text;
-    if (!piece.option.empty()) row["option"] = piece.option;
-    if (piece.place) row["place"] = place_json(*piece.place, units);
-  }
-  return error.named.empty() ? Json::array() : json;
-}
-
 /// Of a finding that is no rule's: what it is about, else its points.
 Json about_json(const Finding& finding, const Units& units) {
   if (!finding.about.empty()) return places_json(finding.about, units);
@@ -81,6 +69,19 @@ Json numbers_json(const std::vector<NamedQuantity>& numbers) {
     json[number.name] = {{"value", number_json(number.quantity.value)},
                          {"unit", number.quantity.unit}};
   return json;
+}
+
+Json wording_json(const std::vector<Piece>& pieces, const Units& units) {
+  Json json = Json::array();
+  bool names = false;
+  for (const Piece& piece : pieces) {
+    Json& row = json.emplace_back();
+    row["text"] = piece.text;
+    if (!piece.option.empty()) row["option"] = piece.option;
+    if (piece.place) row["place"] = place_json(*piece.place, units);
+    names = names || row.size() > 1;
+  }
+  return names ? json : Json::array();
 }
 
 void add_remedies(Json& json, const std::vector<Remedy>& remedies) {
@@ -114,7 +115,8 @@ Json reason_json(const std::optional<Error>& error, const Units& units) {
   Json reason;
   reason["code"] = code_name(error->code);
   reason["message"] = error->message;
-  if (const Json pieces = wording_json(*error, units); !pieces.empty()) reason["wording"] = pieces;
+  if (const Json pieces = wording_json(wording(*error), units); !pieces.empty())
+    reason["wording"] = pieces;
   reason["where"] = error->where;
   reason["places"] = places_json(error->places, units);
   reason["numbers"] = numbers_json(error->numbers);
@@ -138,6 +140,13 @@ std::vector<Field> place_fields() {
           optional("id", any_of({whole(), any_text()}, "a number or a name")),
           optional("faces", list(whole(1)).said("that meet at an edge")),
           optional("at", std::move(coordinates))};
+}
+
+Schema wording_schema() {
+  const Schema piece = object({required("text", any_text()),
+                               optional("option", text().said("that it names, as requests do")),
+                               optional("place", object(place_fields()).said("that it names"))});
+  return list(piece).said("the message in pieces");
 }
 
 Schema numbers_schema() {

@@ -23,6 +23,9 @@ Json places_json(const std::vector<Place>& places, const Units& units);
 /// `{ "name": { "value", "unit" } }`; values keep the unit that they state.
 Json numbers_json(const std::vector<NamedQuantity>& numbers);
 
+/// The pieces of a sentence, where one names an option or a place; else none.
+Json wording_json(const std::vector<Piece>& pieces, const Units& units);
+
 /// Adds `remedy`, the first, and `remedies` if there are several.
 void add_remedies(Json& json, const std::vector<Remedy>& remedies);
 
@@ -34,6 +37,7 @@ Json check_json(const Finding& finding, const Units& units);
 
 /// What these write.
 std::vector<Field> place_fields();
+Schema wording_schema();
 Schema numbers_schema();
 std::vector<Field> remedy_fields();
 

@@ -1,5 +1,6 @@
 #include "plan_report.hpp"
 
+#include "places_json.hpp"
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
 
@@ -69,11 +70,26 @@ Schema stroke_schema() {
        required("clearance", measured_length().said("least that is left"))});
 }
 
+Schema remark_schema() {
+  return object({required("code", text()), required("message", any_text()),
+                 required("places", list(object(place_fields()))),
+                 required("numbers", numbers_schema())});
+}
+
 Schema blocked_schema() {
   return object({required("bend", text()), required("hits", text().or_null()),
-                 required("with", text().or_null().said("flange")),
+                 required("tool", words({"punch", "upper beam", "die", "lower beam"}).or_null()),
+                 optional("tool_id", text()), required("with", text().or_null().said("flange")),
                  required("depth", measured_length()),
-                 required("at_turn", angle(kAnyNumber).or_null()), optional("why", text())});
+                 required("at_turn", angle(kAnyNumber).or_null()), optional("why", text()),
+                 optional("remark", remark_schema().said("`why` as data"))});
+}
+
+Json remark_json(const Remark& remark, const Units& units) {
+  return {{"code", remark.code},
+          {"message", remark.told.sentence},
+          {"places", places_json(remark.told.places, units)},
+          {"numbers", numbers_json(remark.told.numbers)}};
 }
 
 std::string gauge_text(const Stroke& stroke, const Units& units) {
@@ -145,11 +161,16 @@ Json blocked_json(const BlockedBend& blocked, const Report& report) {
   const Units units(report.units);
   Json json;
   json["bend"] = bend_id(report, blocked.bend);
-  json["hits"] = blocked.hits.empty() ? Json(nullptr) : Json(blocked.hits);
+  json["hits"] = blocked.hits ? Json(text_of(*blocked.hits)) : Json(nullptr);
+  json["tool"] = blocked.hits ? Json(kind_name(blocked.hits->kind)) : Json(nullptr);
+  if (blocked.hits && !blocked.hits->id.empty()) json["tool_id"] = blocked.hits->id;
   json["with"] = id_json(blocked.with);
   json["depth"] = number_json(units.length(blocked.depth));
   json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
-  if (!blocked.why.empty()) json["why"] = blocked.why;
+  if (blocked.why) {
+    json["why"] = blocked.why->told.sentence;
+    json["remark"] = remark_json(*blocked.why, units);
+  }
   return json;
 }
 
@@ -176,6 +197,9 @@ Json plan_json(const Plan& plan, const Report& report) {
       json["in_the_way"].push_back(blocked_json(blocked, report));
   }
   if (plan.status == PlanStatus::infeasible) json["proposals"] = proposals_json(plan, report);
+  json["remarks"] = Json::array();
+  for (const Remark& remark : plan.remarks)
+    json["remarks"].push_back(remark_json(remark, Units(report.units)));
   return json;
 }
 
@@ -192,7 +216,8 @@ Schema plan_schema() {
                  optional("in_the_way",
                           list(blocked_schema()).said("of bends left there, of four at most")),
                  optional("proposals",
-                          list(proposal_schema()).said("if infeasible: what it can be bent with"))})
+                          list(proposal_schema()).said("if infeasible: what it can be bent with")),
+                 required("remarks", list(remark_schema()))})
       .said("the strokes at a press brake, in order");
 }
 

@@ -1,4 +1,4 @@
-#include "input_schemas.hpp"
+#include "makers.hpp"
 #include "refusals.hpp"
 
 #include <planish/job/plates_json.hpp>

@@ -2,6 +2,7 @@
 
 #include "plan_report.hpp"
 #include "report_schema.hpp"
+#include "sentences.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/schema/json_parts.hpp>
@@ -15,10 +16,8 @@ namespace {
 
 using Kind = Proposal::Kind;
 
-std::string_view kind_word(Kind kind) {
-  return word_of(kind, {"smaller_v", "punch", "taller_punches", "shorter_flange", "swap",
-                        "any_order", "split"});
-}
+const std::vector<std::string_view> kKinds{
+    "smaller_v", "punch", "taller_punches", "shorter_flange", "swap", "any_order", "split"};
 
 std::string flange_name(const Proposal& proposal) {
   return proposal.flange ? flange_id(*proposal.flange) : std::string();
@@ -30,18 +29,21 @@ std::string with_unit(double mm, const Units& units) {
 
 }  // namespace
 
-std::string blocked_sentence(const BlockedBend& blocked, const Report& report) {
+Told told_of(const BlockedBend& blocked, const Report& report) {
   const Units units(report.units);
-  std::string text = bend_id(report, blocked.bend);
-  if (!blocked.hits.empty()) {
-    text += blocked.with ? fmt::format(": {} hits ", flange_id(*blocked.with))
-                         : std::string(": the part hits ");
-    text += fmt::format("{} by {} {}", blocked.hits, units.short_text(blocked.depth),
-                        units.symbol());
-    if (blocked.at_turn) text += fmt::format(" at {:.0f}°", blocked.at_turn->degrees());
+  Facts facts{{"bend", part_place(report.flat, blocked.bend)}};
+  Told told = tell(say::only_bend, facts);
+  if (blocked.hits) {
+    if (blocked.with) facts.emplace_back("flange", part_place(report.flat, *blocked.with));
+    facts.emplace_back("tool", text_of(*blocked.hits));
+    facts.emplace_back("depth", units.length(blocked.depth), units.symbol());
+    told = tell(blocked.with ? say::flange_hits : say::part_hits, facts);
+    if (blocked.at_turn)
+      say_after(told, " ",
+                tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));
   }
-  if (!blocked.why.empty()) text += (blocked.hits.empty() ? ": " : "; ") + blocked.why;
-  return text;
+  if (blocked.why) say_after(told, blocked.hits ? "; " : ": ", blocked.why->told);
+  return told;
 }
 
 std::string proposal_sentence(const Proposal& proposal, const Report& report) {
@@ -74,7 +76,7 @@ Json proposals_json(const Plan& plan, const Report& report) {
   Json all = Json::array();
   for (const Proposal& proposal : plan.proposals) {
     Json json;
-    json["kind"] = kind_word(proposal.kind);
+    json["kind"] = kKinds[static_cast<int>(proposal.kind)];
     json["sentence"] = proposal_sentence(proposal, report);
     if (proposal.opening > 0.0) json["opening"] = number_json(units.length(proposal.opening));
     if (proposal.by > 0.0) json["by"] = number_json(units.length(proposal.by));
@@ -88,8 +90,7 @@ Json proposals_json(const Plan& plan, const Report& report) {
 
 Schema proposal_schema() {
   return object(
-      {required("kind", words({"smaller_v", "punch", "taller_punches", "shorter_flange", "swap",
-                               "any_order", "split"})),
+      {required("kind", words(kKinds)),
        required("sentence", text().said("goes on from \"it can be bent\"")),
        optional("opening", measured_length().said("of the V")),
        optional("by", measured_length().said("that punches are taller, or the flange is shorter")),

@@ -7,8 +7,8 @@
 
 namespace planish::job {
 
-/// "B3: F4 hits punch P88 by 3.1 mm at 72°"
-std::string blocked_sentence(const BlockedBend& blocked, const Report& report);
+/// "B3: flange 4 hits punch P88 by 3.1 mm at 72°"
+Told told_of(const BlockedBend& blocked, const Report& report);
 
 /// "over a V of 10 mm (V10-88, V10-85)": how an infeasible part could be bent.
 std::string proposal_sentence(const Proposal& proposal, const Report& report);

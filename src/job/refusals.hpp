@@ -71,13 +71,13 @@ constexpr Refusal k_of_transition{code::bad_option,
 constexpr Refusal folder_unsaid{
     code::invalid_input, "{@field} is missing, but the {kind} names the file {file} at {@named}.",
     "Give the folder of that file."};
-constexpr Refusal info_writes_nothing{code::bad_option, "Info writes no files.",
-                                      "Leave {@field} out."};
-constexpr Refusal info_makes_nothing{code::bad_option, "Info makes nothing.",
-                                     "Ask for it by `info` instead of {@field}."};
+constexpr Refusal writes_nothing{code::bad_option, "{task} writes no files.",
+                                 "Leave {@field} out."};
+constexpr Refusal makes_nothing{code::bad_option, "{task} makes nothing that can be kept.",
+                                "Name a maker in {@field}, or run the request."};
 constexpr Refusal not_written_by{code::bad_option,
                                  "{task} cannot write \"{artifact}\"; it writes {known}."};
-constexpr Refusal sheets_of_info{code::bad_option, "{@field} belongs to info.", "Leave it out."};
+constexpr Refusal flag_of_another{code::bad_option, "{@field} belongs to {task}.", "Leave it out."};
 
 // Inputs and outputs.
 constexpr Refusal no_json{code::invalid_input, "{file} is not JSON: a number in it is too large."};

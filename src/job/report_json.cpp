@@ -134,7 +134,7 @@ Json begun_report(const Report& report, std::string_view command) {
   Json json;
   json["format"] = "planish/report";
   json["version"] = 1;
-  json["command"] = report.of_bending ? "bend" : command;
+  json["command"] = report.task.empty() ? command : report.task;
   json["input"] = report.input;
   return json;
 }

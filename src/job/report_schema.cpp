@@ -3,6 +3,9 @@
 #include "places_json.hpp"
 #include "plan_report.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace planish::job {
@@ -124,10 +127,7 @@ Schema reason_schema() {
       required("code", text()), required("message", any_text()), required("where", any_text()),
       required("places", list(object(place_fields()))), required("numbers", numbers_schema())};
   append(reason, remedy_fields());
-  const Schema piece = object({required("text", any_text()),
-                               optional("option", text().said("that it names, as requests do")),
-                               optional("place", object(place_fields()).said("that it names"))});
-  reason.push_back(optional("wording", list(piece).said("the message in pieces")));
+  reason.push_back(optional("wording", wording_schema()));
   return object(std::move(reason));
 }
 
@@ -143,9 +143,14 @@ Schema report_schema(const Catalogue& catalogue) {
     append(report_details, std::move(details.report));
     append(bend_details, std::move(details.bend));
   }
-  names.push_back("bend");
+  // What else reports on what a maker makes.
+  std::vector<std::string_view> others;
+  for (const Task& task : catalogue.tasks)
+    if (task.reader == Reader::by_format) others.push_back(task.name);
+  names.insert(names.end(), others.begin(), others.end());
   std::vector<Field> fields = written_header("planish/report");
-  fields.push_back(required("command", words(names).said("the maker, or bend")));
+  fields.push_back(required(
+      "command", words(names).said(fmt::format("the maker, or {}", fmt::join(others, " or ")))));
   fields.push_back(required("input", any_text()));
   append(fields, common_fields(bend_details));
   append(fields, std::move(report_details));

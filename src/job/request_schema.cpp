@@ -1,9 +1,8 @@
 #include "request_schema.hpp"
 
 #include "asked.hpp"
-#include "input_schemas.hpp"
+#include "makers.hpp"
 
-#include <planish/job/bend.hpp>
 #include <planish/shop/schemas.hpp>
 
 #include <fmt/format.h>
@@ -80,7 +79,21 @@ Schema effort_schema() {
   return words({"draft", "full"}).defaulting("full").said("draft: only the sheet and its pattern");
 }
 
-Schema sheets_schema() { return flag().said("of info: the sheet in each body, or why none"); }
+std::vector<Field> flag_fields(const Task& task) {
+  std::vector<Field> fields;
+  for (const TaskFlag& one : task.flags)
+    fields.push_back(optional(std::string(one.name), flag().said(std::string(one.description))));
+  return fields;
+}
+
+/// Makers with the options that requests for a task may have; `maker`: of that name, or null.
+std::vector<Maker> takers(const Task& task, const Maker* maker, const Catalogue& catalogue) {
+  if (task.reader != Reader::by_format) return {task.taking(maker)};
+  std::vector<Maker> all;
+  for (const Maker& one : catalogue.makers)
+    all.push_back(task.taking(&one));
+  return all;
+}
 
 /// All shared options, and the own ones of makers.
 std::vector<const Option*> entries(std::span<const Maker> makers) {
@@ -133,6 +146,17 @@ OptionValue value_of(const Option& option, const Json& value) {
                            : std::to_string(static_cast<long long>(value.get<double>()));
 }
 
+Json json_of(bool value) { return value; }
+Json json_of(double value) { return value; }
+Json json_of(const std::string& value) { return value; }
+Json json_of(const OptionFile& file) { return {{"name", file.name}, {"content", file.text}}; }
+Json json_of(const std::vector<std::pair<std::string, double>>& numbers) {
+  Json json = Json::object();
+  for (const auto& [id, value] : numbers)
+    json[id] = value;
+  return json;
+}
+
 }  // namespace
 
 Schema options_schema(OptionFiles files, const Maker& maker) {
@@ -141,9 +165,11 @@ Schema options_schema(OptionFiles files, const Maker& maker) {
 
 Schema request_schema(const Catalogue& catalogue) {
   auto names = mapped(catalogue.makers, &Maker::name);
-  names.insert(names.end(), {kBend, kInfo});
+  const std::vector<std::string_view> others = task_names(catalogue);
+  names.insert(names.end(), others.begin(), others.end());
   std::vector<Field> fields = header_fields("planish/request", 1);
-  fields.push_back(required("maker", words(names).said("or bend or info, which are none")));
+  fields.push_back(required(
+      "maker", words(names).said(fmt::format("or {}, which are none", fmt::join(others, " or ")))));
   fields.push_back(required("input", input_schema()));
   fields.push_back(
       optional("options", options_that(OptionFiles::path_or_content, catalogue.makers, every_option)
@@ -152,32 +178,28 @@ Schema request_schema(const Catalogue& catalogue) {
       optional("artifacts",
                list(words(artifact_names(catalogue))).said("artifacts that the maker can write")));
   fields.push_back(optional("effort", effort_schema()));
-  fields.push_back(optional("sheets", sheets_schema()));
+  for (const Task& task : catalogue.tasks)
+    for (Field& one : flag_fields(task))
+      fields.push_back(std::move(one));
   return object(std::move(fields)).said("A request to a maker");
 }
 
-Schema request_schema(const std::string& maker, const Catalogue& catalogue) {
+Schema request_schema(const std::string& name, const Catalogue& catalogue) {
+  const Task& task = *catalogue.task(name);
+  const Maker* maker = catalogue.maker(name);
+  const std::vector<Maker> any = takers(task, maker, catalogue);
   const auto taken = [&](const Option& option) {
-    if (maker == kInfo) return option.name == "body" || option.name == "units";
-    if (maker != kBend) return catalogue.maker(maker)->takes(option.name);
-    return std::ranges::any_of(
-        catalogue.makers, [&](const Maker& one) { return bending_with(one).takes(option.name); });
+    return std::ranges::any_of(any, [&](const Maker& one) { return one.takes(option.name); });
   };
   std::vector<Field> fields{
       required("input", input_schema()),
       optional("options", options_that(OptionFiles::path_or_content, catalogue.makers, taken))};
-  if (maker == kInfo) {
-    fields.push_back(optional("sheets", sheets_schema()));
-    return object(std::move(fields));
-  }
-  std::vector<std::string_view> names(std::begin(kBendArtifacts), std::end(kBendArtifacts));
-  if (maker != kBend) {
-    names.clear();
-    for (const Artifact* artifact : catalogue.written_by(*catalogue.maker(maker)))
-      names.push_back(artifact->name);
-    fields.push_back(optional("effort", effort_schema()));
-  }
-  fields.push_back(optional("artifacts", list(words(names)).said("files to make")));
+  if (task.drafts) fields.push_back(optional("effort", effort_schema()));
+  const std::vector<std::string_view> written = written_by(task, maker, catalogue);
+  if (!written.empty())
+    fields.push_back(optional("artifacts", list(words(written)).said("files to make")));
+  for (Field& one : flag_fields(task))
+    fields.push_back(std::move(one));
   return object(std::move(fields));
 }
 
@@ -188,6 +210,14 @@ OptionValues values_of(const Json& options, const Maker& maker) {
     if (given != options.end() && !given->is_null()) values.set(*option, value_of(*option, *given));
   }
   return values;
+}
+
+std::string options_json(const OptionValues& values) {
+  Json json = Json::object();
+  for (const auto& [option, value] : values.all())
+    json[std::string(option->name)] = std::visit([](const auto& one) { return json_of(one); },
+                                                 value);
+  return json.dump();
 }
 
 }  // namespace planish::job

@@ -11,8 +11,8 @@ namespace planish::job {
 schema::Schema options_schema(OptionFiles files, const Maker& maker);
 /// A request to `run`.
 schema::Schema request_schema(const Catalogue& catalogue);
-/// The same without "maker", of one maker ("bend", "info"): with its own options and artifacts.
-schema::Schema request_schema(const std::string& maker, const Catalogue& catalogue);
+/// The same without "maker", of one task or maker: with its own options and artifacts.
+schema::Schema request_schema(const std::string& name, const Catalogue& catalogue);
 
 /// The values in an "options" object that `options_schema` of the maker has checked.
 OptionValues values_of(const schema::Json& options, const Maker& maker);

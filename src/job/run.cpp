@@ -25,6 +25,8 @@ std::shared_mutex& working_here() {
   return *one;
 }
 
+}  // namespace
+
 Outcome<RunResult> run_maker(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
@@ -46,15 +48,15 @@ Outcome<RunResult> run_maker(const Asked& asked, const Progress& progress) {
   return told(**made, std::move(artifacts));
 }
 
+namespace {
+
 /// An error of options is at its pointer in the request.
 tl::unexpected<Error> fail_in_request(Error error) {
   return tl::unexpected(at_pointer(std::move(error), "/options"));
 }
 
 Outcome<RunResult> done(const Asked& asked, const Progress& progress) {
-  auto result = asked.task == Asked::Task::info   ? run_info(asked, progress)
-                : asked.task == Asked::Task::bend ? run_bend(asked, progress)
-                                                  : run_maker(asked, progress);
+  auto result = asked.task->run(asked, progress);
   if (result || result.error().shown) return result;
   return fail_in_request(std::move(result.error()));
 }
@@ -108,10 +110,10 @@ Outcome<MadeRequest> make(const std::string& request, const Progress& progress,
   const std::shared_lock here(working_here());
   auto asked = read_asked(request, catalogue, std::move(bytes));
   if (!asked) return pass_on(asked);
-  if (!asked->maker) return schema::fail_at(refuse::info_makes_nothing, "/maker");
+  if (!asked->maker)
+    return schema::fail_at(refuse::makes_nothing, "/maker", {{"task", asked->task->name}});
   auto made = make_asked(*asked, progress);
   if (!made) return fail_in_request(std::move(made.error()));
-  (*made)->report().of_bending = asked->task == Asked::Task::bend;
   return MadeRequest{asked->maker, std::move(asked->request), std::move(*made)};
 }
 

@@ -19,7 +19,6 @@ Outcome<RunResult> run_bend(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
   Report& report = (*made)->report();
-  report.of_bending = true;
   std::vector<ArtifactFile> artifacts;
   // A page shows why a part cannot be bent.
   const bool drawn = !report.refusal || report.plan;

@@ -4,6 +4,8 @@
 #include <planish/brep/step.hpp>
 #include <planish/job/info.hpp>
 
+#include <algorithm>
+
 namespace planish::job {
 namespace {
 
@@ -19,7 +21,8 @@ Result<InfoReport> info_of_content(const InputFile& file, const InfoRequest& req
 }  // namespace
 
 Outcome<RunResult> run_info(const Asked& asked, const Progress& progress) {
-  const InfoRequest request{asked.request.input, asked.request.body, asked.sheets,
+  const InfoRequest request{asked.request.input, asked.request.body,
+                            std::ranges::count(asked.flags, "sheets") > 0,
                             asked.request.units.value_or(LengthUnit::mm)};
   const auto report = asked.content ? info_of_content(*asked.content, request, progress)
                                     : info(request, progress);

@@ -1,5 +1,4 @@
-#include "asked.hpp"
-#include "input_schemas.hpp"
+#include "makers.hpp"
 #include "report_schema.hpp"
 #include "request_schema.hpp"
 
@@ -47,7 +46,7 @@ std::string schema_text(const std::string& name, const Catalogue& catalogue) {
 }
 
 std::string request_schema_text(const std::string& maker, const Catalogue& catalogue) {
-  if (maker != kBend && maker != kInfo && !catalogue.maker(maker)) return {};
+  if (!catalogue.task(maker)) return {};
   return text_of(json_schema(request_schema(maker, catalogue), "planish/request of " + maker,
                              "request-" + maker + ".json"));
 }

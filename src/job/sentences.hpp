@@ -77,6 +77,21 @@ constexpr std::string_view strips_press =
 constexpr std::string_view seam_edges =
     "the seam lies in a fold, where square edges meet on the inside first, {depth:3} deep: bevel "
     "them, or move the seam";
+
+// Bending. What is in the way of a bend goes on from another sentence, or is a line by itself.
+constexpr std::string_view flange_hits = "{@bend:id}: {@flange} hits {tool} by {depth}";
+constexpr std::string_view part_hits = "{@bend:id}: the part hits {tool} by {depth}";
+constexpr std::string_view at_turn = "at {turn:3}";
+constexpr std::string_view only_bend = "{@bend:id}";
+constexpr std::string_view no_order = "no order of strokes forms all bends with these tools";
+constexpr std::string_view that_begins = "that begins with {begun}";
+constexpr std::string_view more_blocked = "and {more} more";
+constexpr std::string_view not_after_others =
+    "each can be formed, but not after the others: {@bend:id} {are} left at "
+    "best";
+constexpr std::string_view no_plan =
+    "no order of strokes was found among {stages:stage}, nor was it shown that there is none: give "
+    "it more time";
 constexpr std::string_view
     no_gauge_edge = "the back gauge finds no straight edge parallel to the bend line of {@bend}";
 

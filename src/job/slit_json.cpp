@@ -1,4 +1,4 @@
-#include "input_schemas.hpp"
+#include "makers.hpp"
 #include "refusals.hpp"
 
 #include <planish/job/slit_json.hpp>

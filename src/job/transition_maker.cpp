@@ -1,5 +1,4 @@
 #include "folded.hpp"
-#include "input_schemas.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
 #include "profile_points.hpp"

@@ -1,4 +1,3 @@
-#include "found_sheet.hpp"
 #include "lay_flat.hpp"
 #include "sides.hpp"
 #include "taken_shop.hpp"

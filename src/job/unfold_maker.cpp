@@ -1,5 +1,5 @@
-#include "found_sheet.hpp"
 #include "input.hpp"
+#include "lay_flat.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
 #include "report_schema.hpp"

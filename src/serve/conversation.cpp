@@ -49,7 +49,7 @@ bool is_answer(const Json& message) {
          (message.contains("result") || message.contains("error"));
 }
 
-/// The seconds that `bend` may search, which are allowed beside those for all else.
+/// The seconds that are asked for a search, which are allowed beside those for all else.
 std::chrono::milliseconds search_time(const Json& parameters) {
   constexpr double kMilli = 1000.0, kDay = 86400.0;
   const Json options = parameters.value("options", Json());
@@ -229,8 +229,7 @@ void Conversation::begin_work(const Call& call, const Tool& asked, Json paramete
   parameters["maker"] = asked.name;
   const auto ticket = std::make_shared<Ticket>();
   ticket->task = {text_of(parameters), std::move(*writes)};
-  ticket->time = options_.limits.time;
-  if (asked.name == "bend") ticket->time += search_time(parameters);
+  ticket->time = options_.limits.time + search_time(parameters);
   if (call.id) {
     const std::lock_guard lock(mutex_);
     if (!at_work_.emplace(text_of(*call.id), AtWork{ticket}).second)

@@ -89,15 +89,10 @@ Json object_schema(Json properties) {
 std::vector<Tool> tools_of(const job::Catalogue& catalogue) {
   auto tools = mapped(catalogue.makers,
                       [&](const job::Maker& maker) { return tool_of(maker, catalogue); });
-  tools.push_back({"bend",
-                   "Find the cheapest order of strokes in which a press brake bends a part, or "
-                   "prove that there is none. Reads whatever a sheet is made of: a STEP file, or a "
-                   "file of another maker. Answers with the report of the part and its plan.",
-                   parameters_of("bend", catalogue), true});
-  tools.push_back({"info",
-                   "Say what is in a STEP file: its bodies with size, volume and material; with "
-                   "`sheets` the sheet in each, or why there is none.",
-                   parameters_of("info", catalogue), true});
+  for (const job::Task& task : catalogue.tasks)
+    if (!task.name.empty())
+      tools.push_back({std::string(task.name), std::string(task.details),
+                       parameters_of(std::string(task.name), catalogue), true});
   tools.push_back(
       {"schema",
        "Give the JSON Schema of a file that is read or of a report; without a name the "

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace planish {
 namespace {
@@ -46,6 +47,25 @@ TEST(Tell, ListsPlacesOfOneName) {
   EXPECT_EQ(said("{@f} meet", faces), "Faces 3, 5 and 12 meet");
   const Facts mixed{{"p", place::face(3)}, {"p", place::edge(5)}};
   EXPECT_EQ(said("at {@p}", mixed), "at face 3 and edge 5");
+}
+
+TEST(Tell, LeavesTheKindOut) {
+  EXPECT_EQ(said("{@b:id}: too low", {{"b", place::bend("B2")}}), "B2: too low");
+  EXPECT_EQ(said("at {@p:id}", {{"p", place::face(3)}, {"p", place::edge(5)}}), "at 3 and 5");
+}
+
+TEST(SayAfter, MovesWhatTheSecondSentenceNames) {
+  Told told = tell("at {@p}", {{"p", place::face(3)}, {"a", 1.0, unit::mm}});
+  say_after(told, "; ", tell("set `root` at {@q}", {{"q", place::bend("B1")}, {"b", 2}}));
+  EXPECT_EQ(told.sentence, "at face 3; set `root` at bend B1");
+  EXPECT_EQ(told.places, (std::vector<Place>{place::face(3), place::bend("B1")}));
+  ASSERT_EQ(told.numbers.size(), 2u);
+  EXPECT_EQ(told.numbers[1].name, "b");
+  std::vector<std::string> texts;
+  for (const Piece& piece : wording(told))
+    texts.push_back(piece.text);
+  EXPECT_EQ(texts,
+            (std::vector<std::string>{"at ", "face 3", "; set ", "`root`", " at ", "bend B1"}));
 }
 
 TEST(Tell, NamesBodiesAndTheWholeOfAFile) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::test {
@@ -29,7 +30,7 @@ TEST(BlockedWay, TellsHowDeepTheLegIsInTheThinnestPunch) {
   for (const double beyond : {1.0, 2.5}) {
     Room room(channel(longest + beyond), tools);
     const BlockedWay way = blocked_way(room.cache(), room.lines({1}), room.lines({2}));
-    EXPECT_EQ(way.bend.hits, "punch 8");
+    EXPECT_EQ(way.bend.hits, (ToolName{ToolKind::punch, "8"}));
     EXPECT_NEAR(way.bend.depth, 0.05 + beyond * kSin45, 0.01);
     EXPECT_EQ(way.bend.with, FlangeId(0));
     EXPECT_EQ(way.bend.bend, BendId(1));
@@ -54,7 +55,7 @@ TEST(BlockedWay, TellsHowDeepALegIsInTheUpperBeam) {
   Room room(strip({Straight{leg}, kUp, Straight{90}, kUp, Straight{40}}, 80, 1.5), tools);
   const double height = 2.0 * (1.0 - kSin45) + kSin45 * (90.0 + 2.0 + 1.5) + kSin45 * (2.0 + leg);
   const BlockedBend told = blocked(room.cache(), room.lines({1}), room.line_of(2));
-  EXPECT_EQ(told.hits, "upper beam");
+  EXPECT_EQ(told.hits, ToolName{ToolKind::upper_beam});
   EXPECT_NEAR(told.depth, height - (100.0 - lower), 0.02);
 }
 
@@ -62,10 +63,19 @@ TEST(BlockedWay, TellsHowDeepALegIsInTheUpperBeam) {
 TEST(BlockedWay, TellsThatASideIsTooShort) {
   Room room(strip({Straight{60}, kUp, Straight{3}}, 50, 1.5), plain_tools());
   const BlockedBend told = blocked(room.cache(), room.lines({}), room.line_of(1));
-  EXPECT_TRUE(told.hits.empty());
+  EXPECT_FALSE(told.hits);
   EXPECT_EQ(told.depth, 0.0);
   EXPECT_FALSE(told.at_turn);
-  EXPECT_NE(told.why.find("from the bend line"), std::string::npos) << told.why;
+  ASSERT_TRUE(told.why);
+  EXPECT_EQ(told.why->code, "short_side");
+  // The flat rest of the side, and half of the zone.
+  const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+  const std::vector<NamedQuantity>& numbers = told.why->told.numbers;
+  const auto is = std::ranges::find(numbers, "is", &NamedQuantity::name);
+  const auto needed = std::ranges::find(numbers, "needed", &NamedQuantity::name);
+  ASSERT_TRUE(is != numbers.end() && needed != numbers.end());
+  EXPECT_NEAR(is->quantity.value, 3.0 + half_zone, 1e-6);
+  EXPECT_GT(needed->quantity.value, is->quantity.value);
 }
 
 /// A time that is over leaves the first way at least, and is not remembered.
@@ -76,8 +86,9 @@ TEST(BlockedWay, LooksAtOneWayEvenIfTheTimeIsOver) {
   Room room(channel(60.0), tools);
   const BlockedWay hasty = blocked_way(room.cache(), room.lines({1}), room.lines({2}),
                                        Clock::time_point::min());
-  EXPECT_EQ(hasty.bend.hits, "punch P");
-  EXPECT_EQ(blocked_way(room.cache(), room.lines({1}), room.lines({2})).bend.hits, "punch thin");
+  EXPECT_EQ(hasty.bend.hits, (ToolName{ToolKind::punch, "P"}));
+  EXPECT_EQ(blocked_way(room.cache(), room.lines({1}), room.lines({2})).bend.hits,
+            (ToolName{ToolKind::punch, "thin"}));
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(CheckOrder, SaysWhatHitsAndGoesOn) {
   ASSERT_TRUE(checked.strokes[1].blocked);
   const BlockedBend& blocked = *checked.strokes[1].blocked;
   EXPECT_EQ(blocked.bend, BendId(1));
-  EXPECT_EQ(blocked.hits, "punch P");
+  EXPECT_EQ(blocked.hits, (ToolName{ToolKind::punch, "P"}));
   EXPECT_EQ(blocked.with, FlangeId(0));
   EXPECT_NEAR(blocked.depth, 0.05 + beyond * kSin45, 0.01);
   ASSERT_TRUE(blocked.at_turn);
@@ -142,7 +142,7 @@ TEST(CheckOrder, NamesTheDeepestOfAllThatHit) {
   const BlockedBend lipped = blocked(
       {Straight{12}, up_by_90(), Straight{leg}, up_by_90(), Straight{60}, up_by_90(), Straight{30}},
       {0, 1, 2});
-  EXPECT_EQ(lipped.hits, "punch P");
+  EXPECT_EQ(lipped.hits, (ToolName{ToolKind::punch, "P"}));
   EXPECT_EQ(lipped.with, FlangeId(0));
   EXPECT_GT(lipped.depth, depth_of_leg + 3.0);
 }
@@ -205,7 +205,9 @@ TEST(CheckOrder, KnowsThatAHemIsBentBeforeItIsClosed) {
   const CheckedOrder checked = part.check({{{BendId(0)}, std::nullopt, true}, {{BendId(0)}}});
   ASSERT_EQ(checked.strokes.size(), 2u);
   ASSERT_TRUE(checked.strokes[0].blocked);
-  EXPECT_EQ(checked.strokes[0].blocked->why, "a hem is bent before it is closed");
+  EXPECT_FALSE(checked.strokes[0].blocked->hits);
+  ASSERT_TRUE(checked.strokes[0].blocked->why);
+  EXPECT_EQ(checked.strokes[0].blocked->why->code, "hem_not_bent");
   EXPECT_FALSE(checked.strokes[1].blocked);
 }
 

@@ -48,10 +48,15 @@ TEST(PlanBending, ProvesThatALegHitsThePunch) {
   EXPECT_EQ(plan->status, PlanStatus::infeasible);
   EXPECT_TRUE(plan->strokes.empty());
   EXPECT_EQ(plan->unformed.size(), 1u);
-  ASSERT_FALSE(plan->notes.empty());
+  ASSERT_FALSE(plan->remarks.empty());
+  EXPECT_EQ(plan->remarks.back().code, kFurthestStage);
+  ASSERT_FALSE(plan->in_the_way.empty());
+  EXPECT_EQ(plan->remarks.back().told.places.front(),
+            place::bend("B" + std::to_string(index_of(plan->in_the_way.back().bend) + 1)));
+  EXPECT_EQ(plan->remarks.back().told.places.back().kind, PlaceKind::flange);
   Room room(sheet, plain_tools());
   const BlockedBend blocked = brake_detail::blocked(room.cache(), room.lines({1}), room.line_of(2));
-  EXPECT_EQ(blocked.hits, "punch P");
+  EXPECT_EQ(blocked.hits, (ToolName{ToolKind::punch, "P"}));
   EXPECT_EQ(blocked.with, FlangeId(0));
   EXPECT_NEAR(blocked.depth, 0.05 + beyond * kSine45, 0.01);
   ASSERT_TRUE(blocked.at_turn);
@@ -150,8 +155,9 @@ TEST(PlanBending, NeedsNoStrokeForAPlateOrARolledBend) {
                               plain_tools());
   ASSERT_TRUE(rolled);
   EXPECT_TRUE(rolled->strokes.empty());
-  ASSERT_EQ(rolled->notes.size(), 1u);
-  EXPECT_NE(rolled->notes[0].find("rolled"), std::string::npos);
+  ASSERT_EQ(rolled->remarks.size(), 1u);
+  EXPECT_EQ(rolled->remarks[0].code, "rolled");
+  EXPECT_EQ(rolled->remarks[0].told.places, std::vector<Place>{place::bend("B1")});
 }
 
 /// Of the dies that bear the angle the one nearest to the wanted V, 6 · 1.5 mm, is taken, and of

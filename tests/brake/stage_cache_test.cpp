@@ -59,7 +59,8 @@ std::string answers(StageCache& cache, const LineSet& formed) {
     const auto& closes = cache.inputs().work.lines[line].closes;
     if (holds(formed, line) || (closes && !holds(formed, *closes))) continue;
     const BlockedBend nearest = blocked(cache, formed, line);
-    out << nearest.hits << nearest.why << nearest.depth << "\n";
+    out << (nearest.hits ? text_of(*nearest.hits) : "")
+        << (nearest.why ? nearest.why->told.sentence : "") << nearest.depth << "\n";
   }
   return out.str();
 }

@@ -55,12 +55,12 @@ TEST(Standing, RefusesExactlyWhatCollides) {
       } else if (rows.error().part >= 0) {
         ++collide;
         EXPECT_TRUE(std::ranges::any_of(all, [&](const Obstruction& one) {
-          return one.part == rows.error().part && one.hits == rows.error().hits &&
+          return one.part == rows.error().part && one.tool == rows.error().tool &&
                  one.because == rows.error().because;
         }));
       } else {
         EXPECT_TRUE(all.empty());
-        EXPECT_FALSE(rows.error().why.empty());
+        EXPECT_EQ(rows.error().lack.kind, Lack::Kind::segments);
       }
     });
   }

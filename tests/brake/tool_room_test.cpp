@@ -105,10 +105,10 @@ TEST(ToolRoom, ShrinksToolsToWhatIsDeeper) {
 TEST(ToolRoom, NamesTools) {
   const BrakeTools tools = two_punches();
   const ToolRoom room(tools, 0.0);
-  EXPECT_EQ(room.name(ToolKind::punch, 1), "punch G");
-  EXPECT_EQ(room.name(ToolKind::die, 0), "die D");
-  EXPECT_EQ(room.name(ToolKind::upper_beam, 0), "upper beam");
-  EXPECT_EQ(room.name(ToolKind::lower_beam, 0), "lower beam");
+  EXPECT_EQ(text_of(room.name(ToolKind::punch, 1)), "punch G");
+  EXPECT_EQ(text_of(room.name(ToolKind::die, 0)), "die D");
+  EXPECT_EQ(text_of(room.name(ToolKind::upper_beam, 0)), "upper beam");
+  EXPECT_EQ(text_of(room.name(ToolKind::lower_beam, 0)), "lower beam");
 }
 
 }  // namespace

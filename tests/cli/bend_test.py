@@ -232,7 +232,7 @@ class WrongRequests(BendTest):
                 (["--fix", "B7"], 'there is no bend B7; the bends are B1, B2'),
                 (["--springback", "90"], "--springback"),
                 (["--clearance", "-1"], "--clearance"),
-                (["-o", "plan.dxf"], "end it in .pdf or .svg"),
+                (["-o", "plan.dxf"], "End the name in one of .pdf, .svg"),
                 (["-o", "a.pdf", "-o", "a.pdf"], "a.pdf"),
                 (["--body", "1"], "--body does not go with a plates file")):
             self.assertIn(words, self.refused("bend", "part.json", *arguments, status=2), arguments)
@@ -288,6 +288,12 @@ class WrongRequests(BendTest):
         for note in told:
             self.assertRegex(note, r"^in the stage that got furthest, B\d cannot be bent: \S")
         self.assertIn(told[-1], report["reason"]["message"])
+        remarks = [one for one in report["plan"]["remarks"] if one["code"] == "furthest_stage"]
+        self.assertEqual([one["message"] for one in remarks], told)
+        for remark, blocked in zip(remarks, report["plan"]["in_the_way"]):
+            self.assertEqual(remark["places"][0], {"kind": "bend", "id": blocked["bend"]})
+            if blocked["hits"]:
+                self.assertAlmostEqual(remark["numbers"]["depth"]["value"], blocked["depth"])
 
     def test_a_bend_without_a_straight_line(self):
         lofted = pathlib.Path(__file__).parents[2] / "examples/connect/b_lofted.json"
@@ -324,7 +330,8 @@ class Pages(BendTest):
                         if e.tag.endswith("text"))
         (in_the_way,) = report["plan"]["in_the_way"]
         self.assertIn("CANNOT BE BENT", page)
-        self.assertIn(f"{in_the_way['bend']}: {in_the_way['with']} hits {in_the_way['hits']}", page)
+        flange = in_the_way["with"].replace("F", "flange ")
+        self.assertIn(f"{in_the_way['bend']}: {flange} hits {in_the_way['hits']}", page)
         self.assertTrue(report["plan"]["proposals"])
         for proposal in report["plan"]["proposals"]:
             self.assertIn(proposal["sentence"], page)

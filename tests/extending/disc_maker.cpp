@@ -25,7 +25,7 @@ struct DiscReport : Report {};
 const Option& least_radius() {
   static const Option entry{.name = "least_radius",
                             .kind = OptionKind::number,
-                            .group = "Checks",
+                            .group = OptionGroup::checks,
                             .description = "a smaller disc gives a finding, mm",
                             .otherwise = "20",
                             .range = kAboveZero};

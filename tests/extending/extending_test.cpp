@@ -1,5 +1,6 @@
-// A maker and an artifact in tables of their own: all that docs/extending.md promises follows from
-// their rows.
+// A maker, an artifact and a task in tables of their own: all that docs/extending.md promises
+// follows from their rows.
+#include "count_task.hpp"
 #include "disc_maker.hpp"
 #include "points_artifact.hpp"
 #include "program.hpp"
@@ -35,6 +36,7 @@ const job::Catalogue& catalogue() {
     job::Catalogue extended = job::built_in();
     extended.makers.push_back(job::disc_maker());
     extended.artifacts.push_back(job::points_artifact());
+    extended.tasks.push_back(job::count_task());
     return extended;
   }();
   return all;
@@ -209,6 +211,55 @@ TEST(NewMaker, IsADocumentOfTheStudio) {
     EXPECT_EQ(shape.status, 200) << shape.body;
     EXPECT_EQ(shape.body.substr(0, 4), "PLN1");
   }
+}
+
+TEST(NewMaker, KeepsItsOwnOptionInTheStudio) {
+  studio::Workbench bench("/nowhere", catalogue());
+  ASSERT_EQ(bench.perform({"open", "plate.json", kDisc}).status, 200);
+  const auto shape = bench.perform(
+      {"result", "",
+       std::string("{\"options\": {\"least_radius\": 60}, \"spec\": ") + kDisc + "}"});
+  ASSERT_EQ(shape.status, 200) << shape.body;
+  EXPECT_THAT(shape.body, HasSubstr("small_disc"));
+}
+
+TEST(NewTask, IsAskedForByItsName) {
+  Json asked{{"maker", "count"}, {"input", PLANISH_SOURCE_DIR "/examples/bracket.step"}};
+  auto done = job::run(asked.dump(), {}, catalogue());
+  ASSERT_TRUE(done.has_value()) << done.error().message;
+  EXPECT_EQ(done->report, "2\n");
+  asked["input"] = {{"name", "plate.json"}, {"content", Json::parse(kDisc)}};
+  asked["openings"] = true;
+  done = job::run(asked.dump(), {}, catalogue());
+  ASSERT_TRUE(done.has_value()) << done.error().message;
+  EXPECT_EQ(done->report, "0\n") << "of whatever a maker makes";
+}
+
+TEST(NewTask, HasItsOptionsFlagsAndArtifactsAlone) {
+  const Json asked{{"maker", "count"}, {"input", PLANISH_SOURCE_DIR "/examples/bracket.step"}};
+  const auto where = [&](const char* key, const Json& value, const char* task = "count") {
+    Json other = asked;
+    other["maker"] = task;
+    other[key] = value;
+    const auto done = job::run(other.dump(), {}, catalogue());
+    return done ? std::string() : done.error().where;
+  };
+  EXPECT_EQ(where("options", {{"body", 1}}), "");
+  EXPECT_EQ(where("options", {{"k", 0.4}}), "/options/k");
+  EXPECT_EQ(where("artifacts", {"dxf"}), "/artifacts/0");
+  EXPECT_EQ(where("openings", true, "unfold"), "/openings");
+  EXPECT_EQ(where("sheets", true), "/sheets");
+}
+
+TEST(NewTask, IsInTheSchemaOfRequests) {
+  const Json any = Json::parse(job::schema_text("request", catalogue()))["properties"];
+  EXPECT_THAT(any["maker"]["enum"], Contains("count"));
+  EXPECT_TRUE(any.contains("openings"));
+  const Json own = Json::parse(job::request_schema_text("count", catalogue()))["properties"];
+  EXPECT_EQ(own["options"]["properties"].size(), 1u);
+  EXPECT_TRUE(own.contains("openings"));
+  EXPECT_FALSE(own.contains("artifacts"));
+  EXPECT_FALSE(own.contains("effort"));
 }
 
 TEST(NewArtifact, IsWrittenOfEveryMaker) {

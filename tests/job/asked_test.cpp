@@ -25,7 +25,8 @@ Error refused_by(const json& request) {
 
 TEST(Asked, HasTheMakerAndItsInput) {
   const Asked file = asked_by({{"maker", "connect"}, {"input", "no/such.json"}});
-  EXPECT_EQ(file.task, Asked::Task::make);
+  EXPECT_EQ(file.task, built_in().task("connect"));
+  EXPECT_EQ(file.task->reader, Reader::named);
   EXPECT_EQ(file.maker, built_in().maker("connect"));
   EXPECT_EQ(file.request.input, "no/such.json");
   EXPECT_FALSE(file.content) << "not read yet";
@@ -52,7 +53,7 @@ TEST(Asked, TakesBytesInPlaceOfAContent) {
 
 TEST(Asked, ReadsWhatIsToBeBentForItsMaker) {
   const Asked bent = asked_by({{"maker", "bend"}, {"input", kChannel}, {"effort", "draft"}});
-  EXPECT_EQ(bent.task, Asked::Task::bend);
+  EXPECT_EQ(bent.task, built_in().task("bend"));
   EXPECT_EQ(bent.maker, built_in().maker("connect"));
   EXPECT_EQ(bent.request.effort, Effort::full) << "a draft has no plan";
   EXPECT_EQ(bent.request.bending.ask, Bending::Ask::plan);
@@ -66,12 +67,13 @@ TEST(Asked, ReadsWhatIsToBeBentForItsMaker) {
 
 TEST(Asked, InformsWithoutAMaker) {
   const Asked info = asked_by({{"maker", "info"}, {"input", "a.step"}, {"sheets", true}});
-  EXPECT_EQ(info.task, Asked::Task::info);
+  EXPECT_EQ(info.task, built_in().task("info"));
   EXPECT_EQ(info.maker, nullptr);
-  EXPECT_TRUE(info.sheets);
+  EXPECT_EQ(info.flags, std::vector<std::string_view>{"sheets"});
   EXPECT_EQ(refused_by({{"maker", "unfold"}, {"input", "a.step"}, {"sheets", true}}).where,
             "/sheets");
-  EXPECT_FALSE(asked_by({{"maker", "unfold"}, {"input", "a.step"}, {"sheets", false}}).sheets);
+  EXPECT_TRUE(
+      asked_by({{"maker", "unfold"}, {"input", "a.step"}, {"sheets", false}}).flags.empty());
 }
 
 TEST(Asked, FindsArtifactsByNameAndSuffix) {
@@ -116,6 +118,7 @@ TEST(Asked, MakesWhatIsAsked) {
   const auto made = make_asked(asked, {});
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ((*made)->report().flat.bends.size(), 2u);
+  EXPECT_EQ((*made)->report().task, "") << "the maker's own";
   asked.request.piece = 1;
   EXPECT_EQ(make_asked(asked, {}).error().where, "piece");
   const auto absent = make_asked(asked_by({{"maker", "connect"}, {"input", "/no/such"}}), {});

@@ -105,20 +105,23 @@ TEST(BendOrderJson, PutsEachStrokeIntoItsScene) {
 
 TEST(BendOrderJson, SaysWhatBlocksAStroke) {
   CheckedOrder order = one_stroke();
-  for (const auto& [hits, tool] : {std::pair{"punch P88", Json("punch")},
-                                   {"die V16", Json("die")},
-                                   {"upper beam", Json("upper beam")},
-                                   {"lower beam", Json("lower beam")},
-                                   {"itself", Json(nullptr)}}) {
+  for (const auto& [hits, name] : {std::pair{ToolName{ToolKind::punch, "P88"}, "punch P88"},
+                                   {{ToolKind::die, "V16"}, "die V16"},
+                                   {{ToolKind::upper_beam}, "upper beam"},
+                                   {{ToolKind::lower_beam}, "lower beam"}}) {
     order.strokes[0].blocked = test::infeasible_report().plan->blocked[0];
     order.strokes[0].blocked->hits = hits;
     const Json doc = written(order, planned_report());
     EXPECT_EQ(doc["status"], "blocked");
     EXPECT_TRUE(doc["cost"].is_null());
     const Json blocked = doc["strokes"][0]["blocked"];
-    EXPECT_EQ(blocked["tool"], tool) << hits;
+    EXPECT_EQ(blocked["tool"], Json(kind_name(hits.kind))) << name;
     EXPECT_EQ(blocked["with"], "F4");
-    EXPECT_NE(blocked["sentence"].get<std::string>().find(hits), std::string::npos);
+    EXPECT_NE(blocked["sentence"].get<std::string>().find(name), std::string::npos);
+    std::string whole;
+    for (const Json& piece : blocked["wording"])
+      whole += piece["text"].get<std::string>();
+    EXPECT_EQ(blocked["sentence"], whole);
   }
 }
 
@@ -145,7 +148,8 @@ TEST(BendOrderJson, HasTheSectionsOfTheToolsThatAreUsed) {
 
 TEST(BendOrderJson, SaysWhatBecameOfAPlan) {
   Report report = test::infeasible_report();
-  report.plan->notes = {"B3 is rolled"};
+  const Remark rolled{"rolled", tell("B3 is rolled", {})};
+  report.plan->remarks = {rolled};
   const auto begun = [&](PlanStatus status) {
     report.plan->status = status;
     return planned_order_json(*report.plan, {}, report);
@@ -158,11 +162,13 @@ TEST(BendOrderJson, SaysWhatBecameOfAPlan) {
   const std::string unknown = begun(PlanStatus::gave_up)["sentence"];
   EXPECT_NE(unknown.find("17"), std::string::npos) << "how many stages were looked at";
   EXPECT_EQ(begun(PlanStatus::gave_up)["notes"], Json({"B3 is rolled"}));
-  // Where each bend can be formed, but not after the others, the last note is about the best stage.
+  // Where each bend can be formed, but not after the others, the last remark on the best stage.
   report.plan->in_the_way = report.plan->blocked;
   report.plan->blocked.clear();
   report.plan->unformed = {BendId{1}};
-  report.plan->notes = {"B3 is rolled", "B2 hits the punch at last"};
+  report.plan->remarks = {rolled,
+                          {kFurthestStage, tell("B2 hits the punch at last", {})},
+                          {"rolled", tell("B4 is rolled too", {})}};
   const std::string at_last = begun(PlanStatus::infeasible)["sentence"];
   EXPECT_NE(at_last.find("B2 hits the punch at last"), std::string::npos) << at_last;
   EXPECT_EQ(at_last.find("rolled"), std::string::npos);

@@ -1,5 +1,4 @@
-#include "found_sheet.hpp"
-
+#include "lay_flat.hpp"
 #include "support/folded_box.hpp"
 
 #include <planish/sheet/codes.hpp>

@@ -130,18 +130,34 @@ TEST(PlanReport, SaysWhatIsInTheWay) {
   report.plan->in_the_way = report.plan->blocked;
   BlockedBend without;
   without.bend = BendId{0};
-  without.why = "it is too short";
+  without.why = Remark{"short_side", tell("a side is {is} long", {{"is", 2.5, unit::mm}})};
   report.plan->blocked.push_back(without);
   const Json plan = plan_of(report);
   EXPECT_EQ(mistake_in(plan), "");
-  EXPECT_EQ(plan["blocked"][0], Json::parse(R"({"bend": "B2", "hits": "punch P88", "with": "F4",
-                                                "depth": 3.175, "at_turn": 72.0})"));
-  EXPECT_EQ(plan["blocked"][1], Json::parse(R"({"bend": "B1", "hits": null, "with": null,
-                                                "depth": 0.0, "at_turn": null,
-                                                "why": "it is too short"})"));
+  EXPECT_EQ(plan["blocked"][0], Json::parse(R"({"bend": "B2", "hits": "punch P88", "tool": "punch",
+                                                "tool_id": "P88", "with": "F4", "depth": 3.175,
+                                                "at_turn": 72.0})"));
+  EXPECT_EQ(plan["blocked"][1],
+            Json::parse(R"({"bend": "B1", "hits": null, "tool": null, "with": null, "depth": 0.0,
+                            "at_turn": null, "why": "a side is 2.5 mm long",
+                            "remark": {"code": "short_side", "message": "a side is 2.5 mm long",
+                                       "places": [],
+                                       "numbers": {"is": {"value": 2.5, "unit": "mm"}}}})"));
   EXPECT_EQ(plan["unformed"], Json({"B2"}));
   EXPECT_EQ(plan["in_the_way"], Json::array({plan["blocked"][0]}));
   EXPECT_EQ(plan["proposals"].size(), 1u);
+}
+
+TEST(PlanReport, HasRemarksAsData) {
+  Report report = planned_report();
+  EXPECT_EQ(plan_of(report)["remarks"], Json::array());
+  report.plan->remarks = {
+      {"rolled", tell("no stroke bends {@bend}", {{"bend", place::bend("B1")}})}};
+  const Json plan = plan_of(report);
+  EXPECT_EQ(mistake_in(plan), "");
+  EXPECT_EQ(plan["remarks"],
+            Json::parse(R"([{"code": "rolled", "message": "no stroke bends bend B1",
+                             "places": [{"kind": "bend", "id": "B1"}], "numbers": {}}])"));
 }
 
 TEST(PlanReport, HasASchemaThatCountsFromOne) {

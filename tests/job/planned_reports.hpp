@@ -41,7 +41,7 @@ inline job::Report infeasible_report() {
   plan.strokes.clear();
   BlockedBend blocked;
   blocked.bend = BendId{1};
-  blocked.hits = "punch P88";
+  blocked.hits = ToolName{ToolKind::punch, "P88"};
   blocked.with = FlangeId{3};
   blocked.depth = 3.175;
   blocked.at_turn = Angle::degrees(72);

@@ -80,23 +80,38 @@ TEST(ProposalReport, IsALineEachOnTheTerminal) {
   EXPECT_EQ(proposals_text(*report.plan, report), "");
 }
 
-TEST(BlockedSentence, SaysWhatHitsWhatWhereAndHowDeep) {
+TEST(BlockedBend, SaysWhatHitsWhatWhereAndHowDeep) {
   Report report = infeasible_report();
   BlockedBend blocked = report.plan->blocked.front();
-  EXPECT_THAT(blocked_sentence(blocked, report),
-              AllOf(HasSubstr("B2"), HasSubstr("F4"), HasSubstr("punch P88"), HasSubstr("3.175 mm"),
-                    HasSubstr("72°")));
+  const auto said = [&] { return told_of(blocked, report).sentence; };
+  EXPECT_THAT(said(), AllOf(HasSubstr("B2"), HasSubstr("flange 4"), HasSubstr("punch P88"),
+                            HasSubstr("3.175 mm"), HasSubstr("72°")));
   report.units = LengthUnit::inch;
-  EXPECT_THAT(blocked_sentence(blocked, report), HasSubstr("0.125 in"));
+  EXPECT_THAT(said(), HasSubstr("0.125 in"));
   blocked.with.reset();
   blocked.at_turn.reset();
-  EXPECT_THAT(blocked_sentence(blocked, report),
-              AllOf(Not(HasSubstr("F4")), Not(HasSubstr("°")), HasSubstr("punch P88")));
-  blocked.why = "no V is wide enough";
-  EXPECT_THAT(blocked_sentence(blocked, report),
-              AllOf(HasSubstr("punch P88"), HasSubstr("no V is wide enough")));
-  blocked.hits.clear();
-  EXPECT_EQ(blocked_sentence(blocked, report), "B2: no V is wide enough");
+  EXPECT_THAT(said(), AllOf(Not(HasSubstr("flange")), Not(HasSubstr("°")), HasSubstr("punch P88")));
+  blocked.why = Remark{"short_side", tell("no V is wide enough", {})};
+  EXPECT_THAT(said(), AllOf(HasSubstr("punch P88"), HasSubstr("no V is wide enough")));
+  blocked.hits.reset();
+  EXPECT_EQ(said(), "B2: no V is wide enough");
+}
+
+TEST(BlockedBend, HasAsDataWhatItSays) {
+  const Report report = infeasible_report();
+  const Told told = told_of(report.plan->blocked.front(), report);
+  EXPECT_EQ(told.places, (std::vector<Place>{place::bend("B2"), place::flange(4)}));
+  ASSERT_EQ(told.numbers.size(), 2u);
+  EXPECT_EQ(told.numbers[0].quantity, (Quantity{3.175, unit::mm}));
+  EXPECT_EQ(told.numbers[1].quantity, (Quantity{72.0, unit::degrees}));
+  std::string whole;
+  std::vector<Place> named;
+  for (const Piece& piece : wording(told)) {
+    whole += piece.text;
+    if (piece.place) named.push_back(*piece.place);
+  }
+  EXPECT_EQ(whole, told.sentence);
+  EXPECT_EQ(named, told.places);
 }
 
 }  // namespace

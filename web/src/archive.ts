@@ -3,7 +3,7 @@ import { optionsOf, refused, sameOptions, type BodyStatus } from './bodies.ts';
 import { hasPattern, stems, summaryCsv } from './body-files.ts';
 import { problemOf } from './compute.ts';
 import { dxfOptions } from './dxf-choices.ts';
-import { bodyOf } from './state.ts';
+import { bodyOf, makerOf } from './state.ts';
 import type { Store } from './store.ts';
 import { saysWhy } from './survey.ts';
 import type { ApiProblem, BodyInfo, LengthUnit, OpenDocument, Options, Report } from './types.ts';
@@ -51,7 +51,7 @@ export class Archive {
   /** Null if it was cancelled, or another file was opened. */
   private async filesOf(document: OpenDocument, bodies: BodyInfo[]): Promise<ZipFile[] | null> {
     const { state } = this.store,
-      maker = state.description.makers.find((m) => m.name === document.kind),
+      maker = makerOf({ ...state, document }),
       dxf = maker ? dxfOptions(state.workshop.dxf, maker, state.units) : {},
       shown = bodyOf(state),
       reports: Report[] = [],

@@ -105,14 +105,14 @@ export class Computation {
 
   /** A result that would delay the draft for longer than a worker takes to restart. */
   private giveUpResult() {
-    const { document } = this.store.state,
+    const { document, input } = this.store.state,
       left = this.resultTook - (performance.now() - this.startedAt);
     if (
       this.running !== 'result' ||
       this.refining ||
       this.givenUp ||
       !document ||
-      document.kind === 'unfold' ||
+      !input.spec || // a file that is read again takes longer
       left < restart
     )
       return;

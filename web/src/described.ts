@@ -1,8 +1,8 @@
-import { byPlates, changesBefore } from './panels/bend-order.ts';
+import { changesBefore } from './panels/bend-order.ts';
 import { bendText, pickedEdgeText, pickedRow } from './picked.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import { refusedPlaces } from './refused-solid.ts';
-import { sentence } from './said.ts';
+import { byPlates, sentence } from './said.ts';
 import { isStopped, turnAt } from './stage.ts';
 import { isInMachine, type State } from './state.ts';
 import { clean, lengthText, unitName } from './units.ts';
@@ -83,7 +83,7 @@ function strokeText(state: State): string {
   return sentences([
     `Stroke ${at + 1} of ${strokes.length}: ${bends} ${whole}${now}`,
     changes.length ? `Before it: ${changes.join(', ')}` : '',
-    blocked ? `${stopped}: ${byPlates({ state }, blocked.sentence)}` : '',
+    blocked ? `${stopped}: ${byPlates(state, blocked)}` : '',
   ]);
 }
 

@@ -5,7 +5,7 @@ import { EditedCopies, type Begun } from './edited-copies.ts';
 import { isAtStart, keepDocument, keepSource, keepTab, keptDocument, keptTab, type Kept } from './kept.ts';
 import { partOptions } from './open-state.ts';
 import type { Recent, Recents } from './recents.ts';
-import type { OptionsSet } from './state.ts';
+import { makerOf, type OptionsSet } from './state.ts';
 import type { Store } from './store.ts';
 import { lookAt } from './survey.ts';
 import type { OpenDocument, Spec } from './types.ts';
@@ -238,7 +238,7 @@ export class Documents {
   private async take(document: OpenDocument, beside: Beside, signal: AbortSignal, set?: OptionsSet) {
     const spec = document.text ? (JSON.parse(document.text) as Spec) : null;
     const missing: string[] = [];
-    for (const file of pointFiles(document, spec)) {
+    for (const file of pointFiles(spec)) {
       const bytes = await beside(file);
       if (bytes) await this.api.attach(document.id, file, bytes);
       else if (document.id !== this.adopted) missing.push(file);
@@ -270,7 +270,7 @@ export class Documents {
   ): Promise<{ body?: number; bodies: Bodies }> {
     if (set) return { bodies: {} }; // of the body that was chosen
     const all = document.info?.bodies ?? [],
-      of = partOptions(this.store.state, document),
+      of = partOptions(this.store.state),
       bodies: Bodies = {},
       end = performance.now() + looking;
     for (const { number } of all.length > 1 ? all : []) {
@@ -284,7 +284,7 @@ export class Documents {
 
   private async addPoints(points: Given[]) {
     const d = this.store.state.document;
-    if (d?.kind !== 'slit')
+    if (!d || !makerOf(this.store.state)?.names_files)
       throw new ApiError(
         { code: 'no_slit_file', message: 'points belong to a slit file; open that first, or both together' },
         0,
@@ -324,7 +324,6 @@ function leftOut(others: string[], points: string[]): string {
 
 const isPoints = (name: string) => /\.(xyz|txt|asc|csv)$/i.test(name);
 
-function pointFiles(document: OpenDocument, spec: Spec | null): string[] {
-  if (document.kind !== 'slit' || !spec) return [];
-  return ((spec as SlitSpec).scan ?? []).flatMap((s) => (typeof s.points === 'string' ? [s.points] : []));
+function pointFiles(spec: Spec | null): string[] {
+  return ((spec as SlitSpec | null)?.scan ?? []).flatMap((s) => (typeof s.points === 'string' ? [s.points] : []));
 }

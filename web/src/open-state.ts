@@ -26,7 +26,7 @@ export function reduceOpen(state: State, action: OpenAction): State {
   };
   if (action.type === 'closed') return { ...anew, units: state.units };
   const { document, spec, body, bodies, set } = action,
-    { options, ...others } = set ?? { options: partOptions(state, document) };
+    { options, ...others } = set ?? { options: spec ? {} : partOptions(state) };
   return {
     ...anew,
     units: unitsOf(document, spec),
@@ -38,8 +38,7 @@ export function reduceOpen(state: State, action: OpenAction): State {
 }
 
 /** What is set on this machine for every part to unfold that is opened. */
-export const partOptions = ({ workshop }: State, { kind }: OpenDocument): Options =>
-  kind === 'unfold' ? (workshop.everyPart ?? {}) : {};
+export const partOptions = ({ workshop }: State): Options => workshop.everyPart ?? {};
 
 /** The page uses the unit of the file. */
 const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>

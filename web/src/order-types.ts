@@ -1,7 +1,7 @@
 // What `plan` takes and answers (docs/studio-api.md#plan).
 
 import type { ReportPlan, ReportPlanBlocked, ReportPlanStroke } from '../generated/report.ts';
-import type { LengthUnit, SentOptions, Vec2 } from './types.ts';
+import type { LengthUnit, SentOptions, Vec2, Wording } from './types.ts';
 
 /** Options of the press brake. */
 export type BrakeOptions = Pick<
@@ -12,12 +12,12 @@ export type BrakeOptions = Pick<
 /** What is pressed at once. */
 export type OrderedStroke = Pick<ReportPlanStroke, 'bends' | 'press_line' | 'flattening'>;
 
-export type ToolName = 'punch' | 'die' | 'upper beam' | 'lower beam';
+export type ToolName = NonNullable<ReportPlanBlocked['tool']>;
 
 /** What is in the way of a stroke. */
 export interface Blocked extends ReportPlanBlocked {
-  tool: ToolName | null;
   sentence: string;
+  wording: Wording;
 }
 
 /** Where sheet and tools are at each turn, in degrees and mm of the machine frame. */
@@ -66,6 +66,7 @@ export interface OrderAnswer
   extends Pick<ReportPlan, 'cost' | 'turn_overs' | 'rotations' | 'tool_changes' | 'ungauged'> {
   status: OrderStatus;
   sentence: string | null;
+  wording?: Wording; // of the sentence
   notes: string[];
   units: LengthUnit;
   thickness: number; // mm

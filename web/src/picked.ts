@@ -6,9 +6,9 @@ import type { Report } from './types.ts';
 import { clean, lengthText, unitName } from './units.ts';
 
 /** The bend that is picked, by its new number: the one between the same plates. */
-export function pickedBend({ selection: { part }, known, document }: State, report: Report): string | null {
+export function pickedBend({ selection: { part }, known }: State, report: Report): string | null {
   const before = known?.flat?.bends.find((b) => b.id === part)?.between;
-  if (document?.kind !== 'connect' || !before || !report.flat) return part;
+  if (!before || !report.flat) return part;
   const plates = (between: string[] | undefined) => JSON.stringify([...(between ?? [])].sort()),
     same = report.flat.bends.filter((b) => plates(b.between) === plates(before));
   return same.some((b) => b.id === part) ? part : (same[0]?.id ?? null);

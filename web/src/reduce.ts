@@ -6,7 +6,7 @@ import { asBefore } from './orientation.ts';
 import { pickedBend } from './picked.ts';
 import { isRefused } from './report.ts';
 import { bodyOf, nothing, type Action, type Input, type State } from './state.ts';
-import type { PlatesSpec } from './edits/plates-types.ts';
+import { platesIn } from './edits/plates-types.ts';
 import type { Report, Shape, Vec3 } from './types.ts';
 import { millimetres } from './units.ts';
 import { reduceView } from './view-state.ts';
@@ -195,15 +195,15 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
 /**
  * The last shape, with the plates of an input that cannot be computed, so that they can still be seen and dragged.
  */
-function withPlates({ shape, document, input }: State): Shape | null {
-  if (!shape || document?.kind !== 'connect') return shape;
-  const { plates, units } = input.spec as PlatesSpec,
-    scale = millimetres(units);
+function withPlates({ shape, input }: State): Shape | null {
+  const spec = platesIn(input.spec);
+  if (!shape || !spec) return shape;
+  const scale = millimetres(spec.units);
   return {
     ...shape,
     handles: {
       ...shape.handles,
-      plates: plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })),
+      plates: spec.plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })),
     },
   };
 }

@@ -2,7 +2,7 @@ import { ShapeUtils, Vector2 } from 'three';
 import type { State } from './state.ts';
 import { namedPlaces, unnamed, type NamedPlaces, type Solid } from './solid-mesh.ts';
 import type { Place, Vec3 } from './types.ts';
-import type { PlatesSpec } from './edits/plates-types.ts';
+import { platesIn, type PlatesSpec } from './edits/plates-types.ts';
 import { millimetres } from './units.ts';
 import { cross, dot, minus, normalised, plus, scaled } from './vectors.ts';
 
@@ -13,19 +13,18 @@ const none: Solid = {
 };
 
 /** What is to be seen of an input that is refused: the solid as read, or the plates. Empty while there is a sheet. */
-export function refusedSolid({ shape, problem, document, input }: State): Solid {
+export function refusedSolid({ shape, problem, input }: State): Solid {
   if (shape?.facet_parent.length) return none;
   if (shape?.space_faces.length) return shape;
-  if (document?.kind !== 'connect' || !problem || !input.spec) return none;
-  return solidOf(input.spec as PlatesSpec);
+  const plates = platesIn(input.spec);
+  return plates && problem ? solidOf(plates) : none;
 }
 
 /** What the refusal names of it. */
 export function refusedPlaces({ shape, problem, document, input }: State): NamedPlaces {
   if (!problem || !document || shape?.facet_parent.length) return unnamed;
-  return document.kind === 'connect'
-    ? namedPlates(problem.places, input.spec as PlatesSpec)
-    : namedPlaces(problem.places);
+  const plates = platesIn(input.spec);
+  return plates ? namedPlates(problem.places, plates) : namedPlaces(problem.places);
 }
 
 /** Plates among places, and those of fields of the file: its own of a plate, both of a bend. */

@@ -2,6 +2,7 @@ import type {
   ApiProblem,
   Description,
   Example,
+  MakerRow,
   OpenDocument,
   Options,
   Progress,
@@ -204,3 +205,7 @@ export function initialState(theme: Theme): State {
 /** The body that a file is shown by: the first, unless another was chosen. */
 export const bodyOf = ({ input, document }: State): number =>
   typeof input.options.body === 'number' ? input.options.body : (document?.info?.bodies[0]?.number ?? 1);
+
+/** The row of the maker that the document is of. */
+export const makerOf = ({ description, document }: Pick<State, 'description' | 'document'>): MakerRow | undefined =>
+  description.makers.find((m) => m.name === document?.kind);

@@ -45,6 +45,9 @@ export type FlatSize = NonNullable<Report['flat']>['size'];
 /** A refusal, or an error of the server, which knows less. */
 export type ApiProblem = Pick<ReportReason, 'code' | 'message'> & Partial<ReportReason>;
 
+/** A sentence in pieces; none where it names nothing. */
+export type Wording = NonNullable<ReportReason['wording']>;
+
 /** An input file as the page edits it; each maker's has more. */
 export interface Spec {
   units?: LengthUnit;
@@ -90,6 +93,7 @@ export interface MakerRow {
   description: string;
   input: string;
   editable: boolean;
+  names_files: boolean; // its input may name other files, of points
   options: OptionRow[];
   artifacts: string[];
 }

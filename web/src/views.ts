@@ -188,9 +188,9 @@ export class Views {
   private overlay(state: State) {
     const spec = state.input.spec as SlitSpec | null;
     return {
-      anchors: state.document?.kind === 'slit' ? (spec?.anchors ?? []) : [],
+      anchors: spec?.anchors ?? [],
       scale: millimetres(spec?.units),
-      plate: state.document?.kind === 'connect' ? state.selection.plate : null,
+      plate: state.selection.plate,
       numbered: this.numbered(state),
       anchor: state.selection.anchor,
       gizmo: state.gizmo,
@@ -201,7 +201,6 @@ export class Views {
 
   /** Shows edge numbers while a bend's edges are being set. */
   private numbered(state: State): string[] {
-    if (state.document?.kind !== 'connect') return [];
     return knownPiece(state)?.flat?.bends.find((b) => b.id === state.selection.part)?.between ?? [];
   }
 
@@ -328,9 +327,9 @@ const shownOf = ({ document, input: { options } }: State) =>
  * The facet that stays in place while the sheet is folded: of the flange or plate that was chosen for it, else the
  * root.
  */
-function heldFacet({ shape, input, document }: State): number {
+function heldFacet({ shape, input: { options, spec } }: State): number {
   if (!shape) return 0;
-  const { root } = document?.kind === 'unfold' ? input.options : ((input.spec as { root?: string } | null) ?? {});
+  const root = options.root ?? (spec as { root?: string } | null)?.root;
   const part =
     root === undefined
       ? -1

@@ -16,7 +16,7 @@ import { areaText, massText } from '../src/amounts.ts';
 import { unconfirmedK } from '../src/default-k.ts';
 import { reduce } from '../src/reduce.ts';
 import { initialState } from '../src/state.ts';
-import type { OpenDocument, PieceReport } from '../src/types.ts';
+import type { OpenDocument, PieceReport, Spec } from '../src/types.ts';
 import { soundWorkshop } from '../src/workshop-state.ts';
 
 const near = (a: number, b: number, tolerance = 1e-9) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
@@ -68,12 +68,12 @@ test('K comes from one place', () => {
 
 test('what is set for every part holds for parts, not for other files', () => {
   const state = reduce(initialState('light'), { type: 'every-part', options: { k: 0.4, density: 7.85 } }),
-    document = (kind: string): OpenDocument => ({ id: 'd1', kind, name: 'a' });
-  const opened = (kind: string, body?: number) =>
-    reduce(state, { type: 'opened', document: document(kind), spec: null, body }).input.options;
-  assert.deepEqual(opened('unfold'), { k: 0.4, density: 7.85 });
-  assert.deepEqual(opened('unfold', 3), { k: 0.4, density: 7.85, body: 3 });
-  assert.deepEqual(opened('connect'), {});
+    document: OpenDocument = { id: 'd1', kind: 'unfold', name: 'a' };
+  const opened = (spec: Spec | null, body?: number) =>
+    reduce(state, { type: 'opened', document, spec, body }).input.options;
+  assert.deepEqual(opened(null), { k: 0.4, density: 7.85 });
+  assert.deepEqual(opened(null, 3), { k: 0.4, density: 7.85, body: 3 });
+  assert.deepEqual(opened({ thickness: 1 }), {}, 'an edited file has its own');
 });
 
 test('files of the workshop are kept once by kind and name, the last one first', () => {

@@ -16,6 +16,7 @@ const unfold: MakerRow = {
   description: '',
   input: 'STEP',
   editable: false,
+  names_files: false,
   artifacts: ['dxf'],
   options: [
     row('units', ['mm', 'inch', 'm']),

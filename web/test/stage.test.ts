@@ -147,6 +147,7 @@ test('what collides is red from the turn on at which it does, and the stroke sto
     at_turn: 45,
     tool: 'punch' as const,
     sentence: '',
+    wording: [],
   };
   const row = stroke({ blocked }),
     stages = new Stages(shape, answer([row]));

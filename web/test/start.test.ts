@@ -4,7 +4,7 @@ import { inputsText } from '../src/panels/inputs-text.ts';
 import type { MakerRow } from '../src/types.ts';
 
 const maker = (name: string, input: string, editable: boolean): MakerRow => ({
-  ...{ name, input: `${input} file`, editable, description: '', options: [], artifacts: [] },
+  ...{ name, input: `${input} file`, editable, names_files: false, description: '', options: [], artifacts: [] },
 });
 
 test('the start page says what the makers read', () => {

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
 
+#include <set>
+#include <string_view>
+
 // The part of the package `planish` that is in C++. What Python sees of it is in the package's
 // Python files, which give it names, types and descriptions.
 
@@ -36,12 +39,16 @@ auto apart(Work work) {
 Json option_json(const job::Option& option, std::string_view otherwise) {
   constexpr const char* kKinds[] = {"flag", "number", "whole", "word",
                                     "face", "name",   "file",  "by_bend"};
-  return {{"name", option.name},    {"kind", kKinds[static_cast<int>(option.kind)]},
-          {"group", option.group},  {"description", option.description},
-          {"otherwise", otherwise}, {"words", option.words}};
+  return {{"name", option.name},
+          {"kind", kKinds[static_cast<int>(option.kind)]},
+          {"group", job::heading(option.group)},
+          {"description", option.description},
+          {"otherwise", otherwise},
+          {"words", option.words}};
 }
 
-/// Makers and their options, of which the package's functions are made; and all options.
+/// Makers and their options, of which the package's functions are made; all options; and by task
+/// the names of its own, whatever the input.
 std::string catalogue() {
   Json json;
   for (const job::Option& option : job::options())
@@ -59,6 +66,14 @@ std::string catalogue() {
                               {"description", maker.description},
                               {"input", maker.input_kind()},
                               {"options", std::move(options)}});
+  }
+  for (const job::Task& task : job::tasks()) {
+    std::set<std::string_view> names;
+    if (task.reader == job::Reader::by_format)
+      for (const job::Maker& maker : job::makers())
+        for (const job::OptionUse& use : task.taking(&maker).options)
+          names.insert(use.name);
+    if (!task.name.empty()) json["tasks"][std::string(task.name)] = names;
   }
   return json.dump();
 }

@@ -16,16 +16,20 @@ Json option_json(const job::OptionUse& use) {
   const job::Option& option = use.entry();
   return {{"name", option.name},
           {"kind", kind_name(option.kind)},
-          {"group", option.group},
+          {"group", job::heading(option.group)},
           {"description", option.description},
           {"default", use.otherwise.empty() ? option.otherwise : use.otherwise},
           {"words", option.words}};
 }
 
 Json maker_json(const job::Catalogue& catalogue, const job::Maker& maker) {
-  Json json{{"name", maker.name},          {"description", maker.description},
-            {"input", maker.input_kind()}, {"editable", !maker.format.empty()},
-            {"options", Json::array()},    {"artifacts", Json::array()}};
+  Json json{{"name", maker.name},
+            {"description", maker.description},
+            {"input", maker.input_kind()},
+            {"editable", !maker.format.empty()},
+            {"names_files", maker.named_files != nullptr},
+            {"options", Json::array()},
+            {"artifacts", Json::array()}};
   for (const job::OptionUse& use : maker.options)
     json["options"].push_back(option_json(use));
   for (const job::Artifact* artifact : catalogue.written_by(maker))

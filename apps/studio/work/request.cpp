@@ -21,10 +21,10 @@ Result<void> read_options(const Json& options, const job::Maker& maker, job::Req
 
 /// The options without those of the DXF, which change how a pattern is written and not what is
 /// made.
-Json of_geometry(const Json& options) {
-  Json kept = Json::object();
-  for (const auto& [name, value] : options.items())
-    if (job::option(name).group != "DXF") kept[name] = value;
+Json of_geometry(const Json& options, const job::Maker& maker) {
+  Json kept = options;
+  for (const job::OptionUse& use : maker.options)
+    if (use.entry().group == job::OptionGroup::dxf) kept.erase(std::string(use.name));
   return kept;
 }
 
@@ -55,7 +55,7 @@ Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
       if (!value.is_null()) asked.spec = json_text(value);
     } else if (key == "options") {
       if (auto read = read_options(value, maker, asked.request); !read) return pass_on(read);
-      options = json_text(of_geometry(value));
+      options = json_text(of_geometry(value, maker));
     } else if (key == "chord") {
       const auto chord = read_chord(value);
       if (!chord) return pass_on(chord);

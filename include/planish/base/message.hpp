@@ -100,6 +100,8 @@ struct Told {
 
 /// Fills a template. In it stands
 /// - `{@name}` for a place, or all places of that name: "face 12", "faces 3, 5 and 12";
+/// `{@name:id}`
+///   for the same without the kind: "12", "3, 5 and 12";
 /// - `{name}` for a quantity with its unit, to four significant digits, or for words;
 /// - `{name:6}` for a quantity to six digits;
 /// - `{name:bend}` for a count and its noun: "1 bend", "3 bends"; `{name:body/bodies}` where the
@@ -109,6 +111,12 @@ struct Told {
 /// What a template needs and the facts do not hold is left as it stands, braces and all. Facts that
 /// the template does not name are data all the same: a place that the sentence leaves out.
 Told tell(std::string_view pattern, const Facts& facts);
+
+/// The sentence in pieces, of which a front end spells options and places its own way.
+std::vector<Piece> wording(const Told& told);
+
+/// Puts another sentence with its data behind one, with `between` between them.
+void say_after(Told& told, std::string_view between, const Told& more);
 
 /// A number as a sentence shows it: `digits` significant digits, trailing zeros dropped, no minus
 /// before 0 and no exponent from 0.001 up to 100,000 and for whole numbers below 10^12.

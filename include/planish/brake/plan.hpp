@@ -56,15 +56,23 @@ struct Stroke {
   double clearance = 0.0;                        ///< least left over all turns, mm
 };
 
+/// The code of what is said of a bend in the stage that got furthest.
+inline constexpr std::string_view kFurthestStage = "furthest_stage";
+
+/// Something to know about a plan. Codes: formats.md#remarks.
+struct Remark {
+  std::string_view code;
+  Told told;  ///< one sentence without its full stop; its bends are "B1" to "Bn"
+};
+
 /// Why no reachable stage can form a bend: what the workpiece hits at best.
 struct BlockedBend {
   BendId bend;
-  std::string hits = {};              ///< "punch P88", "die V16", "upper beam", "itself"; empty:
-                                      ///< `why` says it
+  std::optional<ToolName> hits = {};  ///< empty: `why` says it
   std::optional<FlangeId> with = {};  ///< the flange that hits
   double depth = 0.0;                 ///< mm
   std::optional<Angle> at_turn = {};
-  std::string why = {};  ///< one sentence, with what would help if that is known
+  std::optional<Remark> why = {};  ///< with what would help if that is known
 };
 
 /// A change by which a sheet can be bent that cannot be bent as it is. Each was planned again and
@@ -99,7 +107,9 @@ struct Plan {
   /// If each bend can be formed in some stage: what is in the way of some of the unformed there.
   std::vector<BlockedBend> in_the_way;
   std::vector<Proposal> proposals;  ///< if infeasible, and looked for (proposals.hpp)
-  std::vector<std::string> notes;   ///< bends that take no stroke, radii beyond what the V gives
+  /// Bends that take no stroke, radii beyond what the V gives, and for each of `in_the_way` one
+  /// with the code `kFurthestStage`.
+  std::vector<Remark> remarks;
 };
 
 /// Finds the cheapest order of strokes (math.md#press-brake). `layout` is that of the sheet, whose

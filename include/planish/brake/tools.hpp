@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planish {
@@ -55,6 +56,21 @@ struct BrakeTools {
   std::vector<Punch> punches;
   std::vector<Die> dies;
 };
+
+/// What of a press brake a workpiece may hit.
+enum class ToolKind { punch, upper_beam, die, lower_beam };
+
+/// One of it, by its id: empty of beams.
+struct ToolName {
+  ToolKind kind = ToolKind::punch;
+  std::string id = {};
+  friend bool operator==(const ToolName&, const ToolName&) = default;
+};
+
+/// "punch", "upper beam"
+std::string_view kind_name(ToolKind kind);
+/// "punch P88", "upper beam"
+std::string text_of(const ToolName& tool);
 
 /// Whether a tool of this angle is flat: it closes hems that were bent before.
 bool flattens(Angle angle);

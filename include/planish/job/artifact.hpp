@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/job/maker.hpp>
+#include <planish/job/task.hpp>
 
 #include <string>
 #include <string_view>
@@ -38,13 +39,16 @@ void note_missing(Report& report, const Artifact& artifact, const Error& why);
 /// The artifacts of Planish; the first of each role is written by default.
 const std::vector<Artifact>& artifacts();
 
-/// The makers and artifacts that a program offers.
+/// The makers, artifacts and tasks that a program offers.
 struct Catalogue {
   std::vector<Maker> makers;
   std::vector<Artifact> artifacts;
+  std::vector<Task> tasks;
 
   /// Null for an unknown name.
   const Maker* maker(std::string_view name) const;
+  /// The task of that name, or of the maker of that name; null for an unknown one.
+  const Task* task(std::string_view name) const;
   /// The maker that reads an input's format: by its "format" key, else by its mark; STEP if it is
   /// not JSON. Errors: `invalid_input`.
   Result<const Maker*> maker_for(const std::string& name, const std::string& content) const;
@@ -56,7 +60,7 @@ struct Catalogue {
   const Artifact* artifact(const Maker& maker, std::string_view name) const;
 };
 
-/// All of `makers` and `artifacts`.
+/// All of `makers`, `artifacts` and `tasks`.
 const Catalogue& built_in();
 
 /// An artifact's bytes and file name: "part.dxf", or "part-1.dxf" for one of several pieces.

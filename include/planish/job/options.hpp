@@ -25,12 +25,30 @@ enum class OptionKind {
   by_bend,  ///< numbers within `range` by ids of bends
 };
 
+/// What options are about. In the help each has a heading.
+enum class OptionGroup {
+  none,
+  input,
+  output,
+  shop,
+  bends,
+  joining,
+  forms,
+  corners,
+  dxf,  ///< how a DXF is written, not what is made
+  checks,
+  brake,
+  order,
+};
+/// "Press brake"; empty for `none`.
+std::string_view heading(OptionGroup group);
+
 /// An option of a request, with the same name everywhere: `name` is its key in requests; on the
 /// command line it follows "--", with "-" for "_".
 struct Option {
   std::string_view name;
   OptionKind kind;
-  std::string_view group;           ///< heading in the help: "Bends"
+  OptionGroup group = OptionGroup::none;
   std::string_view description;     ///< one line, without the default
   std::string_view otherwise = {};  ///< the default in words; empty: see `OptionUse`, or none
   schema::Range range = schema::kAnyNumber;

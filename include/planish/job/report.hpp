@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planish::job {
@@ -44,7 +45,7 @@ struct Report {
   std::vector<std::string> notes;
   std::optional<double> mass;      ///< kg, when the density is known
   std::optional<Plan> plan;        ///< of the strokes that bend it, if that was asked for
-  bool of_bending = false;         ///< reported by `planish bend`, whatever made the sheet
+  std::string_view task = {};      ///< that reports it, "bend"; empty: that of the maker
   std::vector<std::string> files;  ///< written, named as the writer names them
   LengthUnit units = LengthUnit::mm;
   double read_seconds = 0.0, unfold_seconds = 0.0;

@@ -42,9 +42,10 @@ inline const std::optional<Error>& refusal_of(const MadeRequest& request) {
 ///
 /// `input` is the path of a file, or its content: {"name": "plates.json", "content": {...}}, where
 /// `content` is the object itself or the text of any file. Other files that it refers to are then
-/// sought in "folder", which must be given. Asked in the same way: "bend", the order of bends of
-/// whatever a maker makes of the input (artifacts pdf, svg, json), and "info", what a STEP file
-/// holds, with "sheets": true the sheet in each body. From any thread, several at a time. Errors:
+/// sought in "folder", which must be given. Asked in the same way are the other tasks (`tasks`):
+/// "bend", the order of bends of whatever a maker makes of the input (artifacts pdf, svg, json),
+/// and "info", what a STEP file holds, with "sheets": true the sheet in each body. From any thread,
+/// several at a time. Errors:
 /// `invalid_input` for a request that breaks its schema (`where` is the JSON pointer) or is nested
 /// more than 100 deep, `bad_option` (`where` is that of the option, "/options/bend_k/B99"), those
 /// of the maker's input, and refusals, which show the report and the artifacts that explain it: a
@@ -52,9 +53,9 @@ inline const std::optional<Error>& refusal_of(const MadeRequest& request) {
 Outcome<RunResult> run(const std::string& request, const Progress& progress = {},
                        const Catalogue& catalogue = built_in());
 
-/// What `run` makes before it writes, of a maker or "bend"; `artifacts` of the request are left
-/// unwritten. `bytes`, if given, stand for the content of its input, since JSON cannot hold any
-/// bytes. From any thread. Errors: those of `run`; `bad_option` for "info".
+/// What `run` makes before it writes; `artifacts` of the request are left unwritten. `bytes`, if
+/// given, stand for the content of its input, since JSON cannot hold any bytes. From any thread.
+/// Errors: those of `run`; `bad_option` for a task for which no maker makes anything, "info".
 Outcome<MadeRequest> make(const std::string& request, const Progress& progress = {},
                           std::optional<std::string> bytes = std::nullopt,
                           const Catalogue& catalogue = built_in());

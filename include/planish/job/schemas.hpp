@@ -14,7 +14,7 @@ std::vector<std::string> schema_names(const Catalogue& catalogue = built_in());
 /// JSON Schema (2020-12) as text; empty for an unknown name.
 std::string schema_text(const std::string& name, const Catalogue& catalogue = built_in());
 
-/// Schema of a request to one maker, "bend" or "info", without the key "maker"; empty for an
+/// Schema of a request to one maker or for one task ("bend"), without the key "maker"; empty for an
 /// unknown name.
 std::string request_schema_text(const std::string& maker, const Catalogue& catalogue = built_in());
 

@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { shopOf } from '../allowance.ts';
 import { moved, nameOf, orderOf } from '../order-state.ts';
-import { sentence } from '../said.ts';
+import { byPlates, plateOf, sentence } from '../said.ts';
 import type { BrakeOptions, OrderAnswer, OrderedStroke, StrokeRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
@@ -159,7 +159,7 @@ function outcome(ui: Ui, answer: OrderAnswer, old: boolean) {
         : nothing}
     </p>
     ${answer.sentence
-      ? html`<p class="hint bad" data-testid="order-sentence">${byPlates(ui, answer.sentence)}</p>`
+      ? html`<p class="hint bad" data-testid="order-sentence">${byPlates(ui.state, answer)}</p>`
       : nothing}
     <ol
       class="strokes ${old ? 'old' : ''} ${order.asked ? 'pending' : ''}"
@@ -250,7 +250,7 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
   const { units } = ui.state,
     length = (v: number | null) => `${lengthText(v, answer.units, units)} ${unitName(units)}`;
   const gauge = row.gauge
-    ? `${byPlates(ui, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}`
+    ? `${plateOf(ui.state, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}`
     : row.flattening
       ? ''
       : 'no gauge';
@@ -258,13 +258,9 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     .filter(Boolean)
     .join(' · ');
   return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked
-      ? html`<small class="bad" data-testid="why-blocked">${byPlates(ui, row.blocked.sentence)}</small>`
+      ? html`<small class="bad" data-testid="why-blocked">${byPlates(ui.state, row.blocked)}</small>`
       : nothing}`;
 }
-
-/** Flanges of plates by the names of their plates. */
-export const byPlates = ({ state }: Pick<Ui, 'state'>, text: string) =>
-  text.replace(/\bF\d+\b/g, (name) => state.shape?.parts.find((p) => p.name === name)?.plate ?? name);
 
 /** What is done before a stroke. */
 export function changesBefore(before: StrokeRow | undefined, row: StrokeRow): string[] {

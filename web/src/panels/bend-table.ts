@@ -3,6 +3,7 @@ import { flangeLengths, type FlangeLength } from '../flange-lengths.ts';
 import { isDefaultK } from '../default-k.ts';
 import { bendsToMark } from '../picked.ts';
 import { isRefused, knownPiece, pieceOf } from '../report.ts';
+import { makerOf } from '../state.ts';
 import type { BendRow, Shape } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
@@ -134,7 +135,7 @@ function outsideCell(ui: Ui, bend: string, lengths: FlangeLength[] | string | un
 
 function kCell(ui: Ui, r: BendRow) {
   const text = r.k_factor === null ? '–' : clean(r.k_factor, 3);
-  if (ui.state.document?.kind !== 'unfold') return text;
+  if (!makerOf(ui.state)?.options.some(({ name }) => name === 'bend_k')) return text;
   const own = ui.state.input.options.bend_k?.[r.id] !== undefined;
   const change = (e: Event) => {
     const input = e.target as HTMLInputElement,

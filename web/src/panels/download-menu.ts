@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { dxfOptions, dxfUnit, type DxfChoices } from '../dxf-choices.ts';
 import { isRefused } from '../report.ts';
+import { makerOf } from '../state.ts';
 import { refusedByClick } from '../typing.ts';
 import type { LengthUnit, MakerRow, Options } from '../types.ts';
 import type { Ui } from '../ui.ts';
@@ -9,8 +10,8 @@ import { choice, lengthField, toggle } from './fields.ts';
 type Profile = NonNullable<Options['profile']>;
 
 export function downloadMenu(ui: Ui): TemplateResult {
-  const { makers, artifacts } = ui.state.description,
-    maker = makers.find((m) => m.name === ui.state.document?.kind);
+  const { artifacts } = ui.state.description,
+    maker = makerOf(ui.state);
   const save = (artifact: string, suffix: string) => (e: Event) => {
     const field = refusedByClick();
     if (field) return field.select(); // what is wrong in it has been said

@@ -1,4 +1,5 @@
 import { html, nothing } from 'lit-html';
+import { makerOf } from '../state.ts';
 import type { OptionRow, Options, Remedy } from '../types.ts';
 import type { Ui } from '../ui.ts';
 
@@ -14,8 +15,8 @@ export function remedies(
   ui: Ui,
   { remedy, remedies = remedy ? [remedy] : [] }: { remedy?: Remedy; remedies?: Remedy[] },
 ) {
-  const { document: d, description, input } = ui.state,
-    rows = description.makers.find((m) => m.name === d?.kind)?.options ?? [];
+  const { input } = ui.state,
+    rows = makerOf(ui.state)?.options ?? [];
   const offered = remedies.flatMap(({ option = '', value = '', change = '' }) => {
     const row = rows.find((r) => r.name === nameOf(option));
     if (!row || String(input.options[row.name as keyof Options] ?? row.default) === value) return [];

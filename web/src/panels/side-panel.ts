@@ -128,12 +128,11 @@ function kText(report: PieceReport | null): string {
 
 /** A K that nobody chose must be confirmed, or replaced, before the blank can be relied on. */
 function unconfirmed(ui: Ui, k: number | null) {
-  const { document: d, input } = ui.state;
-  if (k === null || (d?.kind !== 'unfold' && !input.spec)) return nothing;
+  if (k === null) return nothing;
   const confirm = () =>
-    d?.kind === 'unfold'
-      ? ui.editOptions((o) => ({ ...o, k }))
-      : ui.edit<Spec & { k_factor?: number }>((s) => ({ ...s, k_factor: k }));
+    ui.state.input.spec
+      ? ui.edit<Spec & { k_factor?: number }>((s) => ({ ...s, k_factor: k }))
+      : ui.editOptions((o) => ({ ...o, k }));
   return html`<p class="unconfirmed" data-testid="unconfirmed">
     <span>K ${clean(k, 3)} is only a default.</span>
     <button data-testid="confirm-k" title="The part is made with this K; undo takes it back" @click=${confirm}>

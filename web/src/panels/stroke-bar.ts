@@ -1,9 +1,10 @@
 import { html, nothing } from 'lit-html';
 import { nameOf } from '../order-state.ts';
+import { byPlates } from '../said.ts';
 import { isStopped, turnAt } from '../stage.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
-import { byPlates, changesBefore } from './bend-order.ts';
+import { changesBefore } from './bend-order.ts';
 
 /** Below the part in the machine: from one stroke to the next, and what is seen. */
 export function strokeBar(ui: Ui) {
@@ -79,5 +80,5 @@ export function machineLegend(ui: Ui) {
       <b>Stroke ${at + 1}: ${nameOf(row)}</b>
       ${changesBefore(strokes[at - 1], row).map((c) => html`<i class="change">${c}</i>`)}
     </p>
-    ${row.blocked ? html`<p class="bad" data-testid="collision">${byPlates(ui, row.blocked.sentence)}</p>` : nothing}`;
+    ${row.blocked ? html`<p class="bad" data-testid="collision">${byPlates(ui.state, row.blocked)}</p>` : nothing}`;
 }

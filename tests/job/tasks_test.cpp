@@ -1,10 +1,38 @@
 #include <planish/job/artifact.hpp>
-#include <planish/job/bend.hpp>
 
 #include <gtest/gtest.h>
 
 namespace planish::job {
 namespace {
+
+TEST(Tasks, AreAllThatARequestCanName) {
+  const Catalogue& all = built_in();
+  for (const Maker& maker : all.makers) {
+    ASSERT_TRUE(all.task(maker.name)) << maker.name;
+    EXPECT_EQ(all.task(maker.name)->reader, Reader::named);
+    EXPECT_EQ(all.task(maker.name)->taking(&maker).options.size(), maker.options.size());
+  }
+  std::set<std::string_view> names;
+  for (const Task& task : all.tasks) {
+    EXPECT_TRUE(task.run);
+    EXPECT_TRUE(names.insert(task.name).second) << task.name;
+    EXPECT_FALSE(all.maker(task.name)) << task.name;
+    EXPECT_EQ(task.name.empty(), task.reader == Reader::named);
+    if (task.name.empty()) continue;
+    EXPECT_EQ(all.task(task.name), &task);
+    EXPECT_FALSE(task.description.empty() || task.details.empty()) << task.name;
+    EXPECT_TRUE(task.artifacts) << task.name << " has no maker of its own whose it could write";
+  }
+  EXPECT_EQ(all.task("fold"), nullptr);
+  EXPECT_EQ(all.task(""), nullptr);
+}
+
+TEST(Tasks, TakeOptionsThatThereAre) {
+  const Maker& maker = *built_in().maker("unfold");
+  for (const Task& task : tasks())
+    for (const OptionUse& use : task.taking(&maker).options)
+      EXPECT_EQ(use.entry().name, use.name);
+}
 
 TEST(BendingWith, TakesWhatMakesTheSheetAndThePressBrake) {
   for (const Maker& maker : built_in().makers) {
