@@ -89,8 +89,8 @@ std::optional<double> density_in(const StepRepr_MeasureRepresentationItem& item)
   if (unit.IsNull()) return std::nullopt;
   const auto one = density_unit(*unit);
   if (!one) return std::nullopt;
-  // Lighter than foam or heavier than any metal (0 or infinite if the unit lacks one of the two): the
-  // unit is not what it says.
+  // Lighter than foam or heavier than any metal: the unit is not what it says, or lacks one of the
+  // two, which makes it 0 or infinite.
   constexpr double kLightest = 0.05, kHeaviest = 23.0;
   const double density = item.Measure()->ValueComponent() * one->mass / one->volume;
   if (!(density >= kLightest && density <= kHeaviest)) return std::nullopt;

@@ -71,11 +71,7 @@ export function secondPanel(ui: Ui, spec: SlitSpec) {
   return spec.symmetric === false
     ? html`<p class="hint">
         The strips end
-        freely.${' '}${add(
-          addSecondPanel,
-          'Add one',
-          'Within reach of all strips; it replaces placed ends',
-        )}
+        freely.${' '}${add(addSecondPanel, 'Add one', 'Within reach of all strips; it replaces placed ends')}
       </p>`
     : html`<p class="hint">
         It is the mirror image of the

@@ -215,9 +215,7 @@ function weightSliders(ui: Ui, spec: SlitSpec, set: Set) {
 
 function scanFields(ui: Ui, spec: SlitSpec, set: Set) {
   const count = ui.state.shape?.handles.scan?.length ?? 0;
-  return html`<p class="hint" data-testid="scan-state">
-      Scanned strips: ${spec.scan!.length}; points drawn: ${count}.
-    </p>
+  return html`<p class="hint" data-testid="scan-state">Scanned strips: ${spec.scan!.length}; points drawn: ${count}.</p>
     ${toggle('Move scans to the shape first', 'align-scan', spec.align_scan ?? false, (v) =>
       set({ align_scan: v || undefined }),
     )}`;
