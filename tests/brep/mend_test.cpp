@@ -33,7 +33,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace planish::brep {
+namespace planish::brep::test {
 namespace {
 
 using std::numbers::pi;
@@ -204,4 +204,4 @@ TEST(ClosedSolid, RunsEveryEdgeOnceEachWay) {
 }
 
 }  // namespace
-}  // namespace planish::brep
+}  // namespace planish::brep::test

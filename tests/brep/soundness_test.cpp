@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace planish::brep {
+namespace planish::brep::test {
 namespace {
 
 TopoDS_Face face_of_kind(const TopoDS_Shape& shape, GeomAbs_SurfaceType kind) {
@@ -144,4 +144,4 @@ TEST(IsClosedSolid, WantsOneShellThatHangsTogetherAndCloses) {
 }
 
 }  // namespace
-}  // namespace planish::brep
+}  // namespace planish::brep::test
