@@ -20,8 +20,6 @@ namespace planish::job {
 using namespace shop;
 namespace {
 
-constexpr int kCannotStatus = 4;  // formats.md#exit-status
-
 std::string names_of(const Report& report, const std::vector<BendId>& bends) {
   return fmt::format("{}", fmt::join(bend_ids(report, bends), ", "));
 }
@@ -195,7 +193,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
                                 progress);
   }
   if (plan) return take_plan(report, std::move(*plan), bending);
-  if (bending.ask == Bending::Ask::plan || exit_status(plan.error().code) != kCannotStatus)
+  if (bending.ask == Bending::Ask::plan || plan.error().code.status != ExitStatus::refused)
     return plan.error();
   report.findings.push_back(cannot_bend_finding(plan.error(), {}));
   return std::nullopt;

@@ -14,7 +14,6 @@
 #include <planish/sheet/codes.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace planish::job {
@@ -22,7 +21,6 @@ using namespace shop;
 namespace {
 
 constexpr double kCubicDecimetre = 1e6;  // mm³
-constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 
 // Bends from one table row may differ in the last digits; that still counts as one K.
 constexpr double kSameK = tolerance::kComputed;
@@ -226,17 +224,6 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
   if (!overlaps.empty()) relieve(report, given, overlaps);
   if (auto refusal = overlap_refusal(overlaps)) return tl::unexpected(*refusal);
   return {};
-}
-
-std::optional<Error> run_reporting(Report& report,
-                                   const std::function<std::optional<Error>()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  auto error = work();
-  report.unfold_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-                              .count();
-  if (!error || exit_status(error->code) != kRefusedStatus) return error;
-  report.refusal = std::move(error);
-  return std::nullopt;
 }
 
 }  // namespace planish::job
