@@ -41,7 +41,10 @@ class Info : public Command {
   }
 
   Outcome failed(const Error& error) const override {
-    return {.json = job::failed_info_json(request_of(arguments_), error), .error = error};
+    job::InfoReport report;
+    report.input = arguments_.input;
+    report.units = request_of(arguments_).units;
+    return {.json = job::info_json(report, error), .error = error};
   }
 
  private:

@@ -25,8 +25,6 @@ namespace planish::job {
 using namespace shop;
 namespace {
 
-constexpr int kCannotStatus = 4;  // formats.md#exit-status
-
 /// What is in the way of each bend; the data of all, in words the first.
 void say_blocked(Told& told, const Report& report, const std::vector<BlockedBend>& blocked) {
   constexpr std::size_t kTold = 3;
@@ -186,7 +184,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
                                 progress);
   }
   if (plan) return take_plan(report, std::move(*plan), bending);
-  if (bending.ask == Bending::Ask::plan || exit_status(plan.error().code) != kCannotStatus)
+  if (bending.ask == Bending::Ask::plan || plan.error().code.status != ExitStatus::refused)
     return plan.error();
   report.findings.push_back(cannot_bend_finding(plan.error(), {}));
   return std::nullopt;

@@ -52,12 +52,8 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const R
 
 Outcome<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
                                       const Progress& progress) {
-  ConnectReport report = begun<ConnectReport>(request, file.units);
-  if (const auto error = run_reporting(report,
-                                       [&] { return fill(report, file, request, progress); })) {
-    return tl::unexpected(*error);
-  }
-  return report;
+  return reported(begun<ConnectReport>(request, file.units),
+                  [&](ConnectReport& report) { return fill(report, file, request, progress); });
 }
 
 Outcome<ConnectReport> connect(const Request& request, const Progress& progress) {

@@ -91,7 +91,9 @@ std::string body_table(const InfoReport& report, const Units& units) {
   return table.text("  ");
 }
 
-std::string json_of(const InfoReport& report, const std::optional<Error>& failure) {
+}  // namespace
+
+std::string info_json(const InfoReport& report, const std::optional<Error>& error) {
   const Units units(report.units);
   Json json;
   json["format"] = "planish/info";
@@ -99,8 +101,8 @@ std::string json_of(const InfoReport& report, const std::optional<Error>& failur
   json["command"] = "info";
   json["input"] = report.input;
   json["units"] = units.name();
-  json["status"] = status_name(failure ? Status::refused : Status::ok);
-  json["reason"] = reason_json(failure, units);
+  json["status"] = status_name(error ? Status::refused : Status::ok);
+  json["reason"] = reason_json(error, units);
   json["schema"] = report.schema;
   json["cad_system"] = report.cad_system;
   json["file_units"] = report.file_unit;
@@ -109,17 +111,6 @@ std::string json_of(const InfoReport& report, const std::optional<Error>& failur
     json["bodies"].push_back(body_json(body, units));
   json["surface_bodies"] = report.surface_bodies;
   return text_of(json);
-}
-
-}  // namespace
-
-std::string info_json(const InfoReport& report) { return json_of(report, std::nullopt); }
-
-std::string failed_info_json(const InfoRequest& request, const Error& error) {
-  InfoReport report;
-  report.input = request.input.string();
-  report.units = request.units;
-  return json_of(report, error);
 }
 
 std::string info_text(const InfoReport& report) {

@@ -14,7 +14,6 @@
 #include <planish/sheet/codes.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 // From a sheet to the finished report, the same for every maker: pattern, certificate, overlaps,
@@ -27,7 +26,6 @@ using namespace shop;
 namespace {
 
 constexpr double kCubicDecimetre = 1e6;  // mm³
-constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 
 // Bends from one table row may differ in the last digits; that still counts as one K.
 constexpr double kSameK = tolerance::kComputed;
@@ -238,17 +236,6 @@ Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips,
   const FlattenOptions options{.allowance = ConstantK{0.5, "recognition"}};
   const auto lies = [&](const Sheet& open) { return lies_uncovered(open, options, progress); };
   return recognize(body, {.rip_edges = rips, .passes = lies});
-}
-
-std::optional<Error> run_reporting(Report& report,
-                                   const std::function<std::optional<Error>()>& work) {
-  const auto start = std::chrono::steady_clock::now();
-  auto error = work();
-  report.unfold_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-                              .count();
-  if (!error || exit_status(error->code) != kRefusedStatus) return error;
-  report.refusal = std::move(error);
-  return std::nullopt;
 }
 
 }  // namespace planish::job

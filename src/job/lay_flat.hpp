@@ -8,7 +8,7 @@
 #include <planish/sheet/sheet.hpp>
 
 #include <array>
-#include <functional>
+#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -49,9 +49,17 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
 Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips = {},
                                const Progress& progress = {});
 
-/// Does the work, which fills a report, and records its time; an error with exit status 4 becomes
-/// the report's refusal, any other is returned.
-std::optional<Error> run_reporting(Report& report,
-                                   const std::function<std::optional<Error>()>& work);
+/// The report that `fill` completes, with the time it took. An error with exit status 4 is the
+/// report's refusal; any other leaves nothing to show.
+template <typename R, typename Fill>
+Outcome<R> reported(R report, const Fill& fill) {
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<Error> error = fill(report);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (error && error->code.status != ExitStatus::refused) return fail(std::move(*error));
+  report.unfold_seconds = taken.count();
+  report.refusal = std::move(error);
+  return report;
+}
 
 }  // namespace planish::job

@@ -213,20 +213,15 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const Reques
 
 Outcome<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
                                 const Request& request, const Progress& progress) {
-  SlitReport report = begun<SlitReport>(request, file.units);
-  if (const auto error = run_reporting(
-          report, [&] { return lay_solved(report, session, file, request, progress); }))
-    return tl::unexpected(*error);
-  return report;
+  return reported(begun<SlitReport>(request, file.units), [&](SlitReport& report) {
+    return lay_solved(report, session, file, request, progress);
+  });
 }
 
 Outcome<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
                                const Progress& progress) {
-  SlitReport report = begun<SlitReport>(request, file.units);
-  if (const auto error = run_reporting(report,
-                                       [&] { return fill(report, file, request, progress); }))
-    return tl::unexpected(*error);
-  return report;
+  return reported(begun<SlitReport>(request, file.units),
+                  [&](SlitReport& report) { return fill(report, file, request, progress); });
 }
 
 Outcome<SlitReport> slit(const Request& request, const Progress& progress) {

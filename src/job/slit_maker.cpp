@@ -30,8 +30,6 @@ Exit status:
 
 The slit file and all else in docs/slit.md.)";
 
-constexpr int kErrorOfForm = 4;  // exit status: the input is valid, but the form does not exist
-
 Json curve_json(const BezierCurve& curve, Vec3 (*place)(const Vec2&)) {
   constexpr int kChords = 64;
   Json json = Json::array();
@@ -131,7 +129,7 @@ class SlitWork : public Work {
   Result<SlitReport> draft(const Request& request, const Progress& progress) {
     if (auto followed = drafts_.follow(file_, progress); !followed) {
       const Error error = placed(followed.error(), place_name(request.input.string()));
-      if (exit_status(error.code) != kErrorOfForm) return tl::unexpected(error);
+      if (error.code.status != ExitStatus::refused) return tl::unexpected(error);
       return failed_report<SlitReport>(request, error);
     }
     auto report = shown(slit_solved(drafts_.now(), file_, request, progress));

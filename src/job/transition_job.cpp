@@ -136,11 +136,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
 
 Outcome<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                              const Progress& progress) {
-  TransitionReport report = begun<TransitionReport>(request, file.units);
-  if (const auto error = run_reporting(report,
-                                       [&] { return fill(report, file, request, progress); }))
-    return tl::unexpected(*error);
-  return report;
+  return reported(begun<TransitionReport>(request, file.units),
+                  [&](TransitionReport& report) { return fill(report, file, request, progress); });
 }
 
 Outcome<TransitionReport> transition(const Request& request, const Progress& progress) {

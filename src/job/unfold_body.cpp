@@ -58,22 +58,17 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
 
 Outcome<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
                                         const Request& request, const Progress& progress) {
-  UnfoldReport report = begun(body, request);
-  if (const auto error = run_reporting(
-          report, [&] { return fill(report, body, found, request, progress); }))
-    return tl::unexpected(*error);
-  return report;
+  return reported(begun(body, request), [&](UnfoldReport& report) {
+    return fill(report, body, found, request, progress);
+  });
 }
 
 Outcome<UnfoldReport> unfold_body(const Body& body, const Request& request,
                                   const Progress& progress) {
-  UnfoldReport report = begun(body, request);
-  const auto work = [&] {
+  return reported(begun(body, request), [&](UnfoldReport& report) {
     progress.at("finding the sheet", 0.2);
     return fill(report, body, found_sheet(body, request.rip_edges, progress), request, progress);
-  };
-  if (const auto error = run_reporting(report, work)) return tl::unexpected(*error);
-  return report;
+  });
 }
 
 }  // namespace planish::job

@@ -97,18 +97,17 @@ Finding small_disc(double radius, double least) {
 
 Outcome<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
                                     const Progress& progress) {
-  DiscReport report = begun<DiscReport>(request, file.units);
   const auto sheet = sheet_of(file);
-  if (!sheet) return tl::unexpected(sheet.error());
-  report.summary = summary_of(*sheet);
+  if (!sheet) return pass_on(sheet);
   const EdgeDistance distance = border_distance(*sheet);
-  const auto lay = [&] {
-    return lay_flat(report, {*sheet, distance, request}, FlattenOptions(), progress);
-  };
-  if (const auto error = run_reporting(report, lay)) return tl::unexpected(*error);
-  if (const double least = least_radius_of(request); file.radius < least)
-    report.findings.push_back(small_disc(file.radius, least));
-  return std::make_unique<MadeReport<DiscReport>>(std::move(report));
+  auto report = shown(reported(begun<DiscReport>(request, file.units), [&](DiscReport& filled) {
+    filled.summary = summary_of(*sheet);
+    if (const double least = least_radius_of(request); file.radius < least)
+      filled.findings.push_back(small_disc(file.radius, least));
+    return lay_flat(filled, {*sheet, distance, request}, FlattenOptions(), progress);
+  }));
+  if (!report) return pass_on(report);
+  return std::make_unique<MadeReport<DiscReport>>(std::move(*report));
 }
 
 }  // namespace

@@ -92,8 +92,9 @@ TEST(InfoReport, ConvertsLengthsAreasAndVolumes) {
 }
 
 TEST(InfoReport, IsRefusedWhereTheFileIs) {
-  const Json info = Json::parse(failed_info_json({.input = "gone.step", .body = {}},
-                                                 {code::cannot_read, "gone", "gone.step"}));
+  InfoReport report;
+  report.input = "gone.step";
+  const Json info = Json::parse(info_json(report, Error{code::cannot_read, "gone", "gone.step"}));
   EXPECT_EQ(mistake_of(info), "");
   EXPECT_EQ(info["status"], "refused");
   EXPECT_EQ(info["input"], "gone.step");

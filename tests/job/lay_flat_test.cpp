@@ -182,20 +182,26 @@ TEST(LiesUncovered, IsWhatRipsMustLeadTo) {
   EXPECT_EQ(lies_uncovered(u_channel(), {}, progress).error().code, code::cancelled);
 }
 
-TEST(RunReporting, KeepsARefusalInTheReport) {
-  Report report;
-  EXPECT_FALSE(run_reporting(report, [] { return std::optional<Error>(); }));
-  EXPECT_FALSE(report.refusal);
-  EXPECT_GE(report.unfold_seconds, 0.0);
-  EXPECT_FALSE(run_reporting(report, [] { return std::optional(Error{code::overlap, "m", ""}); }));
-  EXPECT_EQ(report.refusal->code, code::overlap);
-  Report other;
-  const auto error = run_reporting(other, [] {
-    return std::optional(Error{code::invalid_input, "m", ""});
+TEST(Reported, KeepsARefusalInTheReport) {
+  const auto made = reported(Report(), [](Report& report) {
+    report.body = "filled";
+    return std::optional<Error>();
   });
-  ASSERT_TRUE(error);
-  EXPECT_EQ(error->code, code::invalid_input);
-  EXPECT_FALSE(other.refusal);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->body, "filled");
+  EXPECT_GE(made->unfold_seconds, 0.0);
+  const auto ending_with = [](const ErrorCode& code) {
+    return reported(Report(), [&](Report&) { return std::optional(Error{code, "m", ""}); });
+  };
+  const auto refused = ending_with(code::overlap);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::overlap);
+  ASSERT_TRUE(refused.error().shown);
+  EXPECT_EQ(refused.error().shown->refusal->code, code::overlap);
+  const auto failed = ending_with(code::invalid_input);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, code::invalid_input);
+  EXPECT_FALSE(failed.error().shown);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "job/sample_reports.hpp"
 
 #include <planish/brake/codes.hpp>
-#include <planish/job/outcome.hpp>
+#include <planish/job/report.hpp>
 
 #include <gtest/gtest.h>
 

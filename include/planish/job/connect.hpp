@@ -3,7 +3,6 @@
 #include <planish/base/progress.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/connect/connect.hpp>
-#include <planish/job/outcome.hpp>
 #include <planish/job/plates_json.hpp>
 #include <planish/job/report.hpp>
 

@@ -65,9 +65,8 @@ Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
                            const Progress& progress = {});
 
 /// JSON text; `status` and `reason` as in a report (formats.md#report).
-std::string info_json(const InfoReport& report);
-/// The same of a request that ended with an error.
-std::string failed_info_json(const InfoRequest& request, const Error& error);
+/// With the error of a request that failed, `report` has its input and units.
+std::string info_json(const InfoReport& report, const std::optional<Error>& error = {});
 /// Text for a terminal.
 std::string info_text(const InfoReport& report);
 

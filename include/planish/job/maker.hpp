@@ -5,7 +5,6 @@
 #include <planish/geometry/mesh.hpp>
 #include <planish/job/named_file.hpp>
 #include <planish/job/options.hpp>
-#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 
 #include <filesystem>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <planish/base/progress.hpp>
-#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 #include <planish/job/slit_json.hpp>
 #include <planish/slit/session.hpp>

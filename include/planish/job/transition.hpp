@@ -2,7 +2,6 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/brep/step.hpp>
-#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 #include <planish/job/transition_json.hpp>
 #include <planish/transition/transition.hpp>

@@ -2,7 +2,6 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
-#include <planish/job/outcome.hpp>
 #include <planish/job/report.hpp>
 
 #include <functional>
