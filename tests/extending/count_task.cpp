@@ -13,11 +13,12 @@ Maker with_body_alone(const Maker* reader) {
   return taking;
 }
 
-Result<RunDone> count(const Asked& asked, const Progress& progress) {
+Outcome<RunResult> count(const Asked& asked, const Progress& progress) {
   const auto made = make_asked(asked, progress);
   if (!made) return pass_on(made);
+  if ((*made)->report().refusal) return told(**made, {});
   const FlatPattern& flat = (*made)->report().flat;
-  RunDone done;
+  RunResult done;
   done.report = fmt::format("{}\n", asked.flags.empty() ? flat.bends.size() : flat.openings.size());
   return done;
 }
