@@ -135,9 +135,7 @@ class Filling {
   std::optional<std::size_t> open_;  // backtick
 };
 
-Filled filled(std::string_view pattern, const Facts& facts) {
-  return Filling(facts).fill(pattern);
-}
+Filled filled(std::string_view pattern, const Facts& facts) { return Filling(facts).fill(pattern); }
 
 /// With the names in it moved to behind `before`.
 void append_named(std::vector<Named>& to, const std::vector<Named>& named, std::size_t before) {

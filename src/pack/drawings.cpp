@@ -63,8 +63,7 @@ drawing::ListedPart listed(const PackPart& part, const std::string& currency) {
   const bool alert = !part.warnings.empty();
   return {.name = part.stem,
           .work = work,
-          .state = alert ? part.plan + "; " + counted(part.warnings.size(), "warning")
-                         : part.plan,
+          .state = alert ? part.plan + "; " + counted(part.warnings.size(), "warning") : part.plan,
           .quantity = part.quantity,
           .flat = &part.flat,
           .view = part.view ? &*part.view : nullptr,
@@ -73,10 +72,10 @@ drawing::ListedPart listed(const PackPart& part, const std::string& currency) {
 
 std::string sums_of(const std::string& what, const Totals& totals, const std::string& currency) {
   constexpr double kMetre = 1000.0;
-  std::string text = fmt::format(
-      "{}: {}, {}, {:.4g} m to cut, {}, {}", what, counted(totals.parts, "part"),
-      counted(totals.quantity, "piece"), totals.cut_length / kMetre,
-      counted(totals.pierces, "pierce"), counted(totals.bends, "bend"));
+  std::string text = fmt::format("{}: {}, {}, {:.4g} m to cut, {}, {}", what,
+                                 counted(totals.parts, "part"), counted(totals.quantity, "piece"),
+                                 totals.cut_length / kMetre, counted(totals.pierces, "pierce"),
+                                 counted(totals.bends, "bend"));
   if (totals.mass && *totals.mass > 0.0) text += fmt::format(", {:.4g} kg", *totals.mass);
   if (totals.cost) text += fmt::format(", {:.2f} {}", *totals.cost, currency);
   return text;
@@ -97,9 +96,9 @@ drawing::ListedGroup group_of(const PartList& list, const PartGroup& group,
 drawing::ListedLines sheets_of(const StockSheets& stock) {
   drawing::ListedLines section{{"Sheets"}, {}};
   for (const StockSheet& sheet : stock.sheets)
-    section.lines.push_back({fmt::format("{}: {}, {:.1f} % used", sheet.stem,
-                                         counted(sheet.nested.placed.size(), "piece"),
-                                         100.0 * sheet.nested.use)});
+    section.lines.push_back(
+        {fmt::format("{}: {}, {:.1f} % used", sheet.stem,
+                     counted(sheet.nested.placed.size(), "piece"), 100.0 * sheet.nested.use)});
   for (const std::string& note : stock.notes)
     section.lines.push_back({note, true});
   return section;

@@ -8,8 +8,7 @@ namespace planish::studio {
 namespace {
 
 std::string_view kind_name(job::OptionKind kind) {
-  return word_of(kind,
-                 {"flag", "number", "whole", "word", "face", "name", "file", "by_bend"});
+  return word_of(kind, {"flag", "number", "whole", "word", "face", "name", "file", "by_bend"});
 }
 
 Json option_json(const job::OptionUse& use) {
