@@ -1,3 +1,7 @@
+// What a request may say, printed and checked by the same schema. It is made from the tables of
+// makers, tasks and options, so that a new row is a new key here and nowhere else. `options` is the
+// union over all makers: which of them one maker takes is checked when the request is read
+// (asked.cpp), since the message can name the maker then.
 #include "request_schema.hpp"
 
 #include "asked.hpp"

@@ -1,3 +1,6 @@
+// Several bodies of one file, as a terminal, a table and a program read them. A body that was
+// refused keeps its row, with its reason, so that each body has one. The whole is refused only if
+// no body has a pattern.
 #include "facts.hpp"
 #include "report_json.hpp"
 

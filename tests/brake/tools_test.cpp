@@ -147,11 +147,11 @@ TEST(CheckTools, FindsProfilesThatEncloseNothing) {
 }
 
 TEST(CheckTools, FindsCornersThatAreNoPlaces) {
-  expect_wrong("/punches/0/profile/2", "not a place",
+  expect_wrong("/punches/0/profile/2", "not finite or lies beyond 10 km",
                [](BrakeTools& t) { t.punches[0].profile[2].x() = kNotANumber; });
-  expect_wrong("/machine/upper_beam/1", "not a place",
+  expect_wrong("/machine/upper_beam/1", "not finite or lies beyond 10 km",
                [](BrakeTools& t) { t.machine.upper_beam[1].y() = kInfinite; });
-  expect_wrong("/dies/0/profile/4", "not a place",
+  expect_wrong("/dies/0/profile/4", "not finite or lies beyond 10 km",
                [](BrakeTools& t) { t.dies[0].profile[4].y() = 1e9; });
 }
 

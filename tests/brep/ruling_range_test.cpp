@@ -14,14 +14,18 @@ namespace {
 
 const Face& bend_of(const Sheet& sheet) { return sheet[sheet.bends.front().faces.front()]; }
 
-TEST(Extent, IsTheBoxOfAllLoops) {
+TEST(ParameterBox, IsThatOfCurvesNotOfTheirEnds) {
   Face face;
   face.surface = Frame{};
-  face.loops = {{{Segment{{1, 2}, {8, 2}}}, {Segment{{8, 2}, {8, 9}}}},
-                {{Arc{{5, 5}, 6, 0.0, 1.0}}}};
+  const double half = 1.0, end = 5 + 6 * std::sin(half);
+  face.loops = {
+      {{Segment{{1, end}, {1, 5 - 6 * std::sin(half)}}},
+       {Segment{{1, 5 - 6 * std::sin(half)}, {5 + 6 * std::cos(half), 5 - 6 * std::sin(half)}}},
+       {Arc{{5, 5}, 6, -half, 2 * half}},
+       {Segment{{5 + 6 * std::cos(half), end}, {1, end}}}}};
   const Box2 box = parameter_box(face);
-  EXPECT_NEAR((box.lo - Vec2(1, 2)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((box.hi - Vec2(11, 5 + 6 * std::sin(1.0))).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((box.lo - Vec2(1, 5 - 6 * std::sin(half))).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((box.hi - Vec2(11, end)).norm(), 0.0, 1e-9) << "the arc bulges";
 }
 
 TEST(SpeedAcross, IsTheRadiusAtThatDepth) {

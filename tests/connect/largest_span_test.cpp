@@ -26,7 +26,7 @@ TEST(LargestSpan, LeavesPlatesAtTheirDistanceUnjoined) {
   EXPECT_EQ(apart.error().code, code::too_far_apart);
   EXPECT_EQ(apart.error().where, "/plates/1");
   // The span is that of the thesis, with the arc linearised at a slope of 0.3.
-  EXPECT_THAT(apart.error().message, HasSubstr("up to 46.62 mm"));
+  EXPECT_THAT(apart.error().message, HasSubstr("at most 46.62 mm is bridged"));
   s.largest_span = 1.02 * reach_of(30.0);
   EXPECT_TRUE(connect(s));
 }
@@ -38,7 +38,7 @@ TEST(LargestSpan, IsTwiceTheDiagonalsOfBothPlates) {
   const auto apart = connect(angle_pair(1.05 * limit));
   ASSERT_FALSE(apart);
   EXPECT_EQ(apart.error().code, code::too_far_apart);
-  EXPECT_THAT(apart.error().message, HasSubstr("up to 894.4 mm"));
+  EXPECT_THAT(apart.error().message, HasSubstr("at most 894.4 mm is bridged"));
 }
 
 TEST(LargestSpan, HoldsABendThatIsGivenOnlyIfItIsGivenToo) {

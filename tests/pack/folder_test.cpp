@@ -17,7 +17,11 @@ class PackFolder : public ::testing::Test {
     std::ifstream file(out_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  const fs::path out_ = fs::path(::testing::TempDir()) / "planish_pack_folder";
+  // Of its own for each test: several run at a time.
+  const fs::path out_ = fs::path(::testing::TempDir()) /
+                        ("planish_pack_folder_" +
+                         std::string(
+                             ::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(PackFolder, HasWhatIsAdded) {

@@ -169,7 +169,7 @@ TEST(TransitionRefuses, ThicknessTooLargeForAProfileOrABend) {
 TEST(TransitionRefuses, ProfilesThatMeet) {
   TransitionSpec spec = square_to_round();
   spec.to.frame = frame_at(Vec3::Zero());
-  expect_refused(spec, code::profiles_meet, "/to/frame", "one plane");
+  expect_refused(spec, code::profiles_meet, "/to/frame", "the same plane");
   spec.to.frame = frame_at({500, 0, 0}, kPi);
   expect_refused(spec, code::profiles_meet, "/to/frame");
   // The circle's lowest point in the square's plane.

@@ -213,7 +213,7 @@ void add_bend_lines(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
   shape.add("bend_line_part", parts);
 }
 
-/// Triangles of the areas that two faces share in the flat pattern.
+/// Triangles, counter-clockwise, of the areas that two faces share in the flat pattern.
 void add_overlaps(Shape& shape, const job::Report& report) {
   constexpr double kChord = 0.05;  // mm
   const bool known = std::ranges::any_of(report.findings,
@@ -226,9 +226,11 @@ void add_overlaps(Shape& shape, const job::Report& report) {
   std::vector<float> points;
   for (const Overlap& overlap : overlaps(faces, clearance, clearance * clearance))
     for (const auto& ring : overlap.outline)
-      for (const auto& triangle : inset_triangles({ring, {}}, 0.0))
-        for (const Vec2& corner : triangle)
+      for (const auto& [a, b, c] : inset_triangles({ring, {}}, 0.0)) {
+        const bool turns_left = ring_area({a, b, c}) > 0.0;
+        for (const Vec2& corner : {a, turns_left ? b : c, turns_left ? c : b})
           append(points, corner);
+      }
   shape.add("overlaps", points);
 }
 
