@@ -10,7 +10,7 @@ namespace {
 std::vector<int> in_order_of_x(const std::vector<Outline>& outlines) {
   std::vector<int> order(outlines.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](int f) { return outlines[f].space.min().x(); });
+  std::ranges::sort(order, {}, [&](int f) { return outlines[f].space.min().x(); });
   return order;
 }
 

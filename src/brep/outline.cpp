@@ -46,6 +46,17 @@ double scale_of(const SolidFace& face, const Vec3& p) {
   return std::max(knots[knots.size() / 2].b_prime.norm(), tolerance::kTiniest);
 }
 
+/// Not `planish::ring_area`: between faces of one size the last bits decide which is measured from,
+/// and reports of a part should not change with how a sum is rounded.
+double area_about_origin(const std::vector<Vec2>& ring) {
+  double twice = 0.0;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
 Outline outline_of(const SolidModel& model, const SolidFace& face) {
   Outline outline;
   for (const auto& loop : face.loops) {
@@ -67,7 +78,7 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
       u_near = flat.back().x();
       outline.box.add(flat.back());
     }
-    outline.area += ring_area(flat);
+    outline.area += area_about_origin(flat);
     u_near = (outline.box.lo.x() + outline.box.hi.x()) / 2;
   }
   outline.area = std::abs(outline.area);
@@ -151,7 +162,7 @@ int outer_loop(const Outline& outline) {
   int best = 0;
   double best_area = -1.0;
   for (int l = 0; l < std::ssize(outline.flat); ++l) {
-    const double area = std::abs(ring_area(outline.flat[l]));
+    const double area = std::abs(area_about_origin(outline.flat[l]));
     if (area <= best_area) continue;
     best_area = area;
     best = l;
