@@ -138,7 +138,7 @@ export async function allowance({ page }) {
   assert.deepEqual(await state(page, 's.workshop.files'), []);
   writeFileSync(broken, 'no JSON');
   await page.setInputFiles('[data-testid=shop-open]', broken);
-  await page.waitForSelector('[data-testid=message].error:has-text("broken.json is no JSON")');
+  await page.waitForSelector('[data-testid=message].error:has-text("broken.json is not JSON")');
   // Of several materials one has to be chosen.
   await page.setInputFiles('[data-testid=shop-open]', shop);
   await page.waitForSelector('[data-testid=shop-material]');
