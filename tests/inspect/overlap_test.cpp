@@ -257,6 +257,15 @@ TEST(FindOverlaps, SeesAContourCrossingItselfWhereNoFaceTells) {
   EXPECT_EQ(found[0].at.size(), 4u);
 }
 
+TEST(FindOverlaps, CountsTheSecondOfTwoCrossings) {
+  // A strip that turns round and crosses itself with both its sides.
+  const auto found = find_overlaps(
+      {}, {}, outline({{0, 0}, {100, 0}, {100, 50}, {50, -20}, {100, 60}, {0, 60}}));
+  ASSERT_EQ(found.size(), 1u) << test::text_of(found);
+  EXPECT_THAT(found[0].message, HasSubstr("and 1 more place in"));
+  EXPECT_EQ(found[0].at.size(), 2u);
+}
+
 TEST(FindOverlaps, SeesACrossingAtASmallAngle) {
   // The lower side rises through the upper one, 0.02 over 20 mm: 1 mrad.
   EXPECT_EQ(

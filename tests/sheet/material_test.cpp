@@ -105,6 +105,17 @@ TEST(MaterialAllowance, NamesItsSourceAndStrainsBeyondTheCurve) {
   EXPECT_THAT(tight->source, HasSubstr("material DC04, tension held from strain 0.3 to 0."));
 }
 
+TEST(MaterialAllowance, TakesCurvesInAnyUnitOfStress) {
+  // In GPa below 1: only the ratios count.
+  const auto k = [](const StressStrain& curve) {
+    const auto found = bend_allowance(MaterialCurves{"m", curve, curve}, 1.0, 1.0,
+                                      Angle::degrees(90));
+    return found ? found->k_factor : 0.0;
+  };
+  EXPECT_NEAR(k(PowerLaw{0.5, 0.2}), 0.5, kExact);
+  EXPECT_NEAR(k(MeasuredCurve{{{0.002, 0.21}, {0.9, 0.35}}}), 0.5, kExact);
+}
+
 TEST(MaterialAllowance, RefusesCurvesThatAreNone) {
   for (const StressStrain& wrong :
        {StressStrain(MeasuredCurve{}), StressStrain(MeasuredCurve{{{0.1, 0.0}}}),

@@ -40,6 +40,17 @@ TEST(Spurs, OfAPlainContourAreNone) {
                   .slits.empty());
 }
 
+TEST(Spurs, AreTakenAlongTheLongerOfTheirCurves) {
+  // Half a thousandth beside the long curve; the short one's own line leads 0.1 past its beginning.
+  const auto cut = without(
+      {{0, 0}, {30, 0}, {30, 9}, {10, 9}, {10.1, 9.0005}, {10.1, 20}, {0, 20}});
+  ASSERT_EQ(cut.slits.size(), 1u);
+  EXPECT_NEAR(length(cut.slits.front()), 0.1, 1e-3);
+  const auto first = without(
+      {{0, 0}, {30, 0}, {30, 9}, {29.9, 9.0005}, {50, 9}, {50, 20}, {0, 20}});
+  EXPECT_NEAR(signed_area(first.contour.loop), 50 * 20 - 20 * 9, 20.0);
+}
+
 TEST(Spurs, LeaveACornerWhereTheyBegin) {
   const auto cut = without({{0, 0}, {30, 0}, {30, 9}, {10, 9}, {30, 9}, {30, 20}, {0, 20}});
   expect_slits(cut.slits, {{{30, 9}, {10, 9}}});
