@@ -113,6 +113,19 @@ TEST(Certificate, SeesAnOpeningThatNoBorderGave) {
   EXPECT_NEAR(*certified(sheet, pattern).refold_deviation, 20.0, 3.0);
 }
 
+TEST(Certificate, SeesAnOpeningThatNoBorderGaveBesideASharpBend) {
+  // The band of the bend explains nothing that lies 15 from it.
+  const Sheet sheet = creased(90.0, BendDirection::up);
+  FlatPattern pattern = flattened(sheet);
+  const Box2 box = bounds(pattern.outer.loop);
+  const Vec2 middle = 0.5 * (box.lo + box.hi);
+  for (const double side : {-15.0, 15.0}) {
+    FlatPattern wrong = pattern;
+    wrong.openings.push_back({circular_opening(middle + Vec2(side, 0.0), 3.0), {}});
+    EXPECT_GT(*certified(sheet, wrong).refold_deviation, 10.0);
+  }
+}
+
 TEST(Certificate, SeesAnOpeningInAnotherPlace) {
   const Sheet sheet = plate_with_holes();
   FlatPattern pattern = flattened(sheet);
