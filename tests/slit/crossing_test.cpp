@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace planish::test {
 namespace {
 
@@ -54,6 +56,21 @@ TEST(PlanesBeside, KeepAStripBeyondTheBorderOfItsNeighbour) {
   EXPECT_EQ(others[0].side, 1);
   EXPECT_NEAR((others[0].normal + Vec3::UnitY()).norm(), 0.0, 1e-15);
   EXPECT_NEAR(others[0].offset, -15.0, 1e-12);
+}
+
+TEST(PlanesBeside, AreThoseOfTheNearestQuad) {
+  // The neighbour's second quad, from 60 on, is twisted about its border.
+  FoldedStrip neighbour = strip_at({0, 0, 0});
+  neighbour.ridges.insert(neighbour.ridges.begin() + 1, neighbour.ridges.front());
+  for (Vec3& end : neighbour.ridges[1].folded)
+    end.x() = 60;
+  const Vec3 across(0.0, std::cos(0.1), std::sin(0.1));
+  neighbour.quads.push_back(
+      frame_from_axes({60, 0, 0}, Vec3::UnitX().cross(across), Vec3::UnitX()));
+  const auto planes = planes_beside(strip_at({0, 15, 0}), neighbour, StripEdge::left);
+  ASSERT_EQ(planes.size(), 1u);
+  EXPECT_NEAR((planes[0].normal - across).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(planes[0].offset, across.dot(Vec3(100, 20, 0)), 1e-12);
 }
 
 TEST(PlanesBeside, LeaveFreeWhatIsBesideOrFarAbove) {
