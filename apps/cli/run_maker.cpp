@@ -24,8 +24,6 @@ using job::Made;
 using job::UnfoldReport;
 using Bodies = std::vector<job::Outcome<UnfoldReport>>;
 
-constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid or not written
-
 /// What is known of a request before it is understood.
 job::Request begun(const Arguments& arguments) {
   job::Request request;
@@ -51,7 +49,7 @@ Outcome failed_outcome(const Arguments& arguments, const job::Request& request,
 
 /// A contradictory command line gives no report; a file that cannot be read or written does.
 Outcome unplanned(const Arguments& arguments, const Error& error) {
-  if (exit_status(error.code) != kFileStatus) return {.error = error};
+  if (error.code.status != ExitStatus::unreadable) return {.error = error};
   return failed_outcome(arguments, begun(arguments), error);
 }
 

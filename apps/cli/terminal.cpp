@@ -20,7 +20,6 @@
 namespace planish::cli {
 namespace {
 
-constexpr int kRefusedStatus = 4;
 constexpr std::chrono::seconds kPatience(1);
 constexpr auto kClearLine = "\r\033[K";
 
@@ -38,7 +37,7 @@ std::string spelled_place(const std::string& where) {
 
 std::string sentence(const Error& error) {
   std::string text = "planish: ";
-  if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
+  if (error.code.status == ExitStatus::refused) text += "refused: ";
   if (error.code == code::internal) text += "internal error, please report it: ";
   text += continued(spelled(error));
   if (text.back() == '.') text.pop_back();  // the sentence continues

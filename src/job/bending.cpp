@@ -74,7 +74,7 @@ void find_ungauged(Report& report, const Plan& plan) {
 /// The whole part is meant: `where` is empty.
 Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending) {
   Told told = cannot_be_bent(report, plan, bending);
-  told.sentence.front() = 'N';
+  told.sentence = capitalized(std::move(told.sentence));
   Error error = error_of(refuse::cannot_bend, {{"sentence", told.sentence}});
   error.places = std::move(told.places);
   error.numbers = std::move(told.numbers);

@@ -12,8 +12,6 @@
 namespace planish::serve {
 namespace {
 
-constexpr int kWrongUsageStatus = 2;
-
 /// Answers that wait for each other.
 class AnswerList {
  public:
@@ -42,8 +40,7 @@ bool is_of_request(const Error& error) {
   // Of a file, `where` is its name before the pointer.
   const bool of_field = std::ranges::any_of(
       error.places, [&](const Place& place) { return place == place::pointer(error.where); });
-  return exit_status(error.code) == kWrongUsageStatus ||
-         (error.code == code::invalid_input && of_field);
+  return error.code.status == ExitStatus::usage || (error.code == code::invalid_input && of_field);
 }
 
 RpcError rpc_error(const Error& error) {
