@@ -28,8 +28,8 @@ struct Drawn {
   std::vector<int> edges;
   std::vector<Group> groups;  ///< on the line, as far as they follow each other
 
-  double left(const Group& g) const { return corners[g.first].x(); }
-  double right(const Group& g) const { return corners[static_cast<std::size_t>(g.last) + 1].x(); }
+  double left(const Group& g) const { return corners.at(g.first).x(); }
+  double right(const Group& g) const { return corners.at(g.last + 1).x(); }
   Group whole() const { return {0, static_cast<int>(edges.size()) - 1}; }
   bool all() const {
     return groups.size() == 1 && groups[0].first == 0 && groups[0].last == whole().last;

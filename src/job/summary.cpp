@@ -187,9 +187,10 @@ std::string summary_text(const Bodies& bodies) {
     cells.push_back(outcome(report));
     table.add(std::move(cells));
   }
-  return fmt::format("{} of {} different bodies unfolded ({} in all), lengths in {}\n{}{}",
-                     unfolded(bodies), bodies.size(), counted(pieces(bodies), "piece"),
-                     units.name(), table.text("  "), warnings_text(bodies));
+  return fmt::format("{} of {} unfolded ({} in all), lengths in {}\n{}{}", unfolded(bodies),
+                     counted(bodies.size(), "different body/different bodies"),
+                     counted(pieces(bodies), "piece"), units.name(), table.text("  "),
+                     warnings_text(bodies));
 }
 
 }  // namespace planish::job

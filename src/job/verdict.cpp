@@ -22,7 +22,8 @@ namespace planish::job {
 namespace {
 
 std::string place_text(const Vec2& p) {
-  return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
+  return fmt::format("flat pattern at ({}, {}) mm", trimmed_number(p.x(), 3),
+                     trimmed_number(p.y(), 3));
 }
 
 std::vector<Vec2> feature_places(const FlatPattern& flat) {

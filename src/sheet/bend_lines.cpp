@@ -13,11 +13,6 @@
 
 #include <algorithm>
 
-// Bend lines clipped to the material. A line is the ruling in the middle of a bend, or those of its
-// presses; material along it is found by the even-odd crossings of the faces' loops, slightly
-// aside, as seams run exactly along rulings, and measured on the ruling itself where the answer is
-// the same. Intervals that touch are one, as faces of one bend share seams.
-
 namespace planish::sheet_detail {
 namespace {
 
@@ -40,15 +35,6 @@ void add_material(const Face& face, double u, Intervals& intervals) {
     intervals.push_back({heights[i], heights[i + 1]});
 }
 
-/// Neighbouring faces of one bend share seams: intervals that touch become one.
-Intervals joined_seams(Intervals intervals) {
-  if (intervals.empty()) return intervals;
-  Interval whole = intervals.front();
-  for (const Interval& one : intervals)
-    whole = {std::min(whole.lo, one.lo), std::max(whole.hi, one.hi)};
-  return joined(std::move(intervals), tolerance::kAside * whole.size());  // far below any cut
-}
-
 /// Whether both are the same, except for the ends of the material moving from one ruling to the
 /// next.
 bool alike(const Intervals& a, const Intervals& b) {
@@ -64,7 +50,9 @@ Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
   Intervals intervals;
   for (const FaceId id : bend.faces)
     add_material(sheet[id], u, intervals);
-  return joined_seams(std::move(intervals));
+  // Neighbouring faces of one bend share seams. What lies between is far below any cut.
+  const double length = parameter_box(sheet, bend).size().y();
+  return joined(std::move(intervals), tolerance::kAside * length);
 }
 
 /// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked

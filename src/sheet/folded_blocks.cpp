@@ -59,7 +59,7 @@ std::optional<Polygon> beyond_mitre(const Sheet& sheet, const Joint& joint, cons
   const Curve2& curve = sheet[own].curve;
   const Vec2 a = start_of(curve), b = end_of(curve);
   const Vec2 along = (b - a).normalized();
-  if (!(below > 0.0) || !along.allFinite()) return std::nullopt;
+  if (!(below > 0.0)) return std::nullopt;
   const double wide = below * std::tan(half_angle) + inset;
   const Vec2 inwards = wide * perpendicular(along), longer = inset * along;
   return Polygon{{a - longer, b + longer, b + longer + inwards, a - longer + inwards}, {}};

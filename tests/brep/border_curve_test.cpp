@@ -188,5 +188,20 @@ TEST(AcrossJoint, ProjectsWhereTheNeighbourRunsAtAnotherSpeed) {
   }
 }
 
+TEST(AcrossJoint, EndsWhereTheNeighboursLoopHasItsCorners) {
+  // The neighbour's border begins 0.0005 late; what its projection misses there fades to the end.
+  const Face plane = face_of(Frame{{5, 0, 0}, Vec3::UnitZ(), Vec3::UnitY(), -Vec3::UnitX()});
+  const Face cylinder = face_of(Developable(Cylinder{Frame{}, 5}), -1);
+  const CubicSpline uneven{{{2, 0}, {2.5, 0}, {3, 0}, {4, 0}, {5, 0}, {8, 0}, {12, 0}}};
+  const BorderCurve leading = border_curve(plane, uneven, kShape);
+  const auto across = across_joint(plane, leading, cylinder, Segment{{0, 2.0005}, {0, 12}}, kShape);
+  ASSERT_FALSE(across.IsNull());
+  EXPECT_NE(leading.length, 1.0);
+  for (const double share : {0.0, 0.3, 0.5, 0.9, 1.0}) {
+    const double s = share * leading.length, late = 0.0005 * (1.0 - share);
+    EXPECT_NEAR(across->Value(s).Distance(gp_Pnt2d(0, leading.at(s).x() + late)), 0.0, 1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace planish::brep

@@ -58,7 +58,7 @@ TEST(TangentSurface, OfALevelLineIsACylinder) {
       EXPECT_NEAR(surface.turned().radians(), surface.sweep, 1e-12);
       expect_tangent(surface, frame, line);
       for (int side = 0; side < 2; ++side)
-        EXPECT_GT(away(surface, frame, side, facing ? 5 : -5), 0.0);
+        EXPECT_NEAR(away(surface, frame, side, facing ? 5 : -5), 5.0, 1e-10);
     }
 }
 

@@ -97,6 +97,28 @@ TEST(GeneralSurface, TouchesBothPlatesAlongTheirLines) {
   }
 }
 
+/// Where the tangent of a bend's arc at its first end meets the line of the planes.
+double meets_at(const BendSurface& made) {
+  const SpaceCurvePoint end = made.arc(0.0);
+  const Vec3 out = Vec3(0, end.point.y(), end.point.z()).normalized();
+  return end.point.x() - end.point.dot(out) / end.derivative.dot(out) * end.derivative.x();
+}
+
+TEST(GeneralSurface, HasACircularArcIfItsEndsAreEquallyFarFromAPlaceNearTheirFeet) {
+  // Both edges run through the origin: to (300, 60, 0), and to (280, 0, far).
+  const auto over = [](double far) {
+    const Corners corners{{{{100, 20}, {300, 60}}, {{100, far / 2.8}, {280, far}}}};
+    const auto lines = general_lines(corners, EdgeKind::facing, 0.0);
+    EXPECT_TRUE(lines);
+    return *general_surface(kRightAngle, *lines, corners, std::nullopt, 300.0);
+  };
+  // (300 - x)² + 60² = (280 - x)² + far², if that lies within half of 290 and twice of it.
+  EXPECT_NEAR(meets_at(over(60.0)), 290.0, 1e-6);
+  EXPECT_NEAR(meets_at(over(80.0)), (93600.0 - 84800.0) / 40, 1e-6);
+  EXPECT_NEAR(meets_at(over(110.0)), 290.0, 1e-6) << "at 77.5 otherwise";
+  EXPECT_NEAR(meets_at(over(150.0)), 290.0, 1e-6) << "below the apex otherwise";
+}
+
 TEST(GeneralSurface, WantsItsTangentPointOnTheLineOfThePlanes) {
   const auto lines = general_lines(kApart, EdgeKind::facing, std::nullopt);
   const auto surface = [&](const Vec3& point) {

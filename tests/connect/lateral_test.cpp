@@ -108,6 +108,18 @@ TEST(LateralBoundaries, StayOnTheWidestSectionThatIsFree) {
   EXPECT_NEAR(made->high.v[0], 95.0, 1e-12);
 }
 
+TEST(LateralBoundaries, AreStraightOnlyWhereNoPlateLiesOnTheirRulings) {
+  LateralOptions options = everywhere();
+  options.legal = {{-50, 30}, {40, 95}};
+  const RunEnds ends = on_rulings({0, 0}, {100, 100});
+  const auto straight = lateral_boundaries(quarter(), ends, LateralBoundary::straight, options);
+  ASSERT_FALSE(straight);
+  EXPECT_EQ(straight.error().code, code::no_common_width);
+  const auto made = lateral_boundaries(quarter(), ends, LateralBoundary::automatic, options);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->kind, LateralBoundary::corner);
+}
+
 TEST(LateralBoundaries, RefuseEdgesWithoutCommonWidth) {
   const auto refused = lateral_boundaries(quarter(), on_rulings({0, 60}, {50, 100}),
                                           LateralBoundary::corner, everywhere());

@@ -87,6 +87,23 @@ TEST(TangentLineOf, AMiddleRadiusHasItInTheMiddle) {
   EXPECT_NEAR(line->at(0.0), 8.0, 1e-9);
 }
 
+TEST(TangentLineOf, AMiddleRadiusHasItInTheMiddleOfTheEdgesNotOfThePlates) {
+  // Both edges are 100 long, at one end of plates of 200.
+  PlateStructure s = angle_pair(14.0);
+  s.plates[0].outline = {{0, 0, 0},    {200, 0, 0},   {200, 60, 0},
+                         {100, 60, 0}, {100, 100, 0}, {0, 100, 0}};
+  s.plates[1].outline = {{0, 114, 14},   {100, 114, 14},  {100, 114, 60},
+                         {200, 114, 60}, {200, 114, 100}, {0, 114, 100}};
+  const PairTask pair(s, {.inside_radius = 6.0, .slope = 0.02});
+  const auto choice = search_pair(pair.task, {});
+  ASSERT_TRUE(choice);
+  const auto line = tangent_line(pair.task, *choice, {});
+  ASSERT_TRUE(line);
+  const double middle = (Vec3(50, 114, 0) - choice->frame.origin).dot(choice->frame.d);
+  EXPECT_NEAR(std::abs(middle), 50.0, 1e-9) << "the frame lies between the plates' middles";
+  EXPECT_NEAR(line->at(middle), 8.0, 1e-9);
+}
+
 TEST(TangentLineOf, PlatesThatTouchOrAreTooThickIsRefused) {
   EXPECT_EQ(line_for(PairTask(angle_pair(0.0))).error().code, code::plates_touch);
   const auto thick = line_for(PairTask(angle_pair(1.9, 200, 4.0)));

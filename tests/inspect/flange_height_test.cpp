@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace planish::test {
 namespace {
 
@@ -61,6 +63,19 @@ TEST(FlangeHeight, SeesANotchInTheMiddle) {
                                             {-50, 40}}));
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
   EXPECT_THAT(only(findings_of(pattern), "flange_height").message, HasSubstr("4.7 mm high"));
+}
+
+TEST(FlangeHeight, IsMeasuredBesideAWindowThroughTheBend) {
+  FlatPattern pattern = flat_l(50, 1 - kJustShort);
+  open(pattern, rectangular_opening({0, 20}, test::zone_width() + 0.5, 10));
+  FlatBend& bend = pattern.bends.front();
+  for (auto* lines : {&bend.lines, &bend.tangent_lines})
+    for (const Segment whole : std::exchange(*lines, {}))
+      for (const auto& [from, to] : {std::pair{0.0, 15.0}, std::pair{25.0, 40.0}})
+        lines->push_back({{whole.a.x(), from}, {whole.a.x(), to}});
+  const auto found = of_code(findings_of(pattern), "flange_height");
+  ASSERT_EQ(found.size(), 1u) << text_of(findings_of(pattern));
+  EXPECT_NEAR(number_of(found[0], "measured"), 4.99, 1e-9);
 }
 
 TEST(FlangeHeight, NamesTheFlangeOfTheSheet) {

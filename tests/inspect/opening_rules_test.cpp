@@ -1,3 +1,4 @@
+#include "rule_checks.hpp"
 #include "rule_findings.hpp"
 #include "support/sheets.hpp"
 
@@ -55,6 +56,28 @@ TEST(OpeningToBend, HoldsForEveryShape) {
       }
     }
   }
+}
+
+TEST(Openings, AreRankedByWhatTheyMissTheirLimitsBy) {
+  FlatPattern pattern = flat_l(50, 40);
+  open(pattern, circular_opening({-25, 20}, 4));
+  open(pattern, circular_opening({-16, 20}, 4));
+  open(pattern, circular_opening({0.5 * test::zone_width() + 5, 20}, 2));
+  open(pattern, circular_opening({30, 3}, 2));
+  open(pattern, circular_opening({20, 30}, 0.5));
+  const inspect_detail::Workpiece workpiece({}, pattern);
+  std::set<std::string> codes;
+  for (const auto observe :
+       {inspect_detail::observe_openings_by_bends, inspect_detail::observe_openings_by_edges,
+        inspect_detail::observe_openings_by_openings, inspect_detail::observe_opening_sizes})
+    for (const inspect_detail::Observation& one : observe(workpiece, strict_rules())) {
+      codes.insert(one.code);
+      const Finding told{.numbers = one.place.numbers};
+      EXPECT_NEAR(one.excess, number_of(told, "measured") - number_of(told, "wanted"), 1e-12)
+          << one.place.message;
+    }
+  EXPECT_EQ(codes, (std::set<std::string>{"opening_to_bend", "opening_to_edge",
+                                          "opening_to_opening", "smallest_opening"}));
 }
 
 TEST(OpeningToBend, DoesNotCountAcrossASlit) {

@@ -53,6 +53,12 @@ TEST(CheckClear, LetsRibsStandSideBySide) {
       mould, {level_strip({0, 0}, {100, 20}, 31), level_strip({0, 20}, {100, 40}, 51)}, 1.0));
 }
 
+TEST(CheckClear, LetsRibsShareWhatRoundingMakes) {
+  Mould mould;  // of ribs of 2,000 mm², a ten-millionth of 1 mm²
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 20 - 1e-9}, {100, 40}, 50)};
+  EXPECT_TRUE(check_clear(mould, {}, 1.0));
+}
+
 TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
   Mould mould;
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 15}, {100, 40}, 50)};
