@@ -56,7 +56,7 @@ RuledPatch::RuledPatch(std::shared_ptr<const Hull> hull, const HullPatch& patch,
   // The base side is the one that nowhere, or hardly anywhere, stands still.
   std::array<double, 2> slowest{1.0, 1.0};
   constexpr int kSamples = 16;
-  for (std::size_t side = 0; side < 2; ++side)
+  for (const std::size_t side : {0u, 1u})
     for (int i = 0; i <= kSamples; ++i) {
       const double whole = hull_patch_.sides[side].t1 - hull_patch_.sides[side].t0;
       slowest[side] = whole == 0.0 ? 0.0

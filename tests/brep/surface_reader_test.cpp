@@ -15,7 +15,9 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_Ellipse.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
@@ -162,6 +164,24 @@ TEST(ReadSurface, NamesWhatCurvesTwice) {
   EXPECT_EQ(kind(BRepPrimAPI_MakeTorus(leaning_axes(), 9, 2).Shape()), "torus");
   EXPECT_EQ(kind(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(9, 2).Shape(), true).Shape()),
             "spline");
+}
+
+TEST(ReadSurface, TakesAWarpedPatchOnlyIfItsPlanesHardlyTurnAlongItsRulings) {
+  // Between the sides of a rectangle 100 x 50 with one corner lifted by h: straight both ways, and
+  // its tangent plane turns by h/100 along the rulings of 50, by h/50 along those of 100.
+  const auto is_developable = [](double h) {
+    TColgp_Array2OfPnt poles(1, 2, 1, 2);
+    poles(1, 1) = gp_Pnt(0, 0, 0);
+    poles(2, 1) = gp_Pnt(100, 0, 0);
+    poles(1, 2) = gp_Pnt(0, 50, 0);
+    poles(2, 2) = gp_Pnt(100, 50, h);
+    const Handle(Geom_BezierSurface) patch = new Geom_BezierSurface(poles);
+    const SolidFace read = read_surface(BRepBuilderAPI_MakeFace(patch, 1e-7).Face(), 0.01);
+    return std::holds_alternative<Developable>(read.surface);
+  };
+  EXPECT_TRUE(is_developable(0.15));
+  EXPECT_FALSE(is_developable(0.3));
+  EXPECT_FALSE(is_developable(5.0));
 }
 
 }  // namespace

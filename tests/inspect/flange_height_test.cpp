@@ -70,7 +70,8 @@ TEST(FlangeHeight, IsMeasuredBesideAWindowThroughTheBend) {
   open(pattern, rectangular_opening({0, 20}, test::zone_width() + 0.5, 10));
   FlatBend& bend = pattern.bends.front();
   for (auto* lines : {&bend.lines, &bend.tangent_lines})
-    for (const Segment whole : std::exchange(*lines, {}))
+    for (const std::vector<Segment> before = std::exchange(*lines, {});
+         const Segment& whole : before)
       for (const auto& [from, to] : {std::pair{0.0, 15.0}, std::pair{25.0, 40.0}})
         lines->push_back({{whole.a.x(), from}, {whole.a.x(), to}});
   const auto found = of_code(findings_of(pattern), "flange_height");

@@ -72,7 +72,8 @@ TEST(Openings, AreRankedByWhatTheyMissTheirLimitsBy) {
         inspect_detail::observe_openings_by_openings, inspect_detail::observe_opening_sizes})
     for (const inspect_detail::Observation& one : observe(workpiece, strict_rules())) {
       codes.insert(one.code);
-      const Finding told{.numbers = one.place.numbers};
+      Finding told;
+      told.numbers = one.place.numbers;
       EXPECT_NEAR(one.excess, number_of(told, "measured") - number_of(told, "wanted"), 1e-12)
           << one.place.message;
     }
