@@ -189,13 +189,13 @@ Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& c
 
 Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& options,
                                       const SheetCheck& passes) {
-  Result<std::vector<int>> best = no_rips();
+  Error best = no_rips().value();
   for (const Keep keep : {Keep::smooth, Keep::longest, Keep::near_root}) {
     auto rips = rips_keeping(keep, sheet, options, passes);
     if (rips) return rips;
-    if (best.error().code == code::closed_loop) best = std::move(rips);
+    if (best.code == code::closed_loop) best = std::move(rips.error());
   }
-  return best;
+  return tl::unexpected(std::move(best));
 }
 
 Error loop_refusal(const Sheet& sheet, const Error& closed, const FlattenOptions& options,
