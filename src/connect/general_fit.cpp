@@ -86,8 +86,10 @@ Vec3 equidistant(const BendFrame& frame, const Vec3& apex, const std::array<Vec3
   const Vec3 a = ends[0] - apex, b = ends[1] - apex;
   const double xa = a.dot(frame.d), xb = b.dot(frame.d);
   const double far = 0.5 * (xa + xb);
+  // Ends with one foot: the quotient would be one of roundings.
+  if (std::abs(xa - xb) <= kAtEnd * a.norm()) return apex + far * frame.d;
   const double x = 0.5 * (a.squaredNorm() - b.squaredNorm()) / (xa - xb);
-  // Ends that differ too much for a circle, or whose feet are one: from the middle of their feet.
+  // Ends that differ too much for a circle: an ellipse from the middle of their feet.
   return apex + (x / far > 0.5 && x / far < 2.0 ? x : far) * frame.d;
 }
 

@@ -119,6 +119,18 @@ TEST(GeneralSurface, HasACircularArcIfItsEndsAreEquallyFarFromAPlaceNearTheirFee
   EXPECT_NEAR(meets_at(over(150.0)), 290.0, 1e-6) << "below the apex otherwise";
 }
 
+TEST(GeneralSurface, MeetsAboveTheFootOfItsEndsWhereTheyHaveOneButForRounding) {
+  const auto lines = general_lines(kEqual, EdgeKind::facing, 0.0);
+  ASSERT_TRUE(lines);
+  for (int i = 1; i <= 40; ++i) {
+    Corners corners = kEqual;
+    corners[1].back() = {300 - 1e-13, 60 - i * 2e-14};
+    const auto made = general_surface(kRightAngle, *lines, corners, std::nullopt, 300.0);
+    ASSERT_TRUE(made);
+    EXPECT_NEAR(meets_at(*made), 300.0, 1e-6) << i;
+  }
+}
+
 TEST(GeneralSurface, WantsItsTangentPointOnTheLineOfThePlanes) {
   const auto lines = general_lines(kApart, EdgeKind::facing, std::nullopt);
   const auto surface = [&](const Vec3& point) {
