@@ -18,11 +18,6 @@ namespace {
 
 using Intervals = std::vector<Interval>;
 
-Interval u_range(const Sheet& sheet, const Bend& bend) {
-  const Box2 box = parameter_box(sheet, bend);
-  return {box.lo.x(), box.hi.x()};
-}
-
 /// v-intervals of material along the ruling u of a face, by even-odd crossing of its loops.
 void add_material(const Face& face, double u, Intervals& intervals) {
   std::vector<double> heights;
@@ -46,27 +41,26 @@ bool alike(const Intervals& a, const Intervals& b) {
   return true;
 }
 
-Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
+Intervals material_along(const Sheet& sheet, const Bend& bend, const Box2& box, double u) {
   Intervals intervals;
   for (const FaceId id : bend.faces)
     add_material(sheet[id], u, intervals);
   // Neighbouring faces of one bend share seams. What lies between is far below any cut.
-  const double length = parameter_box(sheet, bend).size().y();
-  return joined(std::move(intervals), tolerance::kAside * length);
+  return joined(std::move(intervals), tolerance::kAside * box.size().y());
 }
 
 /// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked
 /// up slightly aside, because seams and tangent lines run exactly along rulings; it is measured on
 /// the ruling itself if the result is the same.
 std::vector<Segment> ruling_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
-                                  const Interval& range, double at) {
+                                  const Box2& box, double at) {
   constexpr double kAside = tolerance::kAside;  // share of the range
-  const double u = range.lo + at * (range.hi - range.lo);
-  const double looked_at = range.lo +
-                           std::clamp(at + kAside, kAside, 1.0 - kAside) * (range.hi - range.lo);
-  auto intervals = material_along(sheet, bend, looked_at);
+  const double first = box.lo.x(), range = box.size().x();
+  const double u = first + at * range;
+  const double looked_at = first + std::clamp(at + kAside, kAside, 1.0 - kAside) * range;
+  auto intervals = material_along(sheet, bend, box, looked_at);
   if (at > 2.0 * kAside && at < 1.0 - 2.0 * kAside)
-    if (auto exact = material_along(sheet, bend, u); alike(exact, intervals))
+    if (auto exact = material_along(sheet, bend, box, u); alike(exact, intervals))
       intervals = std::move(exact);
   std::vector<Segment> lines;
   for (const auto& [from, to] : intervals)
@@ -100,16 +94,16 @@ void add_sharp_lines(const Sheet& sheet, const Layout& layout, const std::vector
   }
 }
 
-void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
-                     const Interval& range, FlatBend& flat) {
+void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend, const Box2& box,
+                     FlatBend& flat) {
   const auto add = [&](double at, Angle angle) {
-    for (const Segment& line : ruling_lines(sheet, layout, bend, range, at)) {
+    for (const Segment& line : ruling_lines(sheet, layout, bend, box, at)) {
       flat.lines.push_back(line);
       flat.line_angles.push_back(angle);
     }
   };
   for (const PressLine& press : bend.press_lines)
-    add((press.u - range.lo) / (range.hi - range.lo), press.angle);
+    add((press.u - box.lo.x()) / box.size().x(), press.angle);
   if (bend.press_lines.empty()) add(0.5, bend.angle);
 }
 
@@ -137,10 +131,10 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout) {
     if (bend.faces.empty()) {
       add_sharp_lines(sheet, layout, sharp[id], flat);
     } else {
-      const Interval range = u_range(sheet, bend);
-      add_press_lines(sheet, layout, bend, range, flat);
-      flat.tangent_lines = ruling_lines(sheet, layout, bend, range, 0.0);
-      for (const Segment& line : ruling_lines(sheet, layout, bend, range, 1.0))
+      const Box2 box = parameter_box(sheet, bend);
+      add_press_lines(sheet, layout, bend, box, flat);
+      flat.tangent_lines = ruling_lines(sheet, layout, bend, box, 0.0);
+      for (const Segment& line : ruling_lines(sheet, layout, bend, box, 1.0))
         flat.tangent_lines.push_back(line);
     }
     flat.length = length_of(bend, flat.lines);
