@@ -3,13 +3,17 @@
 #include "borders.hpp"
 #include "widest.hpp"
 
+#include <planish/base/id_vector.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 // A face of the solid as a face of the sheet, on the surface that represents its group. Loops of
 // one face are read each from a first point of its own, so a hole on a cylinder may come out a turn
 // away from the outer loop, and is moved back by whole turns. A border along an edge below the skin
-// keeps its depth; where a chamfer ends, the step to the next border is closed by its short side.
+// keeps its depth; where a chamfer ends, the step to the next border is closed by its short side,
+// and where a strip tapers to a point at a corner, by the edge below it.
 
 namespace planish::brep {
 namespace {
@@ -68,6 +72,54 @@ void connect(BorderLoop& borders, const Border& next) {
   borders.push_back(step);
 }
 
+int vertex_after(const SolidModel& model, const CoEdge& use) {
+  return model.edges[use.edge].vertices[use.forward ? 1 : 0];
+}
+int vertex_before(const SolidModel& model, const CoEdge& use) {
+  return vertex_after(model, {use.edge, !use.forward});
+}
+
+/// The edge of a wall that leads from the end of one edge below the skin to the start of the next,
+/// where a strip between them tapers to a point on the skin, as round a corner.
+std::optional<CoEdge> edge_between(const Recognition& of, const CoEdge& from, const CoEdge& to) {
+  const int start = vertex_after(of.model, from);
+  const int end = vertex_before(of.model, to);
+  if (start == end) return {};
+  const int wall = of.model.edges[to.edge].faces.front();
+  if (wall < 0 || of.rim.part_of[wall] < 0) return {};
+  for (const int f : of.rim.parts[of.rim.part_of[wall]].faces)
+    for (const auto& loop : of.model.faces[f].loops)
+      for (const CoEdge& use : loop)
+        for (const CoEdge& one : {use, CoEdge{use.edge, !use.forward}})
+          if (vertex_before(of.model, one) == start && vertex_after(of.model, one) == end)
+            return one;
+  return {};
+}
+
+/// An edge along which the blank is cut.
+struct CutUse {
+  CoEdge use;
+  int border = -1;     ///< of the loop, that it stands for; −1: it leads from one to the next
+  bool below = false;  ///< it lies below the skin
+};
+std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
+  const auto& loop = of.model.faces[ref.face].loops[ref.loop];
+  std::vector<CutUse> uses;
+  const auto lead_to = [&](const CutUse& next) {
+    if (uses.empty() || !uses.back().below || !next.below) return;
+    if (const auto between = edge_between(of, uses.back().use, next.use))
+      uses.push_back({*between, -1, true});
+  };
+  for (int i = 0; i < std::ssize(loop); ++i) {
+    const CoEdge cut = widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
+    const CutUse next{cut, i, cut.edge != loop[i].edge};
+    lead_to(next);
+    uses.push_back(next);
+  }
+  lead_to(CutUse(uses.front()));
+  return uses;
+}
+
 struct ReadLoop {
   BorderLoop borders;
   std::vector<int> places;  // in `borders`, by use
@@ -76,21 +128,18 @@ struct ReadLoop {
 ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
                    double u_near) {
   const SolidFace& face = of.model.faces[ref.face];
-  const auto& loop = face.loops[ref.loop];
+  const std::vector<CutUse> uses = cut_uses(of, ref);
   ReadLoop result;
-  std::vector<CoEdge> uses;
-  for (const CoEdge& use : loop) {
-    uses.push_back(widest_edge(of.model, of.rim, of.skins.thickness, ref.face, use));
-    result.widened |= uses.back().edge != use.edge;
-  }
-  BorderLoop read = read_borders(of.model, uses, surface, u_near, of.tolerance);
-  for (size_t i = 0; i < loop.size(); ++i) {
-    if (uses[i].edge != loop[i].edge)
-      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].edge].curve.start);
-    if (const auto as_read = read_face_at(of.model, ref.face, uses[i]))
+  result.widened = std::ranges::any_of(uses, &CutUse::below);
+  BorderLoop read = read_borders(of.model, mapped(uses, &CutUse::use), surface, u_near,
+                                 of.tolerance);
+  for (size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i].below)
+      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve.start);
+    if (const auto as_read = read_face_at(of.model, ref.face, uses[i].use))
       read[i].source_face = *as_read + 1;
     if (result.widened) connect(result.borders, read[i]);
-    result.places.push_back(static_cast<int>(result.borders.size()));
+    if (uses[i].border >= 0) result.places.push_back(static_cast<int>(result.borders.size()));
     result.borders.push_back(std::move(read[i]));
   }
   if (result.widened) connect(result.borders, Border(result.borders.front()));

@@ -2,8 +2,9 @@
 
 // Where the blank must be cut if a wall widens below the skin: at the edge where the widening ends,
 // so that it reaches as far as the material. Strips of the wall are followed from the skin as long
-// as their middles face outwards and they are no steps; a wall that slants from skin to skin is a
-// slanted cut and stays with the skin's own border.
+// as they lean outwards and are no steps; a wall that slants from skin to skin is a slanted cut and
+// stays with the skin's own border. How a strip that is curved in two directions leans (a fillet
+// round a corner), the chord between its edges tells.
 
 namespace planish::brep {
 namespace {
@@ -15,13 +16,6 @@ constexpr double kSlope = 0.05;
 constexpr double kFlattest = 0.99;
 /// Smallest share of the thickness that a chamfer removes, and that it leaves.
 constexpr double kShallowest = 1e-3;
-
-/// Outward normal of a wall near a point of its border; empty where it is not known.
-std::optional<Vec3> wall_normal(const SolidModel& model, int wall, const Vec3& point) {
-  const SolidFace& face = model.faces[wall];
-  if (std::holds_alternative<DoublyCurved>(face.surface)) return {};
-  return outward_normal_at(face, point);
-}
 
 /// The edge across a strip: the other loop of a ring, the opposite side of a four-sided face.
 std::optional<int> opposite_edge(const SolidFace& strip, int edge) {
@@ -43,7 +37,37 @@ bool same_way(const SpaceCurve& a, const SpaceCurve& b) {
   return (a.end - a.start).dot(b.end - b.start) > 0;
 }
 
+/// How a strip goes on from its edge along a skin to its other edge.
+struct Lean {
+  double slope = 0.0;  ///< sine of its outward normal towards the skin's outside
+  double depth = 0.0;  ///< of the other edge below this one, mm
+};
+Lean lean_of(const SolidModel& model, const Vec3& outwards, const CoEdge& use, int wall, int far) {
+  const SpaceCurve& near = model.edges[use.edge].curve;
+  const Vec3 from = middle(near), to = middle(model.edges[far].curve);
+  Lean lean{0.0, (from - to).dot(outwards)};
+  if (!std::holds_alternative<DoublyCurved>(model.faces[wall].surface)) {
+    lean.slope = outward_normal_at(model.faces[wall], (from + to) / 2).dot(outwards);
+    return lean;
+  }
+  const Vec3 tangent = near.tangent((near.t0 + near.t1) / 2);
+  const Vec3 away = (use.forward ? tangent : Vec3(-tangent)).cross(outwards);
+  const double chord = std::hypot((to - from).dot(away), lean.depth);
+  if (chord > 0.0) lean.slope = (to - from).dot(away) / chord;
+  return lean;
+}
+
 }  // namespace
+
+bool leans_back(const SolidModel& model, int skin_face, const CoEdge& border) {
+  const int wall = face_across(model.edges[border.edge], skin_face);
+  if (wall < 0) return false;
+  const auto far = opposite_edge(model.faces[wall], border.edge);
+  if (!far) return false;
+  const SpaceCurve& curve = model.edges[border.edge].curve;
+  const Vec3 outwards = outward_normal_at(model.faces[skin_face], middle(curve));
+  return lean_of(model, outwards, border, wall, *far).slope > kSlope;
+}
 
 CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, int skin_face,
                    const CoEdge& border) {
@@ -63,14 +87,10 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
     if (const int beyond = face_across(model.edges[*next], wall);
         beyond < 0 || rim.part_of[beyond] < 0)
       break;
-    // A wall widens where its middle faces towards the skin's outside.
     const SpaceCurve& far = model.edges[*next].curve;
-    const Vec3 half_way = (middle(edge.curve) + middle(far)) / 2;
-    const auto normal = wall_normal(model, wall, half_way);
     const Vec3 outwards = outward_normal_at(model.faces[skin_face], middle(edge.curve));
-    const double slope = normal ? normal->dot(outwards) : 0.0;
+    const auto [slope, depth] = lean_of(model, outwards, at, wall, *next);
     if (slope < kSlope || slope > kFlattest) break;
-    const double depth = (middle(edge.curve) - middle(far)).dot(outwards);
     if (depth <= kShallowest * thickness || reached + depth >= (1.0 - kShallowest) * thickness)
       break;
     reached += depth;

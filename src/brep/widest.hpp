@@ -11,4 +11,8 @@ namespace planish::brep {
 CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, int skin_face,
                    const CoEdge& border);
 
+/// Whether the wall along a border of a skin, a strip of any kind of surface, leans back from it:
+/// that of a chamfer, a fillet, a countersink, or of a slanted cut.
+bool leans_back(const SolidModel& model, int skin_face, const CoEdge& border);
+
 }  // namespace planish::brep

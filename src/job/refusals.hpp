@@ -25,6 +25,10 @@ constexpr Refusal length_wrong{
     code::pattern_wrong,
     "An edge of the solid and its image in the pattern differ in length by {off}. The pattern "
     "cannot be trusted and is not written."};
+constexpr Refusal opening_wrong{
+    code::pattern_wrong,
+    "An opening of the pattern is not what the solid lets through: they differ by {off} all round. "
+    "The pattern cannot be trusted and is not written."};
 constexpr Refusal refold_wrong{code::pattern_wrong,
                                "The contour, folded back, misses the solid's edge by {off}. The "
                                "pattern cannot be trusted and is not written."};

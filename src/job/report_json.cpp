@@ -116,11 +116,15 @@ Json verification_json(const Report& report, const Units& units) {
   json["explained_ratio"] = number_json(or_nan(certificate.explained_ratio));
   json["length_error"] = number_json(units.length(certificate.length_error));
   json["refold_deviation"] = number_json(units.length(or_nan(certificate.refold_deviation)));
+  if (certificate.opening_error)
+    json["opening_error"] = number_json(units.length(*certificate.opening_error));
   json["closure"] = number_json(units.length(report.flat.closure));
   json["area_at_half"] = number_json(units.area(certificate.flat_area_half));
   json["openings"] = openings_json(certificate.openings);
   json["places"]["length_error"] = point_json(certificate.length_error_at, units);
   json["places"]["refold_deviation"] = point_json(certificate.refold_at, units);
+  if (certificate.opening_error)
+    json["places"]["opening_error"] = point_json(certificate.opening_error_at, units);
   return json;
 }
 

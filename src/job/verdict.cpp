@@ -21,25 +21,32 @@
 namespace planish::job {
 namespace {
 
+constexpr auto kSlantedCut = "slanted cut";
+constexpr auto kChamfer = "chamfer";
+
 std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
 }
 
+/// The middles of features; of a chamfer, which goes round the material, a point of its edge.
 std::vector<Vec2> feature_places(const FlatPattern& flat) {
   std::vector<Vec2> places;
   for (const FlatFeature& feature : flat.features) {
+    places.insert(places.end(), feature.along.begin(), feature.along.end());
     if (feature.outlines.empty()) continue;
-    const Box2 box = bounds(feature.outlines.front());
-    places.push_back(0.5 * (box.lo + box.hi));
+    const Loop& outline = feature.outlines.front();
+    const Box2 box = bounds(outline);
+    places.push_back(feature.kind == kChamfer ? point_at(outline.front(), 0.5)
+                                              : Vec2(0.5 * (box.lo + box.hi)));
   }
   return places;
 }
 
-constexpr auto kSlantedCut = "slanted cut";
-
 bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
-Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
+Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat,
+                     const CertificateBounds& bounds) {
+  const double bound = bounds.volume_warning;
   const double ratio = or_nan(certificate.volume_ratio);
   const std::string features = forms_text(flat);
   const double explained = or_nan(certificate.explained_ratio);
@@ -50,7 +57,15 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
     pattern += say::without_forms;
     facts.emplace_back("explained", explained, unit::none);
   }
-  if (features.empty() || off(explained, bound)) pattern += say::slanted_or_missed;
+  if (features.empty() || off(explained, bound)) {
+    pattern += say::slanted_or_missed;
+    if (certificate.opening_error && *certificate.opening_error <= bounds.opening_warning) {
+      pattern += say::openings_fit;
+      const std::size_t count = flat.openings.size();
+      facts.emplace_back("count", count);
+      facts.emplace_back("fit", count == 1 ? "fits" : "fit");
+    }
+  }
   return finding_of("volume_identity", Severity::warning, pattern, facts, feature_places(flat));
 }
 
@@ -122,16 +137,14 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
   if (auto doubt = opening_doubt(certificate.openings)) found.push_back(std::move(*doubt));
-  // A good explained ratio means that mitred corners or slanted cuts account for the difference.
-  const bool unformed = std::ranges::all_of(
-      flat.features, [](const FlatFeature& feature) { return feature.kind == kSlantedCut; });
-  const bool explained = unformed &&
-                         !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
-  if (solid_volume > 0.0 && !explained &&
-      (off(or_nan(certificate.volume_ratio), bounds.volume_warning) ||
-       off(or_nan(certificate.explained_ratio), bounds.volume_warning))) {
-    found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
-  }
+  const bool explained = !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
+  const bool measured = std::isfinite(or_nan(certificate.explained_ratio));
+  if (solid_volume > 0.0 && !(measured && explained) &&
+      (measured || off(or_nan(certificate.volume_ratio), bounds.volume_warning)))
+    found.push_back(volume_doubt(certificate, flat, bounds));
+  if (certificate.opening_error.value_or(0.0) > bounds.opening_warning)
+    found.push_back(residual_doubt("opening_size", say::opening_off, *certificate.opening_error,
+                                   bounds.opening_warning, certificate.opening_error_at));
   if (certificate.length_error > bounds.length_warning) {
     found.push_back(residual_doubt("edge_length", say::length_off, certificate.length_error,
                                    bounds.length_warning, certificate.length_error_at));
@@ -158,6 +171,9 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
   }
   if (certificate.length_error > bounds.length_refusal) {
     return wrong(refuse::length_wrong, certificate.length_error, certificate.length_error_at);
+  }
+  if (certificate.opening_error.value_or(0.0) > bounds.opening_refusal) {
+    return wrong(refuse::opening_wrong, *certificate.opening_error, certificate.opening_error_at);
   }
   if (or_nan(certificate.refold_deviation) > bounds.refold_refusal) {
     return wrong(refuse::refold_wrong, or_nan(certificate.refold_deviation), certificate.refold_at);

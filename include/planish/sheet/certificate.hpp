@@ -42,6 +42,11 @@ struct Certificate {
   std::optional<double> refold_deviation = {};
   Vec2 refold_at = Vec2::Zero();
   OpeningCount openings;
+  /// The opening that fits worst to what the solid lacks there: the difference of volumes as a mean
+  /// distance all round its edge, or how far walls reach into it, mm (math.md#opening-balance).
+  /// Empty where none was measured.
+  std::optional<double> opening_error = {};
+  Vec2 opening_error_at = Vec2::Zero();
 };
 
 /// Distance from a point in space to an edge of the solid, by the edge's number. Makers supply it.

@@ -1,0 +1,166 @@
+#include "narrowest.hpp"
+
+#include "borders.hpp"
+#include "passages.hpp"
+
+#include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
+#include <planish/geometry/region.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+// What passes through an opening (math.md#narrowest-section). Seen along the sheet's normal, the
+// faces between the skins that look up lie above what is open and those that look down below it, so
+// the chain of edges between both encloses the narrowest section; passages.cpp finds it as a
+// smallest cut. The farthest line of a wall that is one round face lies on no edge: it is computed
+// from the surface.
+
+namespace planish::brep {
+namespace {
+
+/// 1 − cosine, or sine: axes of one feature agree to the digits of a STEP file.
+constexpr double kParallel = tolerance::kComputed;
+
+double depth_of(const Frame& plane, const Vec3& point) { return -plane.local(point).z(); }
+
+struct Depths {
+  double least = 0.0, most = 0.0;
+};
+Depths depths_of(const Outline& outline, const Frame& plane) {
+  std::vector<double> depths;
+  for (const auto& ring : outline.rings)
+    for (const Vec3& point : ring)
+      depths.push_back(depth_of(plane, point));
+  if (depths.empty()) return {};
+  const auto [least, most] = std::ranges::minmax(depths);
+  return {least, most};
+}
+
+/// Lying along a border: the border where the cylinder, convex, reaches farthest to its right.
+std::optional<Border> bulge_of(const Cylinder& cylinder, const Frame& plane, const Border& border) {
+  const auto* segment = std::get_if<Segment>(&border.curve);
+  if (!segment || std::abs(cylinder.frame.z.dot(plane.z)) > kParallel) return {};
+  const Vec2 along = (segment->b - segment->a).normalized();
+  const Vec2 axis(cylinder.frame.z.dot(plane.x), cylinder.frame.z.dot(plane.y));
+  if (1.0 - std::abs(axis.dot(along)) > kParallel) return {};
+  const Vec2 right = -perpendicular(along);
+  const double by = (plane.local2(cylinder.frame.origin) - segment->a).dot(right) + cylinder.radius;
+  Border moved = border;
+  moved.curve = Segment{segment->a + by * right, segment->b + by * right};
+  moved.edge_depth = depth_of(plane, cylinder.frame.origin);
+  if (by <= 0.0) return {};
+  return moved;
+}
+
+/// The same of a torus about the middle of an arc.
+std::optional<Border> bulge_of(const Torus& torus, const Frame& plane, const Border& border,
+                               double tolerance) {
+  const auto* arc = std::get_if<Arc>(&border.curve);
+  if (!arc || 1.0 - std::abs(torus.frame.z.dot(plane.z)) > kParallel) return {};
+  if ((plane.local2(torus.frame.origin) - arc->center).norm() > tolerance) return {};
+  const double outwards = arc->sweep > 0.0 ? 1.0 : -1.0;
+  Arc moved = *arc;
+  moved.radius = torus.major + outwards * torus.minor;
+  if (moved.radius <= 0.0 || outwards * (moved.radius - arc->radius) <= 0.0) return {};
+  Border result = border;
+  result.curve = moved;
+  result.edge_depth = depth_of(plane, torus.frame.origin);
+  return result;
+}
+
+/// The edges of a section as borders; those that stand upright are seen as points and left out.
+/// Empty where one slants.
+BorderLoop level_borders(const Recognition& of, const std::vector<CoEdge>& chain,
+                         const Frame& plane) {
+  const BorderLoop seen = read_borders(of.model, chain, plane, 0.0, of.tolerance);
+  BorderLoop level;
+  for (size_t i = 0; i < chain.size(); ++i) {
+    const SpaceCurve& edge = of.model.edges[chain[i].edge].curve;
+    const double depth = depth_of(plane, edge.start);
+    if (length(seen[i].curve) <= of.tolerance) continue;
+    for (const double share : {0.5, 1.0})
+      if (std::abs(depth_of(plane, edge.point(std::lerp(edge.t0, edge.t1, share))) - depth) >
+          of.tolerance)
+        return {};
+    level.push_back(seen[i]);
+    level.back().edge_depth = depth;
+  }
+  return level;
+}
+
+/// Beyond the borders of a section where a wall beside them bulges into it.
+BorderLoop with_bulges(const Recognition& of, const Frame& plane, BorderLoop section) {
+  for (Border& border : section)
+    for (const int wall : of.model.edges[*border.edge - 1].faces)
+      if (auto bulge = wall < 0 ? std::nullopt : bulge_below(of, wall, plane, border)) {
+        border = std::move(*bulge);
+        break;
+      }
+  return section;
+}
+
+bool is_closed(const BorderLoop& loop, double tolerance) {
+  for (size_t i = 0; i < loop.size(); ++i)
+    if ((end_of(loop[i].curve) - start_of(loop[(i + 1) % loop.size()].curve)).norm() > tolerance)
+      return false;
+  return !loop.empty();
+}
+
+}  // namespace
+
+std::optional<Border> bulge_below(const Recognition& of, int wall, const Frame& plane,
+                                  const Border& border) {
+  const SolidFace& face = of.model.faces[wall];
+  if (of.rim.part_of[wall] < 0 || face.sense < 0) return {};
+  std::optional<Border> bulge;
+  if (const auto* surface = std::get_if<Developable>(&face.surface)) {
+    if (const auto* cylinder = std::get_if<Cylinder>(surface))
+      bulge = bulge_of(*cylinder, plane, border);
+  } else if (const auto* curved = std::get_if<DoublyCurved>(&face.surface)) {
+    if (curved->torus) bulge = bulge_of(*curved->torus, plane, border, of.tolerance);
+  }
+  if (!bulge) return {};
+  const auto [least, most] = depths_of(of.outlines[wall], plane);
+  if (bulge->edge_depth <= least + of.tolerance || bulge->edge_depth >= most - of.tolerance)
+    return {};
+  bulge->edge.reset();
+  bulge->edge_length.reset();
+  return bulge;
+}
+
+std::optional<BorderLoop> narrowest_section(const Recognition& of, const RimPart& part,
+                                            const Frame& plane) {
+  const auto chains = passages(of, part, plane);
+  if (chains.size() != 1) return {};
+  BorderLoop section = level_borders(of, chains.front(), plane);
+  if (section.empty()) return {};
+  section = with_bulges(of, plane, std::move(section));
+  constexpr double kClosed = 1e-3;  // mm: files of loose tolerance leave gaps
+  if (!is_closed(section, kClosed)) return {};
+  return section;
+}
+
+double intrusion_into(const Recognition& of, const RimPart& part, const Frame& plane,
+                      const BorderLoop& section) {
+  constexpr double kChord = 1e-4;  // of the thickness
+  const Loop curves = mapped(section, &Border::curve);
+  const std::vector<std::vector<Vec2>> rings{sampled(curves, kChord * of.skins.thickness)};
+  const Box2 box = bounds(section);
+  double deepest = 0.0;
+  for (const int f : part.faces)
+    for (const auto& ring : of.outlines[f].rings)
+      for (const Vec3& point : ring) {
+        const Vec2 p = plane.local2(point);
+        const bool near = p.x() > box.lo.x() && p.y() > box.lo.y() && p.x() < box.hi.x() &&
+                          p.y() < box.hi.y();
+        if (!near || !inside(rings, p)) continue;
+        double off = distance_to_ring(rings.front(), p);
+        for (const Curve2& curve : curves)
+          off = off > deepest ? std::min(off, nearest(curve, p).distance) : 0.0;
+        deepest = std::max(deepest, off);
+      }
+  return deepest;
+}
+
+}  // namespace planish::brep
