@@ -96,6 +96,12 @@ std::optional<CoEdge> edge_between(const Recognition& of, const CoEdge& from, co
   return {};
 }
 
+/// Whether what goes on beyond an edge of a skin leaves the sheet.
+bool is_beside_form(const Recognition& of, int face, const CoEdge& use) {
+  const int wall = face_across(of.model.edges[use.edge], face);
+  return wall >= 0 && of.rim.part_of[wall] >= 0 && !of.rim.parts[of.rim.part_of[wall]].within;
+}
+
 /// An edge along which the blank is cut.
 struct CutUse {
   CoEdge use;
@@ -111,7 +117,9 @@ std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
       uses.push_back({*between, -1, true});
   };
   for (int i = 0; i < std::ssize(loop); ++i) {
-    const CoEdge cut = widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
+    const CoEdge cut = is_beside_form(of, ref.face, loop[i])
+                           ? loop[i]
+                           : widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
     const CutUse next{cut, i, cut.edge != loop[i].edge};
     lead_to(next);
     uses.push_back(next);

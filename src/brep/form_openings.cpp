@@ -3,6 +3,7 @@
 #include "borders.hpp"
 #include "form_volume.hpp"
 #include "passages.hpp"
+#include "widest.hpp"
 
 #include <planish/geometry/fit.hpp>
 #include <planish/geometry/plane.hpp>
@@ -151,26 +152,48 @@ Loop pilot_of(const Recognition& of, const RimPart& part, const Section& section
   return lies_inside(pilot, {sampled(section.loop, chord)}, kOutside) ? pilot : section.loop;
 }
 
-/// Edges of the reference skin along which the sheet ends at the form in a wall of its thickness:
-/// chains of them, loop by loop.
+bool touches_there(const Recognition& of, int face) {
+  for (const auto& loop : of.model.faces[face].loops)
+    for (const CoEdge& use : loop) {
+      const int other = face_across(of.model.edges[use.edge], face);
+      if (other < 0 || of.skins.skin_of[other] == Skin::none) continue;
+      if (of.skins.skin_of[other] != of.skin) return true;
+    }
+  return false;
+}
+
+/// Whether the sheet ends at an edge of its reference skin: in a wall of its thickness, the rounded
+/// or chamfered edges of which are strips of their own.
+bool ends_at(const Recognition& of, int skin_face, const CoEdge& use) {
+  constexpr int kMostStrips = 6;
+  constexpr double kBeyond = 0.05;  // of the thickness: farther out a form begins
+  int from = skin_face, edge = use.edge;
+  for (int i = 0; i < kMostStrips; ++i) {
+    const int wall = face_across(of.model.edges[edge], from);
+    if (wall < 0 || of.rim.part_of[wall] < 0) return false;
+    if (touches_there(of, wall)) return true;
+    const auto next = opposite_edge(of.model.faces[wall], edge);
+    if (!next) return false;
+    const SpaceCurve& curve = of.model.edges[*next].curve;
+    const double depth = depth_below(of.model.faces[skin_face], of.outlines[skin_face],
+                                     curve.point((curve.t0 + curve.t1) / 2)) /
+                         of.skins.thickness;
+    if (depth < -kBeyond || depth > 1.0 + kBeyond) return false;
+    from = wall;
+    edge = *next;
+  }
+  return false;
+}
+
+/// Edges along which the sheet ends at the form, where it reaches farthest: chains of them, loop by
+/// loop of the reference skin.
 std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart& part) {
-  const auto touches_there = [&](int face) {
-    for (const auto& loop : of.model.faces[face].loops)
-      for (const CoEdge& use : loop) {
-        const int other = face_across(of.model.edges[use.edge], face);
-        if (other < 0 || of.skins.skin_of[other] == Skin::none) continue;
-        if (of.skins.skin_of[other] != of.skin) return true;
-      }
-    return false;
-  };
   std::vector<std::vector<CoEdge>> chains;
   for (const LoopRef& ref : loops_here(of, part)) {
     const auto& loop = of.model.faces[ref.face].loops[ref.loop];
     std::vector<bool> free;
-    for (const CoEdge& use : loop) {
-      const int wall = face_across(of.model.edges[use.edge], ref.face);
-      free.push_back(wall >= 0 && of.rim.part_of[wall] >= 0 && touches_there(wall));
-    }
+    for (const CoEdge& use : loop)
+      free.push_back(ends_at(of, ref.face, use));
     const auto formed = std::ranges::find(free, false);
     const size_t first = formed == free.end() ? 0 : static_cast<size_t>(formed - free.begin());
     bool begun = false;
@@ -178,7 +201,8 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
       const size_t at = (first + i) % loop.size();
       if (free[at]) {
         if (!begun) chains.emplace_back();
-        chains.back().push_back(loop[at]);
+        chains.back().push_back(
+            widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[at]));
       }
       begun = free[at];
     }

@@ -1,13 +1,16 @@
 #include "thickness.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
 // The likely thicknesses of a solid. Large faces vote for the depth of the nearest face opposite
-// them, with the area that both share; votes within the tolerance of each other are counted
-// together, and at most three are returned. The number of voters bounds the cost, and small general
-// surfaces, mostly the walls of letters, do not vote.
+// them, ledges left out, with the area that both share; votes within the tolerance of each other
+// are counted together, and at most three are returned. The number of voters bounds the cost, and
+// small general surfaces, mostly the walls of letters, do not vote.
 
 namespace planish::brep {
 namespace {
@@ -42,20 +45,41 @@ std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& out
   return faces;
 }
 
-std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
+/// The depths of the faces opposite a face, each with the area that both share.
+std::vector<Vote> opposite_depths(const SolidModel& model, const std::vector<Outline>& outlines,
+                                  int a) {
   constexpr double kLeastShare = 0.1;  // of the smaller face: less is a coincidence
   constexpr double kEven = 0.1;        // spread, of the depth
-  Vote vote{std::numeric_limits<double>::infinity(), 0.0};
+  std::vector<Vote> found;
   for (int b = 0; b < std::ssize(outlines); ++b) {
     if (a == b || outlines[b].flat.empty()) continue;
     const auto seen = opposite(model, outlines, a, b);
-    if (!seen || seen->depth <= 0 || seen->depth >= vote.depth) continue;
+    if (!seen || seen->depth <= 0 || seen->spread > kEven * seen->depth) continue;
     if (seen->overlap < kLeastShare * std::min(outlines[a].area, outlines[b].area)) continue;
-    if (seen->spread > kEven * seen->depth) continue;
-    vote = {seen->depth, seen->overlap};
+    found.push_back({seen->depth, seen->overlap});
   }
-  if (vote.area <= 0) return {};
-  return vote;
+  std::ranges::stable_sort(found, {}, &Vote::depth);
+  return found;
+}
+
+/// The nearest opposite face; the ledges of counterbores and grooves are nearer than the other
+/// skin, but share little with a face.
+std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
+  constexpr double kLedge = 0.3;  // of the largest area shared at one depth
+  constexpr double kSameDepth = 0.01;
+  const std::vector<Vote> found = opposite_depths(model, outlines, a);
+  const auto shared = [&](const Vote& vote) {
+    return sum_of(found, [&](const Vote& other) {
+      return std::abs(other.depth - vote.depth) <= kSameDepth * vote.depth ? other.area : 0.0;
+    });
+  };
+  double largest = 0.0;
+  for (const Vote& vote : found)
+    largest = std::max(largest, shared(vote));
+  const auto nearest = std::ranges::find_if(
+      found, [&](const Vote& vote) { return shared(vote) >= kLedge * largest; });
+  if (nearest == found.end() || nearest->area <= 0) return {};
+  return *nearest;
 }
 
 /// Merges votes within the tolerance of each other, with their mean depth and total area.

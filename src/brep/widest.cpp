@@ -17,17 +17,6 @@ constexpr double kFlattest = 0.99;
 /// Smallest share of the thickness that a chamfer removes, and that it leaves.
 constexpr double kShallowest = 1e-3;
 
-/// The edge across a strip: the other loop of a ring, the opposite side of a four-sided face.
-std::optional<int> opposite_edge(const SolidFace& strip, int edge) {
-  if (strip.loops.size() == 2 && strip.loops[0].size() == 1 && strip.loops[1].size() == 1)
-    return strip.loops[strip.loops[0].front().edge == edge ? 1 : 0].front().edge;
-  if (strip.loops.size() != 1 || strip.loops.front().size() != 4) return {};
-  const auto& loop = strip.loops.front();
-  for (size_t i = 0; i < 4; ++i)
-    if (loop[i].edge == edge) return loop[(i + 2) % 4].edge;
-  return {};
-}
-
 Vec3 middle(const SpaceCurve& curve) { return curve.point((curve.t0 + curve.t1) / 2); }
 
 /// Whether two edges along a strip run the same way.
@@ -59,6 +48,16 @@ Lean lean_of(const SolidModel& model, const Vec3& outwards, const CoEdge& use, i
 
 }  // namespace
 
+std::optional<int> opposite_edge(const SolidFace& strip, int edge) {
+  if (strip.loops.size() == 2 && strip.loops[0].size() == 1 && strip.loops[1].size() == 1)
+    return strip.loops[strip.loops[0].front().edge == edge ? 1 : 0].front().edge;
+  if (strip.loops.size() != 1 || strip.loops.front().size() != 4) return {};
+  const auto& loop = strip.loops.front();
+  for (size_t i = 0; i < 4; ++i)
+    if (loop[i].edge == edge) return loop[(i + 2) % 4].edge;
+  return {};
+}
+
 bool leans_back(const SolidModel& model, int skin_face, const CoEdge& border) {
   const int wall = face_across(model.edges[border.edge], skin_face);
   if (wall < 0) return false;
@@ -80,7 +79,6 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
     const SolidEdge& edge = model.edges[at.edge];
     const int wall = face_across(edge, from);
     if (edge.uses != 2 || wall < 0 || rim.part_of[wall] < 0) break;
-    if (!rim.parts[rim.part_of[wall]].within) break;
     const auto next = opposite_edge(model.faces[wall], at.edge);
     if (!next) break;
     // A slanted wall from skin to skin is a slanted cut: the skin's own border represents it.
