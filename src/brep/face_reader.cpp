@@ -4,6 +4,7 @@
 #include "widest.hpp"
 
 #include <planish/base/id_vector.hpp>
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,16 +39,24 @@ double middle_u(const BorderLoop& loop) {
   return (box.lo.x() + box.hi.x()) / 2;
 }
 
-/// A border along an edge below the skin, with its depth; its length is not the skin's.
-Border below_skin(Border border, const SolidFace& face, const Vec3& point) {
-  if (const auto* plane = std::get_if<Frame>(&face.surface)) {
-    border.edge_depth = -plane->local(point).z();
-    return border;
-  }
+double depth_at(const SolidFace& face, const Vec3& point) {
+  if (const auto* plane = std::get_if<Frame>(&face.surface)) return -plane->local(point).z();
   const auto& surface = std::get<Developable>(face.surface);
   const Vec2 uv = parameters_of(surface, point, 0.0);
-  border.edge_depth = -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
-  border.edge_length = {};
+  return -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
+}
+
+/// A border along an edge below the skin, with its depth. On a curved skin its length is not the
+/// skin's; where its depth varies, it has no edge to be measured against.
+Border below_skin(Border border, const SolidFace& face, const SpaceCurve& edge, double tolerance) {
+  border.edge_depth = depth_at(face, edge.start);
+  if (!std::holds_alternative<Frame>(face.surface)) border.edge_length.reset();
+  for (const double share : {0.25, 0.5, 0.75, 1.0})
+    if (std::abs(depth_at(face, edge.point(std::lerp(edge.t0, edge.t1, share))) -
+                 border.edge_depth) > tolerance) {
+      border.edge.reset();
+      border.edge_length.reset();
+    }
   return border;
 }
 
@@ -128,6 +137,47 @@ std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
   return uses;
 }
 
+/// Whether the edge that is cut beside a joint, on the face across, ends at a vertex too: before
+/// the joint as this face runs along it, or after.
+bool meets_across(const Recognition& of, int across, const CoEdge& joint, int vertex, bool before) {
+  for (const auto& loop : of.model.faces[across].loops)
+    for (size_t i = 0; i < loop.size(); ++i) {
+      if (loop[i].edge != joint.edge || loop[i].forward == joint.forward) continue;
+      const CoEdge& beside = loop[(i + (before ? 1 : loop.size() - 1)) % loop.size()];
+      if (is_beside_form(of, across, beside)) return false;
+      const CoEdge cut = widest_edge(of.model, of.rim, of.skins.thickness, across, beside);
+      return vertex == (before ? vertex_before(of.model, cut) : vertex_after(of.model, cut));
+    }
+  return false;
+}
+
+/// Joints between faces that are both cut wider than the skin reach as far: borders are moved to
+/// the ends of those beside them where these lie in their lines.
+void extend_joints(const Recognition& of, int face, const std::vector<CutUse>& uses,
+                   BorderLoop& read) {
+  constexpr double kAside = 1e-6;  // mm, or radians
+  const size_t count = uses.size();
+  for (size_t i = 0; i < count; ++i) {
+    const int across = face_across(of.model.edges[uses[i].use.edge], face);
+    auto* segment = std::get_if<Segment>(&read[i].curve);
+    if (uses[i].below || !segment || across < 0 || of.skins.skin_of[across] == Skin::none) continue;
+    const Vec2 along = (segment->b - segment->a).normalized();
+    const size_t last = (i + count - 1) % count, next = (i + 1) % count;
+    const Vec2 start = end_of(read[last].curve), end = start_of(read[next].curve);
+    const auto moves = [&](const CutUse& beside, const Vec2& to, const Vec2& from, bool before) {
+      if (!beside.below || std::abs(cross(along, to - from)) > kAside) return false;
+      const int vertex = before ? vertex_after(of.model, beside.use)
+                                : vertex_before(of.model, beside.use);
+      return meets_across(of, across, uses[i].use, vertex, before);
+    };
+    const bool longer_before = moves(uses[last], start, segment->a, true);
+    const bool longer_after = moves(uses[next], end, segment->b, false);
+    if (longer_before) segment->a = start;
+    if (longer_after) segment->b = end;
+    if (longer_before || longer_after) read[i].edge_length.reset();
+  }
+}
+
 struct ReadLoop {
   BorderLoop borders;
   std::vector<int> places;  // in `borders`, by use
@@ -141,9 +191,11 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   result.widened = std::ranges::any_of(uses, &CutUse::below);
   BorderLoop read = read_borders(of.model, mapped(uses, &CutUse::use), surface, u_near,
                                  of.tolerance);
+  if (result.widened) extend_joints(of, ref.face, uses, read);
   for (size_t i = 0; i < uses.size(); ++i) {
     if (uses[i].below)
-      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve.start);
+      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve,
+                           of.tolerance);
     if (const auto as_read = read_face_at(of.model, ref.face, uses[i].use))
       read[i].source_face = *as_read + 1;
     if (result.widened) connect(result.borders, read[i]);

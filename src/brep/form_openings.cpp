@@ -172,7 +172,7 @@ bool ends_at(const Recognition& of, int skin_face, const CoEdge& use) {
     const int wall = face_across(of.model.edges[edge], from);
     if (wall < 0 || of.rim.part_of[wall] < 0) return false;
     if (touches_there(of, wall)) return true;
-    const auto next = opposite_edge(of.model.faces[wall], edge);
+    const auto next = opposite_edge(of.model, wall, edge);
     if (!next) return false;
     const SpaceCurve& curve = of.model.edges[*next].curve;
     const double depth = depth_below(of.model.faces[skin_face], of.outlines[skin_face],
@@ -185,8 +185,8 @@ bool ends_at(const Recognition& of, int skin_face, const CoEdge& use) {
   return false;
 }
 
-/// Edges along which the sheet ends at the form, where it reaches farthest: chains of them, loop by
-/// loop of the reference skin.
+/// Edges of the reference skin along which the sheet ends at the form: chains of them, loop by
+/// loop.
 std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart& part) {
   std::vector<std::vector<CoEdge>> chains;
   for (const LoopRef& ref : loops_here(of, part)) {
@@ -201,8 +201,7 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
       const size_t at = (first + i) % loop.size();
       if (free[at]) {
         if (!begun) chains.emplace_back();
-        chains.back().push_back(
-            widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[at]));
+        chains.back().push_back(loop[at]);
       }
       begun = free[at];
     }
@@ -210,11 +209,27 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
   return chains;
 }
 
+/// A free edge where its wall reaches farthest: below its rounding, whose ends on the skin are no
+/// edges of the sheet.
+std::vector<CoEdge> widest_chain(const Recognition& of, const RimPart& part,
+                                 const std::vector<CoEdge>& chain) {
+  std::vector<CoEdge> moved;
+  for (const LoopRef& ref : loops_here(of, part))
+    for (const CoEdge& use : of.model.faces[ref.face].loops[ref.loop]) {
+      if (std::ranges::find(chain, use.edge, &CoEdge::edge) == chain.end()) continue;
+      const CoEdge widest = widest_edge(of.model, of.rim, of.skins.thickness, ref.face, use);
+      if (widest.edge != use.edge) moved.push_back(widest);
+    }
+  return moved.empty() ? chain : moved;
+}
+
 /// The free edge beside a narrow passage; taken off the list.
-std::optional<BorderLoop> slit_of(const Recognition& of, const Section& section, const Frame& plane,
+std::optional<BorderLoop> slit_of(const Recognition& of, const RimPart& part,
+                                  const Section& section, const Frame& plane,
                                   std::vector<std::vector<CoEdge>>& free) {
   for (auto chain = free.begin(); chain != free.end(); ++chain) {
-    BorderLoop borders = read_borders(of.model, *chain, plane, 0.0, of.tolerance);
+    BorderLoop borders = read_borders(of.model, widest_chain(of, part, *chain), plane, 0.0,
+                                      of.tolerance);
     const Vec2 middle = point_at(borders[borders.size() / 2].curve, 0.5);
     const bool beside = std::ranges::any_of(section.loop, [&](const Curve2& curve) {
       return nearest(curve, middle).distance <= kSlit * of.skins.thickness;
@@ -249,7 +264,7 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
     const Section section = section_of(of, chain, plane);
     const auto slit = is_wider(section, kSlit, of.skins.thickness)
                           ? std::nullopt
-                          : slit_of(of, section, plane, free);
+                          : slit_of(of, part, section, plane, free);
     if (slit) {
       feature.slits.push_back(*slit);
       --feature.lost_openings;

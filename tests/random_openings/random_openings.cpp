@@ -23,7 +23,7 @@ namespace {
 using Options = test::RandomRun;
 
 constexpr double kWidth = 1e-6;   // mm: within which outlines agree, all round
-constexpr double kKernel = 5e-6;  // mm: to which the kernel's sections of roundings are good
+constexpr double kKernel = 2e-5;  // mm: to which the kernel's sections of roundings are good
 
 /// Areas of an opening's sections: the least of all, and half-way up its land.
 struct Least {
@@ -41,18 +41,18 @@ std::vector<Least> narrowest(const Part& part) {
       if (opening.flange == f && opening.land) heights.push_back(opening.depth);
     while (std::ssize(heights) < kDepths)
       heights.push_back(part.thickness * (static_cast<double>(heights.size()) + 0.37) / kDepths);
-    for (const double height : heights)
-      for (const SectionWire& wire :
-           section_at(part.shape, part.flanges[static_cast<std::size_t>(f)], height)) {
-        if (wire.outer) continue;
-        for (std::size_t i = 0; i < part.openings.size(); ++i) {
-          const Opening& opening = part.openings[i];
-          if (opening.flange != f || std::hypot(wire.x - opening.x, wire.y - opening.y) > 1.0)
-            continue;
-          least[i].area = std::min(least[i].area, wire.area);
-          if (height == opening.depth) least[i].at_land = wire.area;
-        }
+    for (const SectionWire& wire :
+         sections(part.shape, part.flanges[static_cast<std::size_t>(f)], heights)) {
+      if (wire.outer) continue;
+      for (std::size_t i = 0; i < part.openings.size(); ++i) {
+        const Opening& opening = part.openings[i];
+        if (opening.flange != f || std::hypot(wire.x - opening.x, wire.y - opening.y) > 1.0)
+          continue;
+        least[i].area = std::min(least[i].area, wire.area);
+        constexpr double kSameHeight = 1e-9;
+        if (std::abs(wire.height - opening.depth) < kSameHeight) least[i].at_land = wire.area;
       }
+    }
   }
   return least;
 }

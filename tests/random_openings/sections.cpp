@@ -3,12 +3,14 @@
 #include <planish/geometry/quadrature.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -18,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Sections by the kernel's common part of a solid and a face, measured by Gauss rules along their
+// Sections by the kernel's common part of a solid and faces, measured by Gauss rules along their
 // edges: nothing of the program under test has a part in it but the quadrature.
 
 namespace planish::openings {
@@ -52,12 +54,7 @@ SectionWire measured(const TopoDS_Wire& wire, const gp_Ax3& axes, bool outer) {
         const Local p = at(t);
         return (p.x * p.dy - p.y * p.dx) / 2;
       };
-      const auto speed = [&](double t) {
-        const Local p = at(t);
-        return std::hypot(p.dx, p.dy);
-      };
       result.area += sign * gauss(swept, a, a + step);
-      result.perimeter += gauss(speed, a, a + step);
       for (const double t : {a, a + step / 2}) {
         const Local p = at(t);
         lo_x = std::min(lo_x, p.x);
@@ -75,20 +72,32 @@ SectionWire measured(const TopoDS_Wire& wire, const gp_Ax3& axes, bool outer) {
 
 }  // namespace
 
-std::vector<SectionWire> section_at(const TopoDS_Shape& solid, const Flange& flange,
-                                    double height) {
+std::vector<SectionWire> sections(const TopoDS_Shape& solid, const Flange& flange,
+                                  const std::vector<double>& heights) {
   const gp_Vec up(flange.axes.Direction());
-  const gp_Pln plane(gp_Ax3(flange.axes).Translated(height * up));
-  constexpr double kFar = 1000.0;
-  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(plane, -kFar, kFar, -kFar, kFar).Shape();
-  const TopoDS_Shape common = BRepAlgoAPI_Common(face, solid).Shape();
+  constexpr double kMargin = 20.0;  // mm, beyond the flange
+  TopTools_ListOfShape planes, solids;
+  for (const double height : heights) {
+    const gp_Pln plane(gp_Ax3(flange.axes).Translated(height * up));
+    planes.Append(BRepBuilderAPI_MakeFace(plane, -kMargin, flange.size[0] + kMargin, -kMargin,
+                                          flange.size[1] + kMargin)
+                      .Shape());
+  }
+  solids.Append(solid);
+  BRepAlgoAPI_Common common;
+  common.SetArguments(planes);
+  common.SetTools(solids);
+  common.Build();
   std::vector<SectionWire> wires;
-  for (TopExp_Explorer faces(common, TopAbs_FACE); faces.More(); faces.Next()) {
+  for (TopExp_Explorer faces(common.Shape(), TopAbs_FACE); faces.More(); faces.Next()) {
     const TopoDS_Face& one = TopoDS::Face(faces.Current());
+    const gp_Pnt at = BRepAdaptor_Surface(one).Value(0.0, 0.0);
+    const double height = gp_Vec(flange.axes.Location(), at).Dot(up);
     const TopoDS_Wire outer = BRepTools::OuterWire(one);
-    for (TopExp_Explorer at(one, TopAbs_WIRE); at.More(); at.Next()) {
-      const TopoDS_Wire& wire = TopoDS::Wire(at.Current());
-      wires.push_back(measured(wire, flange.axes, wire.IsSame(outer)));
+    for (TopExp_Explorer wire(one, TopAbs_WIRE); wire.More(); wire.Next()) {
+      wires.push_back(
+          measured(TopoDS::Wire(wire.Current()), flange.axes, wire.Current().IsSame(outer)));
+      wires.back().height = height;
     }
   }
   return wires;
