@@ -105,10 +105,12 @@ std::optional<CoEdge> edge_between(const Recognition& of, const CoEdge& from, co
   return {};
 }
 
-/// Whether what goes on beyond an edge of a skin leaves the sheet.
+/// Whether what lies beyond an edge of a skin is no cut: it leaves the sheet, or touches one skin.
 bool is_beside_form(const Recognition& of, int face, const CoEdge& use) {
   const int wall = face_across(of.model.edges[use.edge], face);
-  return wall >= 0 && of.rim.part_of[wall] >= 0 && !of.rim.parts[of.rim.part_of[wall]].within;
+  if (wall < 0 || of.rim.part_of[wall] < 0) return false;
+  const RimPart& part = of.rim.parts[of.rim.part_of[wall]];
+  return !part.within || part.first.empty() || part.second.empty();
 }
 
 /// An edge along which the blank is cut.

@@ -141,6 +141,15 @@ bool is_wider(const BorderLoop& outline, const BorderLoop& than) {
   return loop_area(outline) - loop_area(than) > kWiderOutline * perimeter(than);
 }
 
+/// Whether a loop is an opening of a plane with nothing but this part along it.
+bool goes_round(const Recognition& of, const RimPart& part, const LoopRef& ref) {
+  return opening_in_plane(of, ref) && std::ranges::all_of(loop_of(of, ref), [&](const CoEdge& use) {
+           const int wall = face_across(of.model.edges[use.edge], ref.face);
+           return wall >= 0 && of.rim.part_of[wall] >= 0 &&
+                  &of.rim.parts[of.rim.part_of[wall]] == &part;
+         });
+}
+
 /// An opening between planes, as it lies in the plane of the reference skin.
 struct PlaneOpening {
   const RimPart& part;
@@ -152,9 +161,12 @@ struct PlaneOpening {
 std::optional<BorderLoop> narrower_cut(const Recognition& of, const PlaneOpening& opening,
                                        const Frame& frame) {
   const auto section = narrowest_section(of, opening.part, frame);
+  const auto core = round_core(of, opening.part, frame);
   const BorderLoop* least = &opening.mine;
-  for (const BorderLoop* other : {&opening.theirs, section ? &*section : least})
-    if (loop_area(*least) - loop_area(*other) > kSameOutline * perimeter(*other)) least = other;
+  for (const auto* other :
+       {&opening.theirs, section ? &*section : nullptr, core ? &*core : nullptr})
+    if (other && loop_area(*least) - loop_area(*other) > kSameOutline * perimeter(*other))
+      least = other;
   if (least == &opening.mine) return {};
   return *least;
 }
@@ -182,11 +194,18 @@ std::vector<FormedFeature> widenings(const PlaneOpening& opening, const BorderRe
   return found;
 }
 
+/// How far a loop of the other skin lies below the plane of this one.
+double seen_depth(const Recognition& of, const LoopRef& ref, const Frame& plane) {
+  return -plane.local(of.outlines[ref.face].rings[ref.loop].front()).z();
+}
+
 /// What the solid lacks at an opening, against which the certificate holds what is cut.
 MeasuredOpening measured(const Recognition& of, const PlaneOpening& opening, const BorderRef& first,
                          const Frame& frame, const BorderLoop& cut) {
   MeasuredOpening measured{first.face, first.loop};
-  measured.lacking = -opening_volume(of, opening.part, {opening.here, opening.there}, 0.0);
+  // Skins may lie closer here than on average.
+  const double share = of.skins.thickness / seen_depth(of, opening.there, frame);
+  measured.lacking = -share * opening_volume(of, opening.part, {opening.here, opening.there}, 0.0);
   measured.beyond = std::max(0.0, measured.lacking - loop_area(cut) * of.skins.thickness);
   measured.intrusion = intrusion_into(of, opening.part, frame, cut);
   return measured;
@@ -198,7 +217,7 @@ MeasuredOpening measured(const Recognition& of, const PlaneOpening& opening, con
 /// examined.
 bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                  const RimPart& part, const LoopRef& here, const LoopRef& there) {
-  if (!opening_in_plane(of, here) || !opening_in_plane(of, there)) return false;
+  if (!goes_round(of, part, here) || !goes_round(of, part, there)) return false;
   const CoEdge& use = loop_of(of, here).front();
   const BorderRef first = map.borders.at({here.face, use.edge, use.forward});
   const auto& frame = std::get<Frame>(builder[first.face].surface);

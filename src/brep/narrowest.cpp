@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 // What passes through an opening (math.md#narrowest-section). Seen along the sheet's normal, the
 // faces between the skins that look up lie above what is open and those that look down below it, so
@@ -100,6 +101,24 @@ BorderLoop with_bulges(const Recognition& of, const Frame& plane, BorderLoop sec
   return section;
 }
 
+/// A hollow cylinder upright to a plane, seen along its normal, and how much of its turn walls
+/// have.
+struct Core {
+  Vec2 centre;
+  double radius = 0.0;
+  double turn = 0.0;
+};
+std::optional<Core> core_of(const Recognition& of, int wall, const Frame& plane) {
+  const SolidFace& face = of.model.faces[wall];
+  const auto* surface = std::get_if<Developable>(&face.surface);
+  const auto* cylinder = surface ? std::get_if<Cylinder>(surface) : nullptr;
+  if (!cylinder || face.sense > 0 || 1.0 - std::abs(cylinder->frame.z.dot(plane.z)) > kParallel)
+    return {};
+  const Outline& outline = of.outlines[wall];
+  return Core{plane.local2(cylinder->frame.origin), cylinder->radius,
+              outline.box.size().x() / outline.u_scale};
+}
+
 bool is_closed(const BorderLoop& loop, double tolerance) {
   for (size_t i = 0; i < loop.size(); ++i)
     if ((end_of(loop[i].curve) - start_of(loop[(i + 1) % loop.size()].curve)).norm() > tolerance)
@@ -139,6 +158,28 @@ std::optional<BorderLoop> narrowest_section(const Recognition& of, const RimPart
   constexpr double kClosed = 1e-3;  // mm: files of loose tolerance leave gaps
   if (!is_closed(section, kClosed)) return {};
   return section;
+}
+
+std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
+                                     const Frame& plane) {
+  constexpr double kSame = 1e-4;    // mm: files round
+  constexpr double kRound = 0.999;  // of a turn
+  constexpr double kFitted = 5e-3;  // mm: edges of modelled threads are fitted
+  constexpr double kTurn = 2 * std::numbers::pi;
+  std::vector<Core> cores;
+  for (const int wall : part.faces)
+    if (const auto core = core_of(of, wall, plane)) cores.push_back(*core);
+  const auto least = std::ranges::min_element(cores, {}, &Core::radius);
+  if (least == cores.end()) return {};
+  const double turn = sum_of(cores, [&](const Core& core) {
+    const bool same = (core.centre - least->centre).norm() <= kSame &&
+                      core.radius - least->radius <= kSame;
+    return same ? core.turn : 0.0;
+  });
+  BorderLoop circle(1);
+  circle.front().curve = Arc{least->centre, least->radius, 0.0, -kTurn};
+  if (turn < kRound * kTurn || intrusion_into(of, part, plane, circle) > kFitted) return {};
+  return circle;
 }
 
 double intrusion_into(const Recognition& of, const RimPart& part, const Frame& plane,

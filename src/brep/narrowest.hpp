@@ -13,6 +13,11 @@ namespace planish::brep {
 std::optional<BorderLoop> narrowest_section(const Recognition& of, const RimPart& part,
                                             const Frame& plane);
 
+/// The narrowest of the cylinders upright to the plane that walls of an opening go all round, as of
+/// a modelled thread: a clockwise circle. Empty where there is none, or walls reach into it.
+std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
+                                     const Frame& plane);
+
 /// How far the walls of an opening reach into a section of it, seen along the normal of `plane`,
 /// mm. Looked for at the ends of all edges and at points between.
 double intrusion_into(const Recognition& of, const RimPart& part, const Frame& plane,

@@ -278,6 +278,25 @@ std::optional<Worst> worst_opening(const Sheet& sheet, const FlatPattern& patter
   return worst;
 }
 
+/// The residuals of volume and openings, of a pattern with this area at K = ½.
+Certificate measured(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
+                     double area) {
+  Certificate certificate;
+  certificate.flat_area_half = area;
+  if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
+  if (sheet.volume && sheet.forms_volume) {
+    const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
+    const double uncut = area + area_cut_in_forms(sheet, pattern, laid);
+    if (plain > 0.0) certificate.explained_ratio = uncut * sheet.thickness / plain;
+  }
+  certificate.openings = counted_openings(sheet, pattern, laid);
+  if (const auto opening = worst_opening(sheet, pattern, laid)) {
+    certificate.opening_error = opening->distance;
+    certificate.opening_error_at = opening->at;
+  }
+  return certificate;
+}
+
 }  // namespace
 
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
@@ -297,22 +316,10 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   const auto half = area_at_half(sheet, pattern, *laid, *stated, curve_tolerance);
   if (!half) return pass_on(half);
 
-  Certificate certificate;
-  const double area = certificate.flat_area_half = *half;
-  if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
-  if (sheet.volume && sheet.forms_volume) {
-    const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
-    const double uncut = area + area_cut_in_forms(sheet, pattern, *laid);
-    if (plain > 0.0) certificate.explained_ratio = uncut * sheet.thickness / plain;
-  }
-  certificate.openings = counted_openings(sheet, pattern, *laid);
+  Certificate certificate = measured(sheet, pattern, *laid, *half);
   const Worst length = worst_length(sheet, *laid, curve_tolerance);
   certificate.length_error = length.distance;
   certificate.length_error_at = length.at;
-  if (const auto opening = worst_opening(sheet, pattern, *laid)) {
-    certificate.opening_error = opening->distance;
-    certificate.opening_error_at = opening->at;
-  }
   if (!distance) return certificate;
   Worst refold = worst_border(sheet, pattern, *laid, distance);
   const Worst contour = worst_contour(sheet, pattern, *laid, *stated, curve_tolerance);

@@ -44,6 +44,16 @@ TEST(LikelyThicknesses, OfAChannelAreMeasuredToTheNearestFace) {
   EXPECT_THAT(thicknesses(channel), ElementsAre(DoubleNear(2.0, 1e-9)));
 }
 
+TEST(LikelyThicknesses, AreNotMeasuredToTheLedgesOfCounterbores) {
+  // From below, and within the sheet: ledges that face down lie nearer to the top than the bottom.
+  const SolidModel bored = plate(
+      2, {100, 60},
+      {{{30, 30}, {{4, 2}, {4, 1.2}, {8, 1.2}, {8, 0}}},
+       {{70, 30}, {{4, 2}, {4, 1.5}, {8, 1.5}, {8, 0.5}, {4, 0.5}, {4, 0}}}});
+  EXPECT_THAT(thicknesses(bored), ElementsAre(DoubleNear(2.0, 1e-9)));
+  EXPECT_NEAR(plate_thickness(bored, outlines_of(bored)).value(), 2.0, 1e-9);
+}
+
 TEST(LikelyThicknesses, AreOrderedByTheAreaThatAgrees) {
   // Bottom and left top vote for 2 mm with 60 × 200 mm² each, the right top for 5 mm with 40 × 200.
   EXPECT_THAT(thicknesses(stepped(2, 5)), ElementsAre(DoubleNear(2, 1e-9), DoubleNear(5, 1e-9)));

@@ -97,8 +97,10 @@ std::string wrong_openings(const FlatPattern& flat, const Part& part) {
 
 std::string wrong_outline(const FlatPattern& flat, const Part& part) {
   const double off = (signed_area(flat.outer.loop) - part.blank_area) / length(flat.outer.loop);
-  if (std::abs(off) <= kWidth) return {};
-  return fmt::format("the outline is {:.6f} mm too wide", off);
+  const double longer = length(flat.outer.loop) - part.blank_perimeter;
+  if (!flat.slits.empty()) return fmt::format("{} slits", flat.slits.size());
+  if (std::abs(off) <= kWidth && std::abs(longer) <= 2 * std::numbers::pi * kWidth) return {};
+  return fmt::format("the outline is {:.6f} mm too wide and {:.6f} mm too long", off, longer);
 }
 
 /// An opening drawn 0.2 mm larger or smaller about its middle.

@@ -459,6 +459,7 @@ void add_plate(Random& random, Part& part) {
   const In in{gp_Ax3()};
   part.how = fmt::format("plate, corners {:.2f}", outline.r);
   part.blank_area = outline.area();
+  part.blank_perimeter = outline.perimeter();
   part.flanges = {{gp_Ax3(), {columns * kCell, rows * kCell}}};
   part.shape = outline.prism(in, 0.0, part.thickness);
   if (random.one_in(2)) part.shape = with_rim(random, part.shape, in, part.thickness, part.how);
@@ -489,7 +490,9 @@ void add_bracket(Random& random, Part& part) {
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(wire.Wire()).Face();
   part.shape = BRepPrimAPI_MakePrism(face, gp_Vec(0, width, 0)).Shape();
   part.how = fmt::format("bracket, inside radius {:.2f}", r);
-  part.blank_area = width * (first + second + (r + t / 2) * pi / 2);
+  const double run = first + second + (r + t / 2) * pi / 2;
+  part.blank_area = width * run;
+  part.blank_perimeter = 2 * (width + run);
   part.flanges = {{gp_Ax3(), {first, width}},
                   {gp_Ax3(at(x, z), gp_Dir(-1, 0, 0), gp_Dir(0, 0, 1)), {second, width}}};
   if (!random.one_in(3)) return;

@@ -33,7 +33,7 @@ struct Part {
   TopoDS_Shape shape;
   std::string how;
   double thickness = 0.0;
-  double blank_area = 0.0;  ///< of the outline at K = ½, mm²
+  double blank_area = 0.0, blank_perimeter = 0.0;  ///< of the outline at K = ½, mm², mm
   std::vector<Flange> flanges;
   std::vector<Opening> openings;
 };
