@@ -152,14 +152,16 @@ Loop pilot_of(const Recognition& of, const RimPart& part, const Section& section
   return lies_inside(pilot, {sampled(section.loop, chord)}, kOutside) ? pilot : section.loop;
 }
 
-bool touches_there(const Recognition& of, int face) {
+/// Along how much of its borders a face touches the other skin, mm.
+double length_there(const Recognition& of, int face) {
+  double sum = 0.0;
   for (const auto& loop : of.model.faces[face].loops)
     for (const CoEdge& use : loop) {
       const int other = face_across(of.model.edges[use.edge], face);
-      if (other < 0 || of.skins.skin_of[other] == Skin::none) continue;
-      if (of.skins.skin_of[other] != of.skin) return true;
+      if (other >= 0 && of.skins.skin_of[other] == other_skin(of.skin))
+        sum += of.model.edges[use.edge].curve.length();
     }
-  return false;
+  return sum;
 }
 
 /// Whether the sheet ends at an edge of its reference skin: in a wall of its thickness, the rounded
@@ -167,11 +169,13 @@ bool touches_there(const Recognition& of, int face) {
 bool ends_at(const Recognition& of, int skin_face, const CoEdge& use) {
   constexpr int kMostStrips = 6;
   constexpr double kBeyond = 0.05;  // of the thickness: farther out a form begins
+  constexpr double kMost = 0.5;     // of the edge: less is the end of a rounding beside it
+  const double least = kMost * of.model.edges[use.edge].curve.length();
   int from = skin_face, edge = use.edge;
   for (int i = 0; i < kMostStrips; ++i) {
     const int wall = face_across(of.model.edges[edge], from);
     if (wall < 0 || of.rim.part_of[wall] < 0) return false;
-    if (touches_there(of, wall)) return true;
+    if (length_there(of, wall) > least) return true;
     const auto next = opposite_edge(of.model, wall, edge);
     if (!next) return false;
     const SpaceCurve& curve = of.model.edges[*next].curve;

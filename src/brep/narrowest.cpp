@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 // What passes through an opening (math.md#narrowest-section). Seen along the sheet's normal, the
@@ -196,9 +197,9 @@ double intrusion_into(const Recognition& of, const RimPart& part, const Frame& p
         const bool near = p.x() > box.lo.x() && p.y() > box.lo.y() && p.x() < box.hi.x() &&
                           p.y() < box.hi.y();
         if (!near || !inside(rings, p)) continue;
-        double off = distance_to_ring(rings.front(), p);
+        double off = std::numeric_limits<double>::infinity();
         for (const Curve2& curve : curves)
-          off = off > deepest ? std::min(off, nearest(curve, p).distance) : 0.0;
+          if (off > deepest) off = std::min(off, nearest(curve, p).distance);
         deepest = std::max(deepest, off);
       }
   return deepest;

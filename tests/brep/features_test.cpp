@@ -3,6 +3,7 @@
 #include "form_volume.hpp"
 #include "recognised.hpp"
 
+#include <planish/sheet/certificate.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <gtest/gtest.h>

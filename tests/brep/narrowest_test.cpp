@@ -15,13 +15,13 @@ namespace {
 using std::numbers::pi;
 
 /// What is seen of the opening of a 2 mm plate whose walls are no plain cut.
-struct Seen {
+struct SeenOpening {
   Recognised model;
   std::optional<BorderLoop> section;
   double intrusion = 0.0;
 };
-Seen seen_in(SolidModel model, int reference) {
-  Seen seen{recognised(std::move(model), 2, reference), {}, 0.0};
+SeenOpening opening_in(SolidModel model, int reference) {
+  SeenOpening seen{recognised(std::move(model), 2, reference), {}, 0.0};
   const Recognition of = seen.model.view();
   for (const RimPart& part : of.rim.parts) {
     const auto& here = loops_here(of, part);
@@ -46,7 +46,7 @@ TEST(NarrowestSection, OfRoundHolesIsTheLeastOfTheirRadii) {
                                      {{5, 2}, {5, 1.5}, {6, 1.5}, {6, 0.5}, {4, 0.5}, {4, 0}}};
   for (const auto& path : paths)
     for (const int reference : {kTop, kBottom}) {
-      const Seen seen = seen_in(plate(2, {100, 60}, {{{30, 30}, path}}), reference);
+      const SeenOpening seen = opening_in(plate(2, {100, 60}, {{{30, 30}, path}}), reference);
       ASSERT_TRUE(seen.section) << path.size() << " points from " << path.front().transpose();
       EXPECT_NEAR(loop_area(*seen.section), pi * 16, 1e-8) << path.front().transpose();
       EXPECT_LT(std::get<Arc>(seen.section->front().curve).sweep, 0.0) << "openings run clockwise";
@@ -60,7 +60,7 @@ TEST(NarrowestSection, OfAWindowThatIsChamferedUnevenlyIsItsLand) {
   const auto below = clockwise(rectangle_at({39, 19}, {61, 41}));
   const auto outer = rectangle_at({0, 0}, {100, 60});
   for (const int reference : {kTop, kBottom}) {
-    const Seen seen = seen_in(
+    const SeenOpening seen = opening_in(
         plate(2, {{{outer, outer}, {0, 2}}, {{below, land, land, above}, {0, 0.7, 1.5, 2}}}),
         reference);
     ASSERT_TRUE(seen.section);
@@ -78,7 +78,8 @@ TEST(NarrowestSection, IsNoneOfASlantedCut) {
   const auto outer = rectangle_at({0, 0}, {100, 60});
   const auto low = clockwise(rectangle_at({40, 20}, {60, 40}));
   const auto high = clockwise(rectangle_at({41, 20}, {61, 40}));
-  const Seen seen = seen_in(plate(2, {{{outer, outer}, {0, 2}}, {{low, high}, {0, 2}}}), kTop);
+  const SeenOpening seen = opening_in(plate(2, {{{outer, outer}, {0, 2}}, {{low, high}, {0, 2}}}),
+                                      kTop);
   EXPECT_FALSE(seen.section);
 }
 

@@ -46,14 +46,14 @@ std::vector<TopoDS_Edge> edges_where(const TopoDS_Shape& shape, const Wanted& wa
   return found;
 }
 
-TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius, const Wanted& wanted) {
+TopoDS_Shape with_rounded(const TopoDS_Shape& shape, double radius, const Wanted& wanted) {
   BRepFilletAPI_MakeFillet make(shape);
   for (const TopoDS_Edge& edge : edges_where(shape, wanted))
     make.Add(radius, edge);
   return make.Shape();
 }
 
-TopoDS_Shape chamfered(const TopoDS_Shape& shape, double width, const Wanted& wanted) {
+TopoDS_Shape with_chamfered(const TopoDS_Shape& shape, double width, const Wanted& wanted) {
   BRepFilletAPI_MakeChamfer make(shape);
   for (const TopoDS_Edge& edge : edges_where(shape, wanted))
     make.Add(width, edge);
@@ -77,7 +77,8 @@ FlatPattern pattern_of(const TopoDS_Shape& shape) {
 /// Both skins' edges rounded and chamfered.
 void expect_same_blank(const TopoDS_Shape& sharp, const Wanted& edges) {
   const FlatPattern plain = pattern_of(sharp);
-  for (const auto& deburred : {rounded(sharp, 0.4, edges), chamfered(sharp, 0.4, edges)}) {
+  for (const auto& deburred :
+       {with_rounded(sharp, 0.4, edges), with_chamfered(sharp, 0.4, edges)}) {
     const FlatPattern flat = pattern_of(deburred);
     EXPECT_NEAR(flat.area, plain.area, 1e-6 * plain.area);
     EXPECT_NEAR(outer_cutting_length(flat), outer_cutting_length(plain), 1e-3);
@@ -110,15 +111,15 @@ TEST(RoundedEdges, OfADiscLeaveItsOutline) {
 
 TEST(RoundedEdges, MeetInTheCornerOfAPlate) {
   // Corners as small as the roundings are balls, which taper to a point on the skin.
-  const TopoDS_Shape plate = rounded(
+  const TopoDS_Shape plate = with_rounded(
       block({0, 0, 0}, {100, 60, 2}), 0.4,
       [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) { return !is_flat(a, m, b); });
-  const FlatPattern flat = pattern_of(rounded(plate, 0.4, is_flat));
+  const FlatPattern flat = pattern_of(with_rounded(plate, 0.4, is_flat));
   EXPECT_NEAR(flat.area, 6000 - (4 - pi) * 0.16, 1e-5);
 }
 
 /// Bent up by 90° between two flanges of 40 mm, 60 mm wide.
-TopoDS_Shape bracket() {
+TopoDS_Shape bent_bracket() {
   const double t = 2, r = 6, length = 40, x = length + r + t, z = t + r;
   const double root = std::sqrt(0.5);
   const auto at = [](double px, double pz) { return gp_Pnt(px, 0, pz); };
@@ -143,7 +144,7 @@ TopoDS_Shape bracket() {
 }
 
 TEST(RoundedEdges, GoRoundBends) {
-  expect_same_blank(bracket(), [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) {
+  expect_same_blank(bent_bracket(), [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) {
     if (a.Distance(b) < 2 + 1e-6) return false;
     const auto all = [&](const std::function<bool(const gp_Pnt&)>& on) {
       return on(a) && on(m) && on(b);
@@ -156,7 +157,7 @@ TEST(RoundedEdges, GoRoundBends) {
 }
 
 TEST(RoundedEdges, OfAWindowAcrossABendLeaveIt) {
-  const TopoDS_Shape part = BRepAlgoAPI_Cut(bracket(), block({30, 24, -1}, {60, 36, 30}));
+  const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(), block({30, 24, -1}, {60, 36, 30}));
   expect_same_blank(part, [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) {
     const auto within = [](const gp_Pnt& p) { return p.Y() > 23.9 && p.Y() < 36.1; };
     return within(a) && within(m) && within(b) && std::abs(a.Distance(b) - 2) > 1e-6;
@@ -175,13 +176,14 @@ TEST(RoundedEdges, OfARolledSheetLeaveItsOutline) {
 TEST(RoundedEdges, OfADrilledHoleInABendLeaveAnOpening) {
   const double root = std::sqrt(0.5);
   const gp_Ax2 axis(gp_Pnt(40 + 2 * root, 30, 8 - 2 * root), gp_Dir(root, 0, -root));
-  const TopoDS_Shape drilled = BRepAlgoAPI_Cut(bracket(),
+  const TopoDS_Shape drilled = BRepAlgoAPI_Cut(bent_bracket(),
                                                BRepPrimAPI_MakeCylinder(axis, 3, 12).Shape());
   const FlatPattern plain = pattern_of(drilled);
   const Wanted of_hole = [](const gp_Pnt& a, const gp_Pnt&, const gp_Pnt& b) {
     return a.Distance(b) < 1e-6;
   };
-  for (const auto& part : {rounded(drilled, 0.4, of_hole), chamfered(drilled, 0.4, of_hole)}) {
+  for (const auto& part :
+       {with_rounded(drilled, 0.4, of_hole), with_chamfered(drilled, 0.4, of_hole)}) {
     const FlatPattern flat = pattern_of(part);
     ASSERT_EQ(flat.openings.size(), 1u);
     EXPECT_LT(signed_area(flat.openings.front().loop), 0.0) << "openings run clockwise";
@@ -201,7 +203,7 @@ TEST(RoundedEdges, OfALouvreLeaveItsSlit) {
                                           [&](double z) { return std::abs(m.Z() - z) < 1e-6; });
       return at && std::abs(m.Y() - 20) < 1e-6 && std::abs(m.X() - 50) < 1e-6 && is_flat(a, m, b);
     };
-    const FlatPattern flat = pattern_of(rounded(part, 0.3, edge));
+    const FlatPattern flat = pattern_of(with_rounded(part, 0.3, edge));
     EXPECT_TRUE(flat.openings.empty());
     ASSERT_EQ(flat.slits.size(), 1u);
     EXPECT_NEAR(length(flat.slits.front()), 38.0, 1e-6);

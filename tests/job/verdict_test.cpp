@@ -79,18 +79,61 @@ TEST(Verdict, NotesPilotHolesAndWhatIsNotCut) {
   }
 }
 
-TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
-  Certificate certificate = perfect();
-  certificate.volume_ratio = 1.004;
+FlatPattern countersunk() {
   FlatPattern flat = test::sample_pattern();
   flat.features = {{"countersink", FormSide::up, {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
-  const auto found = doubts(certificate, flat, kVolume, {});
+  return flat;
+}
+
+TEST(Verdict, SaysNothingOfAVolumeThatMeasuredFeaturesExplain) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  EXPECT_TRUE(doubts(certificate, countersunk(), kVolume, {}).empty());
+}
+
+TEST(Verdict, TakesFeaturesThatAreNotMeasuredAsTheCauseOfAVolumeThatDiffers) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  certificate.explained_ratio = kNotANumber;
+  const auto found = doubts(certificate, countersunk(), kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "volume_identity");
   EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink up, which"));
-  EXPECT_EQ(found[0].at.size(), 1u);
-  EXPECT_THAT(found[0].message, HasSubstr("without them it is 1"));
+  ASSERT_EQ(found[0].at.size(), 1u);
+  EXPECT_NEAR((found[0].at[0] - Vec2(20, 30)).norm(), 0.0, 1e-2);
   EXPECT_THAT(found[0].message, Not(HasSubstr("missed")));
+}
+
+TEST(Verdict, ShowsAChamferAtAnEdge) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  certificate.explained_ratio = kNotANumber;
+  FlatPattern flat = test::sample_pattern();
+  flat.features = {
+      {"chamfer", FormSide::up, {{Segment{{1, 1}, {99, 1}}, Segment{{99, 1}, {1, 1}}}}}};
+  EXPECT_EQ(doubts(certificate, flat, kVolume, {}).at(0).at, std::vector<Vec2>{Vec2(50, 1)});
+}
+
+TEST(Verdict, TellsWhereAVolumeIsNotMissed) {
+  Certificate certificate = perfect();
+  certificate.explained_ratio = certificate.volume_ratio = 1.004;
+  certificate.opening_error = 1e-9;
+  const auto found = doubts(certificate, test::sample_pattern(), kVolume, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].message, HasSubstr("along the outer contour or in a bend"));
+}
+
+TEST(Verdict, ShowsAnOpeningThatIsNotWhatTheSolidLacks) {
+  Certificate certificate = perfect();
+  certificate.opening_error = 0.1;
+  certificate.opening_error_at = {7, 8};
+  const auto found = doubts_of(certificate);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "opening_size");
+  EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
+  EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
+  certificate.opening_error = 0.6;
+  EXPECT_EQ(disbelief(certificate, kVolume, {})->code, code::pattern_wrong);
 }
 
 TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
