@@ -37,7 +37,7 @@ constexpr std::string_view without_forms = "; without them it is {explained:7}";
 constexpr std::string_view slanted_or_missed =
     "; the cause is a missed feature, or cut edges that are not normal to the sheet";
 constexpr std::string_view openings_fit =
-    ", along the outer contour or in a bend: {count:opening} in flanges {fit} what the solid lacks";
+    ", along the outer contour or in a bend; openings in flanges fit what the solid lacks there";
 constexpr std::string_view slanted_cuts =
     "{count:cut edge} {are} not normal to the sheet; the pattern follows one skin "
     "there";

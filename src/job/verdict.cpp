@@ -59,12 +59,8 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat,
   }
   if (features.empty() || off(explained, bound)) {
     pattern += say::slanted_or_missed;
-    if (certificate.opening_error && *certificate.opening_error <= bounds.opening_warning) {
+    if (certificate.opening_error && *certificate.opening_error <= bounds.opening_warning)
       pattern += say::openings_fit;
-      const std::size_t count = flat.openings.size();
-      facts.emplace_back("count", count);
-      facts.emplace_back("fit", count == 1 ? "fits" : "fit");
-    }
   }
   return finding_of("volume_identity", Severity::warning, pattern, facts, feature_places(flat));
 }
