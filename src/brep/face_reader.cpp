@@ -1,6 +1,7 @@
 #include "face_reader.hpp"
 
 #include "borders.hpp"
+#include "narrowest.hpp"
 #include "widest.hpp"
 
 #include <planish/base/id_vector.hpp>
@@ -180,6 +181,14 @@ void extend_joints(const Recognition& of, int face, const std::vector<CutUse>& u
   }
 }
 
+/// Whether only walls of cuts lie along a loop, and no joints.
+bool is_rim_alone(const Recognition& of, const LoopRef& ref) {
+  return std::ranges::all_of(of.model.faces[ref.face].loops[ref.loop], [&](const CoEdge& use) {
+    const int wall = face_across(of.model.edges[use.edge], ref.face);
+    return wall >= 0 && of.rim.part_of[wall] >= 0 && !is_beside_form(of, ref.face, use);
+  });
+}
+
 struct ReadLoop {
   BorderLoop borders;
   std::vector<int> places;  // in `borders`, by use
@@ -193,9 +202,12 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   result.widened = std::ranges::any_of(uses, &CutUse::below);
   BorderLoop read = read_borders(of.model, mapped(uses, &CutUse::use), surface, u_near,
                                  of.tolerance);
+  if (const auto* plane = std::get_if<Frame>(&surface); plane && is_rim_alone(of, ref))
+    read = with_bulges(of, *plane, std::move(read));
+  result.widened |= std::ranges::any_of(read, [](const Border& border) { return !border.edge; });
   if (result.widened) extend_joints(of, ref.face, uses, read);
   for (size_t i = 0; i < uses.size(); ++i) {
-    if (uses[i].below)
+    if (uses[i].below && read[i].edge)
       read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve,
                            of.tolerance);
     if (const auto as_read = read_face_at(of.model, ref.face, uses[i].use))

@@ -91,17 +91,6 @@ BorderLoop level_borders(const Recognition& of, const std::vector<CoEdge>& chain
   return level;
 }
 
-/// Beyond the borders of a section where a wall beside them bulges into it.
-BorderLoop with_bulges(const Recognition& of, const Frame& plane, BorderLoop section) {
-  for (Border& border : section)
-    for (const int wall : of.model.edges[*border.edge - 1].faces)
-      if (auto bulge = wall < 0 ? std::nullopt : bulge_below(of, wall, plane, border)) {
-        border = std::move(*bulge);
-        break;
-      }
-  return section;
-}
-
 /// A hollow cylinder upright to a plane, seen along its normal, and how much of its turn walls
 /// have.
 struct Core {
@@ -118,6 +107,18 @@ std::optional<Core> core_of(const Recognition& of, int wall, const Frame& plane)
   const Outline& outline = of.outlines[wall];
   return Core{plane.local2(cylinder->frame.origin), cylinder->radius,
               outline.box.size().x() / outline.u_scale};
+}
+
+/// Segments that were moved apart, or over each other, meet in their lines' crossing.
+void meet(Curve2& before, Curve2& after) {
+  auto* first = std::get_if<Segment>(&before);
+  auto* second = std::get_if<Segment>(&after);
+  if (!first || !second) return;
+  const Vec2 along = first->b - first->a, beyond = second->b - second->a;
+  const double turn = cross(along, beyond);
+  if (std::abs(turn) <= kParallel * along.norm() * beyond.norm()) return;
+  first->b += cross(second->a - first->b, beyond) / turn * along;
+  second->a = first->b;
 }
 
 bool is_closed(const BorderLoop& loop, double tolerance) {
@@ -147,6 +148,21 @@ std::optional<Border> bulge_below(const Recognition& of, int wall, const Frame& 
   bulge->edge.reset();
   bulge->edge_length.reset();
   return bulge;
+}
+
+BorderLoop with_bulges(const Recognition& of, const Frame& plane, BorderLoop loop) {
+  std::vector<bool> moved(loop.size());
+  for (size_t i = 0; i < loop.size(); ++i)
+    for (const int wall : of.model.edges[*loop[i].edge - 1].faces)
+      if (auto bulge = wall < 0 ? std::nullopt : bulge_below(of, wall, plane, loop[i])) {
+        loop[i] = std::move(*bulge);
+        moved[i] = true;
+        break;
+      }
+  for (size_t i = 0; i < loop.size(); ++i)
+    if (const size_t next = (i + 1) % loop.size(); moved[i] && moved[next])
+      meet(loop[i].curve, loop[next].curve);
+  return loop;
 }
 
 std::optional<BorderLoop> narrowest_section(const Recognition& of, const RimPart& part,

@@ -28,5 +28,8 @@ double intrusion_into(const Recognition& of, const RimPart& part, const Frame& p
 /// where the wall does not bulge between its edges.
 std::optional<Border> bulge_below(const Recognition& of, int wall, const Frame& plane,
                                   const Border& border);
+/// The same of each border of a loop that has an edge with such a wall; straight ones that are
+/// moved meet in their corners.
+BorderLoop with_bulges(const Recognition& of, const Frame& plane, BorderLoop loop);
 
 }  // namespace planish::brep

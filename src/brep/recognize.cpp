@@ -7,6 +7,7 @@
 #include "solid_reader.hpp"
 #include "thickness.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/sheet/rip.hpp>
 
@@ -81,9 +82,12 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
 /// part of it.
 constexpr double kFormed = 0.08;
 
-/// The largest share for a sheet. Slanted cuts take off more of a short piece, and are measured.
+/// Slanted cuts, and what is machined round openings, may have more of a short piece: they are
+/// measured.
+constexpr double kSlanted = 0.25;
+
+/// The largest share for a sheet.
 double formed_at_most(const Sheet& sheet) {
-  constexpr double kSlanted = 0.25;
   const bool slanted = !sheet.features.empty() &&
                        std::ranges::all_of(sheet.features, [](const FormedFeature& feature) {
                          return feature.kind == "slanted cut";
@@ -152,8 +156,10 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
   if (auto wide = is_wide_enough(*pattern); !wide) return wide;
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
-  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
-                               formed_at_most(sheet) * *sheet.volume;
+  const double bored = sum_of(sheet.measured_openings, &MeasuredOpening::beyond);
+  const double forms = sheet.forms_volume.value_or(0.0) + bored;
+  const bool formed_too_much = std::abs(forms) > formed_at_most(sheet) * *sheet.volume ||
+                               bored > kSlanted * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     return fail(refuse::volume_unexplained, {{"thickness", sheet.thickness, unit::mm},
                                              {"share", 100 * flat / *sheet.volume, unit::percent}});

@@ -5,11 +5,13 @@
 #include <planish/sheet/pattern_facts.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -118,6 +120,32 @@ TEST(RoundedEdges, MeetInTheCornerOfAPlate) {
   EXPECT_NEAR(flat.area, 6000 - (4 - pi) * 0.16, 1e-5);
 }
 
+TEST(RoundedEdges, ThatAreOneFaceFromSkinToSkinReachToTheirMiddle) {
+  // On two sides, and on four that meet in sharp corners.
+  const auto round_bar = [](double x, double y) {
+    BRepBuilderAPI_MakeWire wire;
+    wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0, 0), gp_Pnt(x - 1, 0, 0)).Edge());
+    wire.Add(
+        BRepBuilderAPI_MakeEdge(
+            GC_MakeArcOfCircle(gp_Pnt(x - 1, 0, 0), gp_Pnt(x, 0, 1), gp_Pnt(x - 1, 0, 2)).Value())
+            .Edge());
+    wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(x - 1, 0, 2), gp_Pnt(1, 0, 2)).Edge());
+    wire.Add(BRepBuilderAPI_MakeEdge(
+                 GC_MakeArcOfCircle(gp_Pnt(1, 0, 2), gp_Pnt(0, 0, 1), gp_Pnt(1, 0, 0)).Value())
+                 .Edge());
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, y, 0))
+        .Shape();
+  };
+  EXPECT_NEAR(pattern_of(round_bar(100, 60)).area, 6000.0, 1e-6);
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), pi / 2);
+  turn.SetTranslationPart(gp_Vec(100, 0, 0));
+  const TopoDS_Shape across = BRepBuilderAPI_Transform(round_bar(60, 100), turn).Shape();
+  const FlatPattern both = pattern_of(BRepAlgoAPI_Common(round_bar(100, 60), across));
+  EXPECT_NEAR(both.area, 6000.0, 1e-6);
+  EXPECT_NEAR(outer_cutting_length(both), 320.0, 1e-6);
+}
+
 /// Bent up by 90° between two flanges of 40 mm, 60 mm wide.
 TopoDS_Shape bent_bracket() {
   const double t = 2, r = 6, length = 40, x = length + r + t, z = t + r;
@@ -191,6 +219,17 @@ TEST(RoundedEdges, OfADrilledHoleInABendLeaveAnOpening) {
                 2.5)
         << "its walls are parallel to the drill, so that it widens inwards";
   }
+}
+
+TEST(Counterbores, MayBeMuchOfASmallPlate) {
+  TopoDS_Shape part = block({0, 0, 0}, {60, 60, 10});
+  for (const double x : {15.0, 45.0})
+    for (const double y : {15.0, 45.0}) {
+      const gp_Ax2 axis(gp_Pnt(x, y, -1), gp_Dir(0, 0, 1));
+      part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeCylinder(axis, 5, 12).Shape());
+      part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeCylinder(axis, 10, 6).Shape());
+    }
+  EXPECT_NEAR(pattern_of(part).area, 3600 - 4 * pi * 25, 1e-6);
 }
 
 TEST(RoundedEdges, OfALouvreLeaveItsSlit) {
