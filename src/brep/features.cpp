@@ -288,6 +288,28 @@ void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognit
     builder.add_form_volume(volume);
 }
 
+/// Cuts the outline of a plate as its widest section, where a step within its rim reaches farther
+/// than the chamfers beside the skin. Returns whether there is one.
+bool add_stepped_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                     const RimPart& part) {
+  constexpr double kThrough = 0.999;  // of the thickness: the other skin's edge is no step
+  if (!is_plate_rim(of, part)) return false;
+  Face& face = builder[map.face_id.at(loops_here(of, part).front().face)];
+  const auto& plane = std::get<Frame>(face.surface);
+  const auto section = narrowest_section(of, part, plane);
+  if (!section || std::ranges::any_of(*section, [&](const Border& border) {
+        return border.edge_depth > kThrough * of.skins.thickness;
+      }))
+    return false;
+  BorderLoop& cut = face.loops.front();
+  if (loop_area(*section) - loop_area(cut) <= kSameOutline * perimeter(cut)) return false;
+  cut = *section;
+  const LoopRef& there = loops_there(of, part).front();
+  if (is_wider(cut, seen_through(of, there, plane)))
+    add_far_outline(builder, map, of, "chamfer", part, there);
+  return true;
+}
+
 /// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
 void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part) {
   FormedFeature feature = feature_of("formed", FormSide::down, part.faces.front(),
@@ -339,6 +361,8 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     if (part.within && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))
         widened.erase(here.front());
+      else if (add_stepped_rim(builder, map, of, part))
+        widened.insert(here.front());
       else
         add_far_chamfers(builder, map, of, part);
     } else if (here.empty()) {

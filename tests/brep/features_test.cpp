@@ -211,6 +211,17 @@ TEST(AddFeatures, DrawBossesOnBothSkinsApart) {
     }
 }
 
+TEST(AddFeatures, CutAPlateAsWideAsTheTongueAlongItsRim) {
+  const auto skin = rectangle_at({2, 2}, {98, 58}), tongue = rectangle_at({0, 0}, {100, 60});
+  const Sheet sheet = sheet_of(
+      plate(2, {{{skin, skin, tongue, tongue, skin, skin}, {0, 0.6, 0.6, 1.4, 1.4, 2}}}), kTop);
+  EXPECT_NEAR(loop_area(sheet.faces.front().loops.front()), 6000.0, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), -(6000.0 - 96 * 56) * 1.2, 1e-7);
+  ASSERT_EQ(sheet.features.size(), 2u) << "a step on either side";
+  for (const FormedFeature& feature : sheet.features)
+    EXPECT_NEAR(loop_area(feature.outlines.at(0)), 96 * 56, 1e-8);
+}
+
 TEST(AddFeatures, DrawTheSkinInsideAChamferedRim) {
   const auto outer = rectangle_at({0, 0}, {100, 60});
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});
