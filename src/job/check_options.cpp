@@ -61,6 +61,8 @@ const std::vector<Option>& check_options() {
            row::flag("no_rules", "do not check the rules of manufacture", set_no_rules),
            row::flag("write_overlapping", "write the pattern even if it overlaps itself",
                      stored<&Request::write_overlapping>),
+           row::flag("write_anyway", "write the files even if a check finds an error",
+                     stored<&Request::write_anyway>),
            row::number("density", kAboveZero, "kg/dm³, for the mass: steel 7.85, aluminium 2.70",
                        stored<&Request::density>),
        }},

@@ -17,9 +17,10 @@
 #include <cmath>
 
 // From a sheet to the finished report, the same for every maker: pattern, certificate, overlaps,
-// reliefs, rules, plan of strokes. A pattern that the certificate disproves never comes out. The
-// certificate is that of the pattern before reliefs; the area that these take is checked on its own
-// and corrects the ratios (math.md#reliefs). A draft stops after the pattern.
+// reliefs, rules, plan of strokes. A pattern that the certificate disproves never comes out, one
+// with an error only if that is asked for. The certificate is that of the pattern before reliefs;
+// the area that these take is checked on its own and corrects the ratios (math.md#reliefs). A draft
+// stops after the pattern.
 
 namespace planish::job {
 using namespace shop;
@@ -175,7 +176,7 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   const auto unmended = relieve(report, given, overlaps);
   offer_reliefs(overlaps, report, given);
   append(report.findings, overlaps);
-  if (!given.checks.write_overlapping) {
+  if (!given.checks.write_overlapping && !given.checks.write_anyway) {
     if (auto refusal = overlap_refusal(overlaps)) {
       if (unmended) say_after(*refusal, no_relief_because(*unmended));
       return refusal;
@@ -188,7 +189,7 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   if (shop)
     append(report.findings,
            shop_findings({report.summary.thickness, report.size, report.flat}, *shop));
-  return std::nullopt;
+  return error_refusal(report.findings, given.checks);
 }
 
 }  // namespace

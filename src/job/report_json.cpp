@@ -85,6 +85,7 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   json["perimeter"] = number_json(units.length(flat.perimeter));
   json["size"] = point_json(report.size, units);
   json["openings"] = flat.openings.size();
+  json["slits"] = flat.slits.size();
   json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
@@ -103,6 +104,7 @@ Json openings_json(const OpeningCount& openings) {
   Json json;
   if (openings.solid) json["solid"] = *openings.solid;
   json["pattern"] = openings.pattern;
+  if (openings.slits > 0) json["slits"] = openings.slits;
   json["features"] = openings.features;
   if (openings.loops > 0) json["loops"] = openings.loops;
   return json;

@@ -50,6 +50,7 @@ Schema flat_schema(const std::vector<Field>& bend_details) {
   const Schema label = object({required("text", any_text()), required("at", report_point())});
   return object({required("area", measured_area()), required("perimeter", measured_length()),
                  required("size", report_point()), required("openings", whole()),
+                 optional("slits", whole().said("lines that are cut")),
                  required("cutting", object({required("outer", measured_length()),
                                              required("inner", measured_length())})),
                  required("bends", list(bend_schema(bend_details))),
@@ -62,6 +63,7 @@ Schema verification_schema() {
        required("length_error", measured_length()), required("refold_deviation", measured_length()),
        required("closure", measured_length()), required("area_at_half", measured_area()),
        required("openings", object({optional("solid", whole()), required("pattern", whole()),
+                                    optional("slits", whole(1).said("of those of the pattern")),
                                     required("features", whole()), optional("loops", whole(1))})),
        required("places", object({required("length_error", report_point()),
                                   required("refold_deviation", report_point())}))});

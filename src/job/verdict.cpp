@@ -4,6 +4,8 @@
 #include "refusals.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
@@ -12,11 +14,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 // What a certificate means (math.md#certificate, cli.md#unfold): a residual beyond its first bound
-// is a finding with its place, beyond the second the pattern is refused as wrong. The volume
-// without forms decides if they could be measured, else the whole, with a wider bound. A ratio that
-// is not a number refuses.
+// is a finding with its place, beyond the second the pattern is refused as wrong. A finding that is
+// an error refuses it too, unless the files are to be written all the same. The volume without
+// forms decides if they could be measured, else the whole, with a wider bound. A ratio that is not
+// a number refuses.
 
 namespace planish::job {
 namespace {
@@ -116,6 +120,28 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
   if (count > 0) found.push_back(counting("uncut_opening", say::uncut_openings, count, uncut));
 }
 
+/// The refusal for a finding and so many more.
+Error refusal_with(const Refusal& refusal, const Finding& first, std::size_t more) {
+  Error error = error_of(
+      refusal,
+      {{"what", capitalized(first.message)}, {"more", more}, {"is", more == 1 ? "is" : "are"}},
+      first.at.empty() ? std::string() : place_text(first.at.front()));
+  error.places = first.about;
+  error.numbers = first.numbers;
+  error.remedies = first.remedies;
+  return error;
+}
+
+/// An error refuses under its own name.
+const ErrorCode& code_of(const Finding& finding) {
+  static constexpr const ErrorCode* kCodes[] = {&code::lost_opening, &code::extra_opening,
+                                                &code::self_intersection, &code::overlap};
+  const auto found = std::ranges::find(kCodes, finding.code,
+                                       [](const ErrorCode* code) { return code->name; });
+  PLANISH_ASSERT(found != std::end(kCodes));
+  return **found;
+}
+
 }  // namespace
 
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
@@ -167,17 +193,25 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
 
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   if (overlaps.empty()) return std::nullopt;
-  const Finding& first = overlaps.front();
-  std::string what = first.message;
-  if (what.front() >= 'a' && what.front() <= 'z')
-    what.front() = static_cast<char>(what.front() - 'a' + 'A');
-  Error error = error_of(
-      overlaps.size() > 1 ? refuse::pattern_overlaps_more : refuse::pattern_overlaps,
-      {{"what", what}, {"more", overlaps.size() - 1}},
-      first.at.empty() ? std::string() : place_text(first.at.front()));
-  error.places = first.about;
-  error.numbers = first.numbers;
-  error.remedies = first.remedies;
+  return refusal_with(overlaps.size() > 1 ? refuse::pattern_overlaps_more
+                                          : refuse::pattern_overlaps,
+                      overlaps.front(), overlaps.size() - 1);
+}
+
+std::optional<Error> error_refusal(const std::vector<Finding>& findings,
+                                   const PatternChecks& checks) {
+  if (checks.write_anyway) return std::nullopt;
+  std::vector<const Finding*> errors;
+  for (const Finding& finding : findings)
+    if (finding.severity == Severity::error &&
+        !(checks.write_overlapping && finding.code == code::overlap.name))
+      errors.push_back(&finding);
+  if (errors.empty()) return std::nullopt;
+  const Finding& first = *errors.front();
+  Error error = refusal_with(errors.size() > 1 ? refuse::more_errors : refuse::one_error, first,
+                             errors.size() - 1);
+  error.code = code_of(first);
+  error.remedies.push_back({"write_anyway", "true", "Write it anyway"});
   return error;
 }
 

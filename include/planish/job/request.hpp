@@ -50,6 +50,7 @@ struct PatternChecks {
   Effort effort = Effort::full;
   Rules rules;
   bool write_overlapping = false;  ///< write the pattern although it covers itself
+  bool write_anyway = false;       ///< write it whatever error was found in it
   CertificateBounds bounds;
   std::optional<double> density;  ///< kg/dm³; gives the mass
   Bending bending;

@@ -12,6 +12,7 @@ namespace planish {
 struct OpeningCount {
   std::optional<int> solid;  ///< genus of the solid; none: there is no solid, or it is not known
   int pattern = 0;           ///< openings as written, and slits with both ends in the material
+  int slits = 0;             ///< of these, slits
   int features = 0;  ///< within formed features, where the pattern lists but does not cut them
   int loops = 0;     ///< handles of the sheet itself: joints that close and lie flat
   /// Where openings were looked for and not found among what is written.
