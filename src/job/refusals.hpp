@@ -133,10 +133,10 @@ constexpr Refusal pattern_overlaps{code::overlap, "{what}.",
                                    "Set `write_overlapping` to write the pattern anyway."};
 constexpr Refusal pattern_overlaps_more{code::overlap, "{what}, and at {more:more place}.",
                                         "Set `write_overlapping` to write the pattern anyway."};
-constexpr Refusal one_error{code::pattern_wrong, "{what}.",
-                            "Set `write_anyway` to write the files all the same."};
-constexpr Refusal more_errors{code::pattern_wrong, "{what}, and {more:more error} {is} found.",
-                              "Set `write_anyway` to write the files all the same."};
+constexpr std::string_view kWriteAnyway = "Set `write_anyway` to write the files all the same.";
+constexpr Refusal opening_lost{code::lost_opening, "{what}{others}.", kWriteAnyway};
+constexpr Refusal opening_too_many{code::extra_opening, "{what}{others}.", kWriteAnyway};
+constexpr Refusal runs_through{code::self_intersection, "{what}{others}.", kWriteAnyway};
 constexpr Refusal contours_cross{code::overlap, "Contours cross elsewhere."};
 constexpr Refusal strip_turned{
     code::out_of_reach,

@@ -52,6 +52,8 @@ constexpr std::string_view folded_untested =
 constexpr std::string_view
     file_missing = "no {what} could be made, so its file is not written: {reason}";
 
+constexpr std::string_view more_errors = ", and {more:more error} {are} found";
+
 constexpr std::string_view length_off =
     "an edge of the solid and its image in the pattern differ in length by {off}, more than "
     "{allowed}";

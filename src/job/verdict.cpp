@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 // What a certificate means (math.md#certificate, cli.md#unfold): a residual beyond its first bound
 // is a finding with its place, beyond the second the pattern is refused as wrong. A finding that is
@@ -120,26 +119,25 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
   if (count > 0) found.push_back(counting("uncut_opening", say::uncut_openings, count, uncut));
 }
 
-/// The refusal for a finding and so many more.
-Error refusal_with(const Refusal& refusal, const Finding& first, std::size_t more) {
-  Error error = error_of(
-      refusal,
-      {{"what", capitalized(first.message)}, {"more", more}, {"is", more == 1 ? "is" : "are"}},
-      first.at.empty() ? std::string() : place_text(first.at.front()));
+/// The refusal for the first of so many findings.
+Error refusal_with(const Refusal& refusal, const Finding& first, Facts facts) {
+  facts.emplace_back("what", capitalized(first.message));
+  Error error = error_of(refusal, facts,
+                         first.at.empty() ? std::string() : place_text(first.at.front()));
   error.places = first.about;
   error.numbers = first.numbers;
   error.remedies = first.remedies;
   return error;
 }
 
-/// An error refuses under its own name.
-const ErrorCode& code_of(const Finding& finding) {
-  static constexpr const ErrorCode* kCodes[] = {&code::lost_opening, &code::extra_opening,
-                                                &code::self_intersection, &code::overlap};
-  const auto found = std::ranges::find(kCodes, finding.code,
-                                       [](const ErrorCode* code) { return code->name; });
-  PLANISH_ASSERT(found != std::end(kCodes));
-  return **found;
+/// An error refuses under its own code; an overlap has refused before.
+const Refusal* refusal_of(const Finding& finding) {
+  if (finding.severity != Severity::error) return nullptr;
+  for (const Refusal* refusal :
+       {&refuse::opening_lost, &refuse::opening_too_many, &refuse::runs_through})
+    if (refusal->code.name == finding.code) return refusal;
+  PLANISH_ASSERT(finding.code == code::overlap.name);
+  return nullptr;
 }
 
 }  // namespace
@@ -193,24 +191,22 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
 
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   if (overlaps.empty()) return std::nullopt;
-  return refusal_with(overlaps.size() > 1 ? refuse::pattern_overlaps_more
-                                          : refuse::pattern_overlaps,
-                      overlaps.front(), overlaps.size() - 1);
+  return refusal_with(
+      overlaps.size() > 1 ? refuse::pattern_overlaps_more : refuse::pattern_overlaps,
+      overlaps.front(), {{"more", overlaps.size() - 1}});
 }
 
 std::optional<Error> error_refusal(const std::vector<Finding>& findings,
                                    const PatternChecks& checks) {
   if (checks.write_anyway) return std::nullopt;
-  std::vector<const Finding*> errors;
-  for (const Finding& finding : findings)
-    if (finding.severity == Severity::error &&
-        !(checks.write_overlapping && finding.code == code::overlap.name))
-      errors.push_back(&finding);
-  if (errors.empty()) return std::nullopt;
-  const Finding& first = *errors.front();
-  Error error = refusal_with(errors.size() > 1 ? refuse::more_errors : refuse::one_error, first,
-                             errors.size() - 1);
-  error.code = code_of(first);
+  const auto refuses = [](const Finding& finding) { return refusal_of(finding) != nullptr; };
+  const auto first = std::ranges::find_if(findings, refuses);
+  if (first == findings.end()) return std::nullopt;
+  const auto more = std::ranges::count_if(first + 1, findings.end(), refuses);
+  std::string others;
+  if (more > 0)
+    others = tell(say::more_errors, {{"more", more}, {"are", more == 1 ? "is" : "are"}}).sentence;
+  Error error = refusal_with(*refusal_of(*first), *first, {{"others", others}});
   error.remedies.push_back({"write_anyway", "true", "Write it anyway"});
   return error;
 }

@@ -20,7 +20,8 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps);
 
 /// The errors among the findings as a refusal with the code of the first: a part cut so would be
-/// scrap. Empty if there are none, and for those that are to be written all the same.
+/// scrap. Overlaps have a refusal of their own. Empty if there are none, and if the files are to be
+/// written all the same.
 std::optional<Error> error_refusal(const std::vector<Finding>& findings,
                                    const PatternChecks& checks);
 

@@ -156,8 +156,9 @@ TEST(Dxf, CutsCurvedSlitsAsArcs) {
   FlatPattern pattern = bracket();
   pattern.slits = {Arc{{100, 60}, 10.0, 0.0, 1.5 * std::numbers::pi}};
   EXPECT_THAT(kinds_and_layers(dxf(pattern)),
-              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "ARC SLITS", "ARC SLITS", "CIRCLE INTERIOR_PROFILES",
-                          "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
+              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "ARC SLITS", "ARC SLITS",
+                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES",
+                          "LWPOLYLINE OUTER_PROFILE"));
 }
 
 TEST(Dxf, KeepsCirclesAndClosesPolylinesWithBulges) {

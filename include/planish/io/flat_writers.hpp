@@ -51,9 +51,9 @@ struct DxfOptions {
 /// and all with `arcs`, are closed polylines with arcs of at most half a turn. Reals are written so
 /// that they read back as the same double; the enclosed area is that of the pattern, except where
 /// splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
-/// slits 6, bend up 5, bend down 1, bend zone 8, formed features 3. With `bend_text` a TEXT at each bend
-/// comes first, on the layer TEXT, colour 8, as high as its bend line has room for, at most 3 mm.
-/// With `turn_to_blank` the pattern is laid by `laid_by_blank`.
+/// slits 6, bend up 5, bend down 1, bend zone 8, formed features 3. With `bend_text` a TEXT at each
+/// bend comes first, on the layer TEXT, colour 8, as high as its bend line has room for, at most 3
+/// mm. With `turn_to_blank` the pattern is laid by `laid_by_blank`.
 ///
 /// Errors: `bad_option` (arc_tolerance or tick_length is not positive), `internal` (a contour is
 /// empty, has no extent or is not finite).

@@ -10,9 +10,8 @@ inline constexpr ErrorCode no_such_body{"no_such_body", ExitStatus::usage,
 inline constexpr ErrorCode lost_opening{
     "lost_opening", ExitStatus::refused,
     "the solid has openings that the pattern neither cuts nor lists"};
-inline constexpr ErrorCode extra_opening{
-    "extra_opening", ExitStatus::refused,
-    "the pattern has openings that the solid does not have"};
+inline constexpr ErrorCode extra_opening{"extra_opening", ExitStatus::refused,
+                                         "the pattern has openings that the solid does not have"};
 inline constexpr ErrorCode self_intersection{"self_intersection", ExitStatus::refused,
                                              "the folded sheet runs through itself"};
 
