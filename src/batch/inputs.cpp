@@ -115,9 +115,11 @@ class Collecting {
   }
 
   bool is_input(const fs::path& file) const {
-    const std::string suffix = lower_case(file.extension().string());
-    if (suffix == ".step" || suffix == ".stp") return true;
-    if (suffix != ".json") return false;
+    const std::string name = lower_case(file.filename().string());
+    for (const char* suffix :
+         {".step", ".stp", ".stpz", ".step.gz", ".stp.gz", ".step.zip", ".stp.zip"})
+      if (name.ends_with(suffix)) return true;
+    if (!name.ends_with(".json")) return false;
     const auto input = job::read_input_file(file, "input file");
     return input && catalogue_.maker_for(input->name, input->content);
   }

@@ -20,6 +20,22 @@ constexpr Refusal file_ends_early{
 constexpr Refusal shape_ends_early{code::truncated_file,
                                    "{file} ends in the middle of its B-rep: it was cut short.",
                                    "Copy or export it again."};
+constexpr Refusal damaged_archive{code::truncated_file,
+                                  "{file} is packed, and damaged or cut short: it cannot be "
+                                  "unpacked.",
+                                  "Copy or export it again."};
+constexpr Refusal archive_without_step{
+    code::not_step,
+    "{file} is an archive in which no STEP file is found: it holds none, or is cut short.",
+    "Pack the part as STEP AP203, AP214 or AP242."};
+constexpr Refusal archive_of_several{code::invalid_input,
+                                     "{file} is an archive of {count:STEP file}.",
+                                     "Unpack it and give one of them, or all to `planish batch`."};
+constexpr Refusal strange_archive{
+    code::invalid_input,
+    "{file} holds {entry} encrypted, or packed by another method than deflate.", "Unpack it."};
+constexpr Refusal unpacks_too_large{code::invalid_input, "{file} unpacks to more than {most}.",
+                                    "Unpack it yourself."};
 constexpr Refusal holds_nothing{code::no_solid, "{file} holds no geometry.",
                                 "Export the part as a solid."};
 constexpr Refusal no_shape{code::no_solid, "{file} holds no shape that can be read.",

@@ -5,6 +5,7 @@
 #include <planish/base/text.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
+#include <planish/job/output_paths.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/schema/text_file.hpp>
 #include <planish/sheet/same_part.hpp>
@@ -126,7 +127,7 @@ class Collecting {
   /// Of a body its own name, of a file without one the file's.
   static std::string name_of(const PartRecord& record) {
     if (!record.body.empty()) return record.body;
-    return std::filesystem::path(record.input).stem().string();
+    return job::stem_of_input(record.input);
   }
 
   /// Names that programs give to bodies of which they know none.
@@ -136,7 +137,7 @@ class Collecting {
   }
 
   static std::string stem_of(const PartSource& source) {
-    return std::filesystem::path(source.input).stem().string();
+    return job::stem_of_input(source.input);
   }
 
   /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
