@@ -20,8 +20,8 @@ constexpr double kOften = 0.2;  // seconds between lines on a terminal
 
 /// Options of making parts: those that say how each is made and written.
 bool is_of_parts(const job::Option& option) {
-  static const std::set<std::string_view> kOfOne{"body", "piece",  "root",
-                                                 "up",   "bend_k", "rip_edges"};
+  static const std::set<std::string_view> kOfOne{"body",   "piece",     "root",     "up",
+                                                 "bend_k", "rip_edges", "thickness"};
   return option.on_command_line && !kOfOne.contains(option.name) &&
          option.group != job::OptionGroup::order;
 }

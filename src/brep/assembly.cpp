@@ -165,6 +165,7 @@ const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& pa
 }
 
 Result<Sheet> assemble_sheet(const Recognition& of) {
+  if (auto other = standing_across(of)) return tl::unexpected(std::move(*other));
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);

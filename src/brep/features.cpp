@@ -1,17 +1,20 @@
 #include "features.hpp"
 
 #include "borders.hpp"
+#include "dihedral.hpp"
 #include "form_openings.hpp"
 #include "form_side.hpp"
 #include "form_volume.hpp"
 #include "genus.hpp"
 #include "model_places.hpp"
 #include "refusals.hpp"
+#include "same_surface.hpp"
 #include "slanted_cuts.hpp"
 
 #include <planish/geometry/mesh.hpp>
 
 #include <algorithm>
+#include <set>
 
 // What the flat pattern only outlines: forms, bosses, pockets, countersinks, chamfers. A part of
 // the rim becomes a feature by which skins its loops touch and on which side it leaves the sheet;
@@ -198,10 +201,51 @@ bool has_several_holes(const Recognition& of, const RimPart& part) {
          std::ranges::all_of(here, in_plane) && std::ranges::all_of(there, in_plane);
 }
 
+/// Handles of the solid where faces of a skin touch along an edge at which the sheet is not bent,
+/// as walls do whose corner is notched outside. They are the only ones beyond the sheet's own
+/// openings if both skins are alike and only walls of cuts join them. Zero where nothing touches
+/// so.
+int handles_at_touching_edges(const Recognition& of) {
+  std::set<int> sharp;
+  for (const SharpEdge& edge : of.skins.sharp)
+    sharp.insert(edge.edge);
+  const auto touches = [&](int e) {
+    const auto& [a, b] = of.model.edges[e].faces;
+    return a >= 0 && b >= 0 && a != b && of.skins.skin_of[a] != Skin::none &&
+           of.skins.skin_of[a] == of.skins.skin_of[b] && !sharp.contains(e) &&
+           !smooth_edge(of.model, e);
+  };
+  int touching = 0;
+  for (int e = 0; e < std::ssize(of.model.edges); ++e)
+    touching += touches(e) ? 1 : 0;
+  const bool only_walls = std::ranges::all_of(of.rim.parts, [](const RimPart& part) {
+    return part.within && !part.first.empty() && !part.second.empty();
+  });
+  if (touching == 0 || !only_walls || !of.model.genus) return 0;
+  const auto shape_of = [&](Skin skin) {
+    std::vector<int> faces;
+    for (int f = 0; f < std::ssize(of.model.faces); ++f)
+      if (of.skins.skin_of[f] == skin) faces.push_back(f);
+    return shape_of_patch(of.model, faces, touches);
+  };
+  const PatchShape shape = shape_of(Skin::first);
+  if (shape != shape_of(Skin::second)) return 0;
+  // A sheet of that shape, thickened, has 1 − χ handles.
+  const int more = *of.model.genus - (1 - shape.euler);
+  return more <= touching ? std::max(more, 0) : 0;
+}
+
 /// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
 /// touch, so that the solid has an opening there which no cut makes. All contours along such walls
 /// are cut, and the other skin has no more of them, so none has been lost.
 void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  if (const int handles = handles_at_touching_edges(of); handles > 0) {
+    FormedFeature feature = feature_of(
+        "contact", FormSide::both, of.rim.parts.front().faces.front(), map.face_id.begin()->second);
+    feature.own_openings = handles;
+    builder.add_feature(std::move(feature));
+    return;
+  }
   for (const RimPart& part : of.rim.parts) {
     if (!part.within || part.openings <= 1 || has_several_holes(of, part)) continue;
     const auto contours_on = [&](Skin skin) {
@@ -221,6 +265,20 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
 }
 
 }  // namespace
+
+std::optional<Error> standing_across(const Recognition& of) {
+  for (const RimPart& part : of.rim.parts) {
+    if (part.within || part.first.empty() == part.second.empty()) continue;
+    const auto& loops = part.first.empty() ? part.second : part.first;
+    const SolidFace& first = of.model.faces[loops.front().face];
+    if (std::ranges::any_of(loops, [&](const LoopRef& ref) {
+          return ref.face != loops.front().face &&
+                 !same_surface(first, of.model.faces[ref.face], of.model.size);
+        }))
+      return part.refusal;
+  }
+  return std::nullopt;
+}
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   std::set<LoopRef> widened = map.widened;

@@ -5,6 +5,7 @@
 #include <planish/sheet/builder.hpp>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -16,6 +17,10 @@ struct SheetMap {
   std::map<std::tuple<int, int, bool>, BorderRef> borders;  ///< by face, edge and sense of the use
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
 };
+
+/// Refuses what stands out from one skin across a joint, such as a gusset: it is another body,
+/// which no bend makes of the sheet. Forms are on both skins.
+std::optional<Error> standing_across(const Recognition& of);
 
 /// Adds features that a flat pattern only outlines: formed features and bosses (their borders
 /// marked, drawn and not cut), pockets, countersinks (cut to the narrowest section), slanted cuts,

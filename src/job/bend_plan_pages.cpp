@@ -4,7 +4,6 @@
 
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/job/bend_plan_pages.hpp>
-
 #include <planish/job/output_paths.hpp>
 
 #include <fmt/format.h>

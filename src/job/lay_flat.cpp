@@ -183,6 +183,8 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
     }
   }
   if (given.folded) append(report.findings, self_intersections(report, *given.folded));
+  if (auto doubt = size_doubt(report.summary.thickness, report.size.x()))
+    report.findings.push_back(std::move(*doubt));
   const std::optional<ShopChoice>& shop = given.checks.shop;
   if (given.checks.rules.enabled)
     append(report.findings, check_rules(given.sheet, report.flat, rules_of(given)));
@@ -232,11 +234,15 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
   return {};
 }
 
-Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips,
+Result<Recognized> found_sheet(const Body& body, RecognizeOptions options,
                                const Progress& progress) {
-  const FlattenOptions options{.allowance = ConstantK{0.5, "recognition"}};
-  const auto lies = [&](const Sheet& open) { return lies_uncovered(open, options, progress); };
-  return recognize(body, {.rip_edges = rips, .passes = lies});
+  const FlattenOptions layout{.allowance = ConstantK{0.5, "recognition"}};
+  options.passes = [&](const Sheet& open) { return lies_uncovered(open, layout, progress); };
+  return recognize(body, options);
+}
+
+RecognizeOptions sought_by(const Request& request) {
+  return {.rip_edges = request.rip_edges, .thickness = request.thickness};
 }
 
 }  // namespace planish::job

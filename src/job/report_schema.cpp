@@ -165,6 +165,7 @@ Schema summary_schema(const Catalogue& catalogue) {
          {required("command", words({"unfold"})), required("input", any_text()),
           required("units", words({"mm", "inch", "m"})), required("status", status_schema()),
           required("unfolded", whole()), required("refused", whole()), required("pieces", whole()),
+          optional("surface_bodies", whole().said("shells that belong to no solid")),
           required("bodies", list(report_schema(catalogue)))});
   return object(std::move(fields)).said("What came of every body of a file");
 }

@@ -24,7 +24,7 @@ namespace {
 std::string title(const UnfoldReport& report) {
   std::string text = input_name(report);
   if (report.bodies_in_file > 1) {
-    text += fmt::format(", body {} \"{}\"", report.number, report.body);
+    text += fmt::format(", body {} \"{}\"", report.number, printable_name(report.body));
   }
   if (report.quantity > 1) text += fmt::format(" ×{}", report.quantity);
   return text;

@@ -52,6 +52,10 @@ constexpr std::string_view folded_untested =
 constexpr std::string_view
     file_missing = "no {what} could be made, so its file is not written: {reason}";
 
+constexpr std::string_view size_unlikely =
+    "the sheet is {thickness} thick and its blank {length} long, which no shop has: check the unit "
+    "in which the input states its lengths";
+
 constexpr std::string_view more_errors = ", and {more:more error} {are} found";
 
 constexpr std::string_view length_off =

@@ -117,6 +117,10 @@ const std::vector<Option>& sheet_options() {
            row::word("root", {"largest"}, "largest",
                      "face that stays where it is; `planish info --sheets` lists the faces",
                      stored<&Request::root>, OptionKind::face),
+           row::number("thickness", kAboveZero,
+                       "thickness of the sheet, in mm, where it is not the one found: of strips as "
+                       "narrow as a bar",
+                       stored<&Request::thickness>),
            row::name("rip_edges",
                      "edges along which a closed part is cut open, by their numbers in the file, "
                      "as in 21,56",

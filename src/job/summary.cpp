@@ -151,6 +151,7 @@ std::string summary_json(const Bodies& bodies) {
   json["unfolded"] = unfolded(bodies);
   json["refused"] = static_cast<int>(bodies.size()) - unfolded(bodies);
   json["pieces"] = pieces(bodies);
+  json["surface_bodies"] = bodies.empty() ? 0 : report_of(bodies.front()).surface_bodies;
   json["bodies"] = Json::array();
   for (const auto& body : bodies)
     json["bodies"].push_back(report_value(report_of(body)));
@@ -168,7 +169,7 @@ std::string summary_text(const Bodies& bodies) {
   using Align = Table::Align;
   const Units units(unit_of(bodies));
   Table table({{"no", Align::right},
-               {"body"},
+               {"body", Align::left, kNameShown},
                {"quantity", Align::right},
                {"status"},
                {"thickness", Align::right},
@@ -187,9 +188,12 @@ std::string summary_text(const Bodies& bodies) {
     cells.push_back(outcome(report));
     table.add(std::move(cells));
   }
-  return fmt::format("{} of {} different bodies unfolded ({} in all), lengths in {}\n{}{}",
+  std::string note;
+  if (!bodies.empty() && report_of(bodies.front()).surface_bodies > 0)
+    note = fmt::format("note: {}\n", note_of_surfaces(report_of(bodies.front())));
+  return fmt::format("{} of {} different bodies unfolded ({} in all), lengths in {}\n{}{}{}",
                      unfolded(bodies), bodies.size(), counted(pieces(bodies), "piece"),
-                     units.name(), table.text("  "), warnings_text(bodies));
+                     units.name(), table.text("  "), warnings_text(bodies), note);
 }
 
 }  // namespace planish::job

@@ -67,7 +67,7 @@ Outcome<UnfoldReport> unfold_body(const Body& body, const Request& request,
                                   const Progress& progress) {
   return reported(begun(body, request), [&](UnfoldReport& report) {
     progress.at("finding the sheet", 0.2);
-    return fill(report, body, found_sheet(body, request.rip_edges, progress), request, progress);
+    return fill(report, body, found_sheet(body, sought_by(request), progress), request, progress);
   });
 }
 

@@ -189,6 +189,16 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
   return std::nullopt;
 }
 
+std::optional<Finding> size_doubt(double thickness, double blank_length) {
+  // mm. Foil and shim begin at 0.01; plate is rolled up to some 300, and up to 25 m long.
+  constexpr double kThinnest = 0.01, kThickest = 400.0, kShortest = 0.5, kLongest = 30'000.0;
+  if (thickness >= kThinnest && thickness <= kThickest && blank_length >= kShortest &&
+      blank_length <= kLongest)
+    return std::nullopt;
+  return finding_of("unlikely_size", Severity::warning, say::size_unlikely,
+                    {{"thickness", thickness, unit::mm}, {"length", blank_length, unit::mm}}, {});
+}
+
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   if (overlaps.empty()) return std::nullopt;
   return refusal_with(

@@ -157,6 +157,22 @@ TEST(Verdict, MakesOneRefusalOfSeveralOverlaps) {
   EXPECT_THAT(refusal->where, HasSubstr("(1.000, 2.000)"));
 }
 
+TEST(Verdict, AsksAboutASizeThatNoShopHas) {
+  for (const auto& [thickness, length] :
+       {std::pair{0.02, 3.0}, {0.5, 30.0}, {3.0, 12000.0}, {300.0, 8000.0}})
+    EXPECT_FALSE(size_doubt(thickness, length)) << thickness;
+  // Metres for millimetres, and the other way round.
+  for (const auto& [thickness, length] :
+       {std::pair{2000.0, 86094.0}, {0.002, 0.086}, {500.0, 2000.0}, {20.0, 40000.0}}) {
+    const auto doubt = size_doubt(thickness, length);
+    ASSERT_TRUE(doubt) << thickness;
+    EXPECT_EQ(doubt->code, "unlikely_size");
+    EXPECT_EQ(doubt->severity, Severity::warning);
+    ASSERT_EQ(doubt->numbers.size(), 2u);
+    EXPECT_EQ(doubt->numbers[0].quantity.value, thickness);
+  }
+}
+
 TEST(Verdict, RefusesAnErrorUnderItsOwnCodeUnlessItIsWrittenAnyway) {
   const Finding lost{"lost_opening", Severity::error, "the solid has 8 openings, one is lost", {}};
   const Finding extra{"extra_opening", Severity::error, "the pattern has one too many", {}};

@@ -84,6 +84,7 @@ struct Request : PatternChecks {
                                                        ///< overrides `allowance`
   std::string root = "largest";                        ///< "largest" or a face number
   std::vector<int> rip_edges;                          ///< of the solid, along which it is cut open
+  std::optional<double> thickness;  ///< of the sheet in the solid, mm; empty: the likeliest
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of the face to face up
   ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
   ReliefOptions relief;
