@@ -89,9 +89,7 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
 }
 
 /// What the files of the only part of an input are called: bodies of such files have any names.
-std::string stem_of(const FileTask& task) {
-  return job::safe_name(job::stem_of_input(task.name));
-}
+std::string stem_of(const FileTask& task) { return job::safe_name(job::stem_of_input(task.name)); }
 
 void unfold(const FileTask& task, const job::Maker& maker, const job::Request& request,
             const job::Catalogue& catalogue, const Listener& listener) {

@@ -124,11 +124,13 @@ std::pair<double, double> strip_sides(const Loop& outline) {
   return {quarter - rest, quarter + rest};
 }
 
+/// Length over thickness of a strip that is no block.
+constexpr double kLong = 5.0;
+
 /// Whether the openings of a plate are its own matter: only the outline, with its openings filled,
 /// tells plates from wires, square bars and blocks (math.md#plates-and-bars).
 bool is_plate_outline(const Loop& outline, double thickness) {
   constexpr double kPlate = 3.0;   // width over thickness from which a plate needs no length
-  constexpr double kLong = 5.0;    // length over thickness of a strip that is no block
   constexpr double kStrip = 1.3;   // width over thickness of any strip; of a square bar it is 1
   constexpr double kBar = 1.1;     // the same of a bar
   constexpr double kBarWidth = 5;  // mm: flat bars are at least as wide; what is narrower is wire
@@ -162,6 +164,7 @@ FlattenOptions usual_layout() {
 /// Why a sheet does not account for the solid in which it was found.
 struct Doubts {
   std::optional<Error> narrow;  ///< it is hardly wider than thick
+  bool is_strip = false;        ///< but long
   std::optional<Error> wrong;   ///< it does not lie flat, or has not the volume of the solid within
                                 ///< what its features allow
 
@@ -170,11 +173,14 @@ struct Doubts {
 
 Doubts doubts_about(const Sheet& sheet) {
   const auto pattern = flatten(sheet, usual_layout());
-  if (!pattern) return {{}, pattern.error()};
+  if (!pattern) return {.wrong = pattern.error()};
   Doubts doubts;
-  if (!is_wide_enough(*pattern))
-    doubts.narrow = error_of(refuse::too_narrow, {{"thickness", sheet.thickness, unit::mm},
-                                                  {"width", width_seen(*pattern), unit::mm}});
+  if (!is_wide_enough(*pattern)) {
+    doubts.is_strip = strip_sides(pattern->outer.loop).second >= kLong * sheet.thickness;
+    doubts.narrow = error_of(
+        doubts.is_strip ? refuse::too_narrow : refuse::a_block,
+        {{"thickness", sheet.thickness, unit::mm}, {"width", width_seen(*pattern), unit::mm}});
+  }
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
   const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
@@ -193,13 +199,13 @@ class Trials {
 
   /// Whether it is the sheet of the solid.
   bool accept(const Result<Sheet>& sheet) {
-    Doubts doubts = sheet ? doubts_about(*sheet) : Doubts{{}, sheet.error()};
+    Doubts doubts = sheet ? doubts_about(*sheet) : Doubts{.wrong = sheet.error()};
     if (options_.thickness) doubts.narrow.reset();
     if (!doubts.first()) return true;
-    if (doubts.narrow && !doubts.wrong) note_narrow(sheet->thickness);
+    if (doubts.is_strip && !doubts.wrong) note_narrow(sheet->thickness);
     if (first_) return false;
     first_ = doubts.first();
-    is_narrow_ = doubts.narrow.has_value();
+    is_narrow_ = doubts.is_strip;
     if (sheet && first_->code == code::closed_loop) closed_ = *sheet;
     return false;
   }

@@ -70,9 +70,12 @@ constexpr Refusal tolerance_of_recognition{
     code::bad_option, "The {what} tolerance is {tolerance}; it must be above 0."};
 constexpr Refusal too_narrow{
     code::not_a_sheet,
-    "The body is {thickness} thick and only about {width} wide: a bar, block, wire or profile, not "
-    "a sheet.",
+    "The body is {thickness} thick and only about {width} wide: a bar, wire or profile, not a "
+    "sheet.",
     "If it is cut or bent from sheet, set `thickness` to that of the sheet."};
+constexpr Refusal a_block{code::not_a_sheet,
+                          "The body is {thickness} thick and only about {width} wide: a block, not "
+                          "a sheet."};
 constexpr Refusal volume_unexplained{
     code::not_a_sheet,
     "A sheet of {thickness} accounts for {share} of the body's volume: the body is not made of one "

@@ -4,6 +4,7 @@
 #include "places_json.hpp"
 #include "plan_report.hpp"
 #include "report_schema.hpp"
+#include "tree_json.hpp"
 
 #include <planish/job/unfold.hpp>
 #include <planish/schema/json_parts.hpp>
@@ -90,6 +91,7 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
   if (bends == BendList::shown) add_bends(json["bends"], flat, units, details);
+  if (bends == BendList::shown) json["tree"] = tree_json(report, units);
   if (!flat.labels.empty()) json["labels"] = Json::array();
   for (const FlatLabel& label : flat.labels)
     json["labels"].push_back({{"text", label.text}, {"at", point_json(label.at, units)}});

@@ -2,6 +2,7 @@
 
 #include "places_json.hpp"
 #include "plan_report.hpp"
+#include "tree_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,7 +55,8 @@ Schema flat_schema(const std::vector<Field>& bend_details) {
                  required("cutting", object({required("outer", measured_length()),
                                              required("inner", measured_length())})),
                  required("bends", list(bend_schema(bend_details))),
-                 optional("labels", list(label)), required("features", list(feature))});
+                 optional("tree", tree_schema()), optional("labels", list(label)),
+                 required("features", list(feature))});
 }
 
 Schema verification_schema() {

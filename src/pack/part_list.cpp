@@ -136,9 +136,7 @@ class Collecting {
     return kKinds.contains(body) || body.starts_with("Open CASCADE STEP translator");
   }
 
-  static std::string stem_of(const PartSource& source) {
-    return job::stem_of_input(source.input);
-  }
+  static std::string stem_of(const PartSource& source) { return job::stem_of_input(source.input); }
 
   /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
   static double rounded(double thickness) {
