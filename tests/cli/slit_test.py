@@ -352,7 +352,7 @@ class Refusals(SlitTest):
 
     def test_scans_as_other_programs_write_them(self):
         def distances(name):
-            return [s["scan_distance"] for s in self.report(chair(scan=[{"strip": 0, "points": name}]), "--check")["slit"]["strips"]]
+            return [s["scan_distance"] for s in self.report(chair(scan=[{"strip": 0, "points": name}]), "--check", "--write-anyway")["slit"]["strips"]]
         self.write("points.txt", "300.5 450.25 30\n200.5 480.25 30\n")
         self.write("commas.txt", "\ufeff300,5 450,25 30,0\n200,5\t480,25;30,0\n")
         self.assertEqual(distances("points.txt"), distances("commas.txt"))
