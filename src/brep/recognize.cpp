@@ -163,10 +163,10 @@ FlattenOptions usual_layout() {
 
 /// Why a sheet does not account for the solid in which it was found.
 struct Doubts {
-  std::optional<Error> narrow;  ///< it is hardly wider than thick
-  bool is_strip = false;        ///< but long
-  std::optional<Error> wrong;   ///< it does not lie flat, or has not the volume of the solid within
-                                ///< what its features allow
+  std::optional<Error> narrow = {};  ///< it is hardly wider than thick
+  bool is_strip = false;             ///< but long
+  std::optional<Error> wrong = {};   ///< it does not lie flat, or has not the volume of the solid
+                                     ///< within what its features allow
 
   const std::optional<Error>& first() const { return narrow ? narrow : wrong; }
 };
