@@ -199,6 +199,25 @@ class Parts(PackTest):
         self.assertEqual((row["part"], row["bends"], row["pierces"]), ("bent", "1", "1"))
 
 
+    def test_a_part_with_an_error_is_not_packed_unless_asked(self):
+        # A plate that comes back through the bend between the two others.
+        plates = {"format": "planish/plates", "version": 1, "thickness": 4.0,
+                  "plates": [{"id": "A", "outline": [[0, 0, 0], [200, 0, 0], [200, 100, 0], [0, 100, 0]]},
+                             {"id": "B", "outline": [[0, 120, 20], [200, 120, 20], [200, 120, 120], [0, 120, 120]]},
+                             {"id": "C", "outline": [[50, 72.4, 109.9], [150, 72.4, 109.9],
+                                                     [150, 118.1, -1.1], [50, 118.1, -1.1]]}],
+                  "bends": [{"between": ["A", "B"], "inside_radius": 12}, {"between": ["B", "C"]}]}
+        self.write("through.json", json.dumps(plates))
+        self.angle()
+        self.pack("through.json", "part.step", "-o", "out")
+        self.assertEqual([row["part"] for row in self.parts()], ["angle"])
+        (refused,) = [row for row in self.table() if row["file"] == ""]
+        self.assertEqual(refused["status"], "refused")
+        self.assertIn("self_intersection: ", refused["warnings"])
+        self.pack("through.json", "part.step", "-o", "out", "--write-anyway")
+        self.assertEqual(sorted(row["status"] for row in self.parts()), ["ok", "warning"])
+
+
 class Folder(PackTest):
     def test_the_same_bytes_each_time(self):
         (self.dir / "in").mkdir()
