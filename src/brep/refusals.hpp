@@ -74,8 +74,8 @@ constexpr Refusal too_narrow{
     "sheet.",
     "If it is cut or bent from sheet, set `thickness` to that of the sheet."};
 constexpr Refusal a_block{code::not_a_sheet,
-                          "The body is {thickness} thick and only about {width} wide: a block, not "
-                          "a sheet."};
+                          "The body is {thickness} thick and only about {width} wide: a bar, block "
+                          "or profile, not a sheet."};
 constexpr Refusal volume_unexplained{
     code::not_a_sheet,
     "A sheet of {thickness} accounts for {share} of the body's volume: the body is not made of one "
