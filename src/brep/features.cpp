@@ -191,6 +191,22 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPa
   builder.add_feature(std::move(feature));
 }
 
+/// Whether a part is put on a skin, which it meets in concave edges only: those of what is cut into
+/// it are convex.
+bool stands_on_skin(const Recognition& of, const RimPart& part) {
+  bool concave = false;
+  for (const int f : part.faces)
+    for (const auto& loop : of.model.faces[f].loops)
+      for (const CoEdge& use : loop) {
+        const int skin = face_across(of.model.edges[use.edge], f);
+        if (skin < 0 || of.skins.skin_of[skin] == Skin::none) continue;
+        const auto angle = dihedral(of.model, use.edge);
+        if (angle && *angle > 0.0) return false;
+        concave = concave || angle;
+      }
+  return concave;
+}
+
 /// Whether a recess in planes of the reference skin has more holes in its floor than outlines.
 bool has_several_holes(const Recognition& of, const RimPart& part) {
   const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
@@ -268,14 +284,16 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
 
 std::optional<Error> standing_across(const Recognition& of) {
   for (const RimPart& part : of.rim.parts) {
-    if (part.within || part.first.empty() == part.second.empty()) continue;
+    if (part.first.empty() == part.second.empty()) continue;
     const auto& loops = part.first.empty() ? part.second : part.first;
-    const SolidFace& first = of.model.faces[loops.front().face];
-    if (std::ranges::any_of(loops, [&](const LoopRef& ref) {
-          return ref.face != loops.front().face &&
-                 !same_surface(first, of.model.faces[ref.face], of.model.size);
-        }))
-      return part.refusal;
+    const int first = loops.front().face;
+    const bool across = std::ranges::any_of(loops, [&](const LoopRef& ref) {
+      return ref.face != first &&
+             !same_surface(of.model.faces[first], of.model.faces[ref.face], of.model.size);
+    });
+    if (across && stands_on_skin(of, part))
+      return error_of(refuse::beyond_sheet, {{"face", face_place(of.model, part.faces.front())},
+                                             {"thickness", of.skins.thickness, unit::mm}});
   }
   return std::nullopt;
 }

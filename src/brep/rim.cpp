@@ -4,7 +4,6 @@
 #include "rim_refusal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 // What belongs to neither skin, in connected parts: the walls of a cut, a countersink, an emboss, a
@@ -86,27 +85,11 @@ bool between(const SolidModel& model, const std::vector<Outline>& outlines, cons
   });
 }
 
-/// Corners on either skin.
-struct SkinCorners {
-  std::set<int> first, second;
-
-  bool has(int vertex) const { return first.contains(vertex) || second.contains(vertex); }
-  /// Whether an edge between these leads from one skin to the other.
-  bool lead_across(const std::array<int, 2>& ends) const {
-    return (first.contains(ends[0]) && second.contains(ends[1])) ||
-           (second.contains(ends[0]) && first.contains(ends[1]));
-  }
-};
-
-SkinCorners corners_on_skins(const SolidModel& model, const Skins& skins) {
-  SkinCorners corners;
+std::set<int> vertices_on_skins(const SolidModel& model, const Skins& skins) {
+  std::set<int> vertices;
   for (const SolidEdge& edge : model.edges)
-    for (const int face : edge.faces) {
-      if (!is_skin(skins, face)) continue;
-      auto& on = skins.skin_of[face] == Skin::first ? corners.first : corners.second;
-      on.insert(edge.vertices.begin(), edge.vertices.end());
-    }
-  return corners;
+    if (on_skin(skins, edge)) vertices.insert(edge.vertices.begin(), edge.vertices.end());
+  return vertices;
 }
 
 /// A point of an edge.
@@ -115,21 +98,22 @@ struct OwnPoint {
   Vec3 at;
 };
 
-/// Points of the part that are not on a skin's border: middles of its edges, but of the straight
-/// ones from skin to skin, and free corners.
+/// Points of the part that are not on a skin's border: middles of its edges and free corners.
 std::vector<OwnPoint> own_points(const SolidModel& model, const EdgesByFace& edges,
-                                 const Skins& skins, const SkinCorners& corners,
+                                 const Skins& skins, const std::set<int>& skin_vertices,
                                  const RimPart& part) {
   std::vector<OwnPoint> points;
   std::set<int> seen;
+  const auto at_skin = [&](int vertex) { return skin_vertices.count(vertex) > 0; };
   for (const int f : part.faces)
     for (const int e : edges[f]) {
       const SolidEdge& edge = model.edges[e];
       if (!seen.insert(e).second || edge.vertices[0] < 0 || on_skin(skins, edge)) continue;
-      if (corners.lead_across(edge.vertices) && edge.curve.kind == SpaceCurve::Kind::line) continue;
+      const bool wall = at_skin(edge.vertices[0]) && at_skin(edge.vertices[1]);
+      if (wall && edge.curve.kind == SpaceCurve::Kind::line) continue;
       points.push_back({e, edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2)});
-      if (!corners.has(edge.vertices[0])) points.push_back({e, edge.curve.start});
-      if (!corners.has(edge.vertices[1])) points.push_back({e, edge.curve.end});
+      if (!at_skin(edge.vertices[0])) points.push_back({e, edge.curve.start});
+      if (!at_skin(edge.vertices[1])) points.push_back({e, edge.curve.end});
     }
   return points;
 }
@@ -146,12 +130,12 @@ std::set<int> touched_faces(const RimPart& part) {
 
 Rim find_rim(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins) {
   const EdgesByFace edges = edges_by_face(model);
-  const SkinCorners corners = corners_on_skins(model, skins);
+  const std::set<int> skin_vertices = vertices_on_skins(model, skins);
   Rim rim = with_loops(connected_parts(model, edges, skins), model, skins);
   for (RimPart& part : rim.parts) {
     const std::set<int> touched = touched_faces(part);
     std::set<int> outside;
-    for (const OwnPoint& p : own_points(model, edges, skins, corners, part))
+    for (const OwnPoint& p : own_points(model, edges, skins, skin_vertices, part))
       if (!between(model, outlines, skins, touched, p.at)) outside.insert(p.edge);
     part.within = outside.empty();
     part.openings = openings_through(model, part.faces);
