@@ -1,9 +1,8 @@
 #include "tree_json.hpp"
 
-#include "support/folded_box.hpp"
 #include "support/sheets.hpp"
 
-#include <planish/sheet/flatten.hpp>
+#include <planish/sheet/flat_pattern.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +16,7 @@ using namespace schema;
 using namespace test;
 using ::testing::UnorderedElementsAre;
 
-Report laid(const Sheet& sheet) {
+Report report_laid(const Sheet& sheet) {
   Report report;
   report.sheet = sheet;
   auto flat = flat_sheet(sheet, {.allowance = ConstantK{0.44, ""}});
@@ -35,12 +34,12 @@ std::vector<std::pair<std::string, std::string>> links_of(const Json& tree) {
 }
 
 TEST(Tree, LeadsFromTheRootToEveryPartOnce) {
-  const Json tree = tree_json(laid(u_channel()), Units(LengthUnit::mm));
+  const Json tree = tree_json(report_laid(u_channel()), Units(LengthUnit::mm));
   ASSERT_EQ(tree.size(), 5u);
   EXPECT_TRUE(tree[0]["parent"].is_null());
   std::map<std::string, int> known;
   for (const Json& row : tree) {
-    if (!row["parent"].is_null()) EXPECT_TRUE(known.contains(row["parent"])) << row;
+    EXPECT_TRUE(row["parent"].is_null() || known.contains(row["parent"])) << row;
     EXPECT_EQ(known[row["part"]]++, 0) << row;
     EXPECT_EQ(row.contains("transform"), row["part"].get<std::string>().starts_with("F"));
   }
@@ -53,7 +52,7 @@ TEST(Tree, LeadsFromTheRootToEveryPartOnce) {
 TEST(Tree, HasASharpBendBetweenTheFlangesThatMeetThere) {
   const Sheet sheet = strip(
       {Straight{30}, Crease{Angle::degrees(90), BendDirection::up}, Straight{20}}, 20, 2);
-  EXPECT_THAT(links_of(tree_json(laid(sheet), Units(LengthUnit::mm))),
+  EXPECT_THAT(links_of(tree_json(report_laid(sheet), Units(LengthUnit::mm))),
               UnorderedElementsAre(std::pair<std::string, std::string>{"F1", "B1"},
                                    std::pair<std::string, std::string>{"B1", "F2"}));
 }
@@ -61,7 +60,7 @@ TEST(Tree, HasASharpBendBetweenTheFlangesThatMeetThere) {
 TEST(Tree, PutsFlangesWhereTheyAreInSpace) {
   // A border of a flange, carried from the pattern, lies half a thickness below the skin.
   for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
-    const Report report = laid(u_channel());
+    const Report report = report_laid(u_channel());
     const double mm = millimetres_in(unit);
     for (const Json& row : tree_json(report, Units(unit))) {
       if (!row.contains("transform")) continue;
