@@ -51,7 +51,10 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
     facts.emplace_back("explained", explained, unit::none);
   }
   if (features.empty() || off(explained, bound)) pattern += say::slanted_or_missed;
-  return finding_of("volume_identity", Severity::warning, pattern, facts, feature_places(flat));
+  // Forms that account for all of it leave nothing to look at.
+  const bool accounted = !features.empty() && std::abs(explained - 1.0) <= bound;
+  return finding_of("volume_identity", accounted ? Severity::info : Severity::warning, pattern,
+                    facts, feature_places(flat));
 }
 
 Finding residual_doubt(const std::string& code, std::string_view sentence, double value,

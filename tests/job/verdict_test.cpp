@@ -87,6 +87,7 @@ TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
   const auto found = doubts(certificate, flat, kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "volume_identity");
+  EXPECT_EQ(found[0].severity, Severity::info) << "nothing is left to look at";
   EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink up, which"));
   EXPECT_EQ(found[0].at.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("without them it is 1"));
@@ -101,6 +102,11 @@ TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
   const auto found = doubts(certificate, flat, kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("a missed feature"));
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  certificate.volume_ratio = 1.004;
+  certificate.explained_ratio = kNotANumber;
+  EXPECT_EQ(doubts(certificate, flat, kVolume, {}).at(0).severity, Severity::warning)
+      << "forms that could not be measured explain nothing";
 }
 
 TEST(Verdict, AllowsMoreWhereFormsCouldNotBeMeasured) {
