@@ -1,7 +1,5 @@
 #include "stock.hpp"
 
-#include "csv_text.hpp"
-
 #include <planish/job/outputs.hpp>
 #include <planish/sheet/csv.hpp>
 
