@@ -34,8 +34,7 @@ constexpr Refusal cancelled{code::cancelled, "Cancelled."};
 constexpr Refusal bad_option_text{code::bad_option, "`{option}` must be {wanted}, not \"{text}\"."};
 constexpr Refusal not_an_option{code::bad_option, "`{option}` is not an option of {task}."};
 constexpr Refusal options_not_json{code::invalid_input, "The options are not JSON."};
-constexpr Refusal one_k{code::bad_option,
-                        "`k`, `k_table`, `din6935` and `material` each say where K comes from.",
+constexpr Refusal one_k{code::bad_option, "`{first}` and `{second}` each say where K comes from.",
                         "Give only one of them."};
 constexpr Refusal rules_and_none{code::bad_option, "`rules` and `no_rules` contradict each other.",
                                  "Leave one of them out."};
@@ -60,14 +59,23 @@ constexpr Refusal name_without_shop{
     code::bad_option, "`{option}` can be the name of a material only together with `shop`.",
     "Give the content of the {kind}."};
 constexpr Refusal material_unsaid{code::bad_option, "The shop profile has the materials {known}.",
-                                  "Choose one with `material`."};
+                                  "Choose one with `material`, or that of each part with "
+                                  "`materials`."};
+constexpr Refusal row_not_stocked{
+    code::bad_option,
+    "{file}, {@line}: the shop profile has no material \"{material}\"; it has {known}."};
+constexpr Refusal file_not_stocked{
+    code::bad_option,
+    "The shop profile has no material \"{material}\", which the file of `material` describes; it "
+    "has {known}.",
+    "Name it in that file as the shop does."};
 constexpr Refusal material_not_stocked{
     code::bad_option,
     "The part is made of {material}, which the shop profile does not have; it has {known}.",
-    "Choose one with `material`."};
-constexpr Refusal k_of_transition{code::bad_option,
-                                  "A transition has no inside radius, so its K is one number.",
-                                  "Give it by `k`."};
+    "Choose one with `material`, or that of each part with `materials`."};
+constexpr Refusal k_of_transition{
+    code::bad_option, "`{option}` gives K by the inside radius, which a transition does not have.",
+    "Give one number by `k`."};
 constexpr Refusal folder_unsaid{
     code::invalid_input, "{@field} is missing, but the {kind} names the file {file} at {@named}.",
     "Give the folder of that file."};

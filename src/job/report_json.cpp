@@ -136,6 +136,8 @@ Json begun_report(const Report& report, std::string_view command) {
   json["version"] = 1;
   json["command"] = report.task.empty() ? command : report.task;
   json["input"] = report.input;
+  if (!report.material.empty()) json["material"] = report.material;
+  if (report.quantity != 1) json["quantity"] = report.quantity;
   return json;
 }
 
@@ -160,7 +162,6 @@ Json report_value(const UnfoldReport& report) {
   json["body"] = report.body;
   json["body_number"] = report.number;
   json["quantity"] = report.quantity;
-  if (!report.material.empty()) json["material"] = report.material;
   if (report.density) json["density"] = number_json(*report.density);
   if (!report.colour.empty()) json["colour"] = report.colour;
   finish_report(json, report);
@@ -169,7 +170,6 @@ Json report_value(const UnfoldReport& report) {
 
 ReportDetails unfold_report_details() {
   return {{optional("body", any_text()), optional("body_number", whole(1)),
-           optional("quantity", whole(1)), optional("material", any_text()),
            optional("density", measured_number()), optional("colour", any_text())},
           {}};
 }

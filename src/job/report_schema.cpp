@@ -152,6 +152,7 @@ Schema report_schema(const Catalogue& catalogue) {
   fields.push_back(required(
       "command", words(names).said(fmt::format("the maker, or {}", fmt::join(others, " or ")))));
   fields.push_back(required("input", any_text()));
+  append(fields, {optional("material", any_text()), optional("quantity", whole(1))});
   append(fields, common_fields(bend_details));
   append(fields, std::move(report_details));
   return object(std::move(fields)).said("What came of one part");

@@ -36,6 +36,9 @@ Done set_din6935(Request& to, const OptionValue& value) {
 Done set_material(Request& to, const OptionValue& value) {
   auto material = parse_material(file_of(value).text, file_of(value).name);
   if (!material) return pass_on(material);
+  // Called as its file where the file names none: without the suffix.
+  const std::filesystem::path called = material->name;
+  to.material = called.extension() == ".json" ? called.stem().string() : material->name;
   to.allowance = std::move(*material);
   return {};
 }

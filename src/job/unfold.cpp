@@ -1,5 +1,6 @@
 #include "input.hpp"
 #include "refusals.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
@@ -59,6 +60,7 @@ UnfoldReport refused(const Body& body, const Request& request, const Error& erro
   report.material = body.material();
   report.colour = body.colour();
   report.density = body.density();
+  enter_material(report, request);
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/option_value.hpp>
 #include <planish/sheet/layout.hpp>
+#include <planish/shop/part_materials.hpp>
 #include <planish/shop/shop.hpp>
 
 #include <filesystem>
@@ -76,9 +77,11 @@ struct JoinOptions {
 /// A request to a maker, as data. `options()` has an entry for each member except `input` and
 /// `own`; a maker uses those that its own entry lists.
 struct Request : PatternChecks {
-  std::filesystem::path input;             ///< "-" reads standard input
-  std::string body;                        ///< number (1-based) or name; empty: the only body
-  std::optional<AllowanceRule> allowance;  ///< empty: the file's, or else the default
+  std::filesystem::path input;                   ///< "-" reads standard input
+  std::string body;                              ///< number (1-based) or name; empty: the only body
+  std::optional<AllowanceRule> allowance;        ///< empty: the file's, or else the default
+  std::optional<shop::PartMaterials> materials;  ///< the material of each part that has a row
+  std::string material;  ///< name of that of all others: of a file or the shop's; empty: not said
   std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends by id ("B1");
                                                        ///< overrides `allowance`
   std::string root = "largest";                        ///< "largest" or a face number

@@ -21,7 +21,6 @@ namespace planish::job {
 struct UnfoldReport : Report {
   int number = 1;          ///< the body's number in its file, as in `planish info`
   int bodies_in_file = 1;  ///< distinct bodies
-  int quantity = 1;
 };
 
 /// Unfolds one body. The error shows a report if the body has no flat pattern; it shows none if the
