@@ -76,8 +76,9 @@ class OptionPairs(CliTest):
             known = help_tables.options(self.help(command))
             for family in FAMILIES:
                 # What is refused by itself is named by itself: a transition has no use for curves.
-                alone = [one for one in family.items() if one[0] in known and self.taken_alone(command, one)]
-                for pair in itertools.permutations(alone, 2):
+                both = [one for one in family.items() if one[0] in known]
+                alone = [one for one in both if len(both) > 1 and self.taken_alone(command, one)]
+                for pair in itertools.combinations(alone, 2):
                     tried += 1
                     with self.subTest(command, pair=pair):
                         status, error = self.said(command, pair, f"out{tried}")
@@ -87,7 +88,7 @@ class OptionPairs(CliTest):
                             self.assertFalse((self.dir / f"out{tried}").exists(), "before any work")
                         else:
                             self.assertEqual(status, 0, error)
-        self.assertGreater(tried, 150, "the help names the options")
+        self.assertGreater(tried, 90, "the help names the options")
 
     def test_a_second_place_for_k_is_refused(self):
         sources = ["--k", "--k-table", "--din6935", "--material"]
