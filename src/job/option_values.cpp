@@ -223,6 +223,8 @@ Result<void> OptionValues::check_together() const {
   if (auto twice = second_k_rule(*this, !given("shop"))) return tl::unexpected(std::move(*twice));
   for (const Contradiction& one : {
            Contradiction{given("no_rules") && given("rules"), refuse::rules_and_none, "no_rules"},
+           {given("tangent_lines") && text("profile") == "solidedge", refuse::tangents_unlayered,
+            "tangent_lines"},
            {given("r12") && text("splines") == "keep", refuse::kept_splines, "splines"},
            {given("tick_length") && text("bend_marks") != "ticks", refuse::ticks_alone,
             "tick_length"},

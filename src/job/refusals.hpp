@@ -43,6 +43,10 @@ constexpr Refusal kept_splines{code::bad_option,
                                "Leave one of them out."};
 constexpr Refusal ticks_alone{code::bad_option, "`tick_length` goes with `bend_marks` ticks.",
                               "Set `bend_marks` to ticks.", "bend_marks", "ticks"};
+constexpr Refusal tangents_unlayered{
+    code::bad_option,
+    "`tangent_lines` cannot be drawn with `profile` solidedge, which has no layer for bend zones.",
+    "Choose another `profile`, or leave `tangent_lines` out."};
 constexpr Refusal bad_rip_edges{
     code::bad_option,
     "`rip_edges` must be numbers of edges with commas between them, as in 21,56, not \"{text}\"."};

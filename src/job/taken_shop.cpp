@@ -34,7 +34,9 @@ int place_in(const Shop& shop, const std::string& name) {
 /// The row of the list that is about the part.
 const PartMaterial* row_of(const Request& request, const Report& report) {
   if (!request.materials) return nullptr;
-  return request.materials->find({report.body, request.input.stem().string()}, report.colour);
+  const std::filesystem::path& input = request.input;
+  return request.materials->find({report.body, input.stem().string(), input.filename().string()},
+                                 report.colour);
 }
 
 }  // namespace

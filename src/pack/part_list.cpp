@@ -159,7 +159,9 @@ class Collecting {
   /// What the list of materials says of a part.
   const shop::PartMaterial* row_of(const PartRecord& record, const PartSource& source) {
     if (!request_.materials) return nullptr;
-    const auto* row = request_.materials->find({name_of(record), stem_of(source)}, record.colour);
+    const std::filesystem::path input(source.input);
+    const auto* row = request_.materials->find(
+        {name_of(record), input.stem().string(), input.filename().string()}, record.colour);
     if (row) used_.insert(row->line);
     return row;
   }

@@ -125,6 +125,8 @@ TEST(TakenShop, TakesTheMaterialThatAListSaysOfThePart) {
   ASSERT_TRUE(request_of_part(request, seat)) << "called as its file";
   EXPECT_EQ(seat.material, "Steel");
   EXPECT_EQ(seat.quantity, 1);
+  ASSERT_TRUE(request_of_part(listed("bracket.step;brass;;\n"), seat));
+  EXPECT_EQ(seat.material, "brass") << "called as its file, suffix and all";
 }
 
 TEST(TakenShop, TakesTheMaterialForAllWhereAListSaysNothing) {

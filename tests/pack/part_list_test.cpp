@@ -94,7 +94,7 @@ TEST_F(PackedBatch, IsOfTheMaterialThatWasChosen) {
   add("a.step", 100.0, {{"material", "oak"}});
   add("b.step", 90.0, {{"material", "oak"}});
   add("c.step", 80.0);
-  job::Request request = with_list("a;S235;;\nz;brass;;\n");
+  job::Request request = with_list("a.STEP;S235;;\nz;brass;;\n");
   auto list = listed(request);
   ASSERT_TRUE(list);
   EXPECT_THAT(stems_of(*list), ElementsAre("a_S235_2mm_x1", "b_oak_2mm_x1", "c_unknown_2mm_x1"));
