@@ -26,12 +26,13 @@ from dxf_contours import box_of, chain_piece, contours_of, distance
 
 OUTER = {"OUTER_PROFILE", "IV_OUTER_PROFILE", "SHEETMETAL_CUT_LINES", "OUTER_LOOP"}
 OPENINGS = {"INTERIOR_PROFILES", "IV_INTERIOR_PROFILES", "SHEETMETAL_CUT_LINES", "INTERIOR_LOOPS"}
+SLITS = {"SLITS", "SHEETMETAL_CUT_LINES"}
 BEND_UP = {"BEND_UP", "IV_BEND", "SHEETMETAL_BEND_LINES_UP", "UP_CENTERLINES"}
 BEND_DOWN = {"BEND_DOWN", "IV_BEND_DOWN", "SHEETMETAL_BEND_LINES_DOWN", "DOWN_CENTERLINES"}
 BEND_ZONE = {"BEND_TANGENT", "IV_TANGENT", "SHEETMETAL_BEND_TANGENT_LI"}
 FEATURES = {"FEATURE_PROFILES", "IV_FEATURE_PROFILES", "SHEETMETAL_FEATURE_PROFILES"}
 TEXTS = "TEXT"
-KNOWN = OUTER | OPENINGS | BEND_UP | BEND_DOWN | BEND_ZONE | FEATURES
+KNOWN = OUTER | OPENINGS | SLITS | BEND_UP | BEND_DOWN | BEND_ZONE | FEATURES
 
 MILLIMETRES = {1: 25.4, 4: 1.0, 5: 10.0, 6: 1000.0}
 R12_FORBIDDEN = {"LWPOLYLINE", "SPLINE", "ELLIPSE"}
@@ -179,8 +180,8 @@ def check(path, expected, tolerance, slit_length=0.0, auditing=True, texts=False
     errors += [f"unknown layer {layer}" for layer in layers if layer not in KNOWN and not (texts and layer == TEXTS)]
 
     slits = []
-    cuts = [e for e in entities if e.dxf.layer in OUTER | OPENINGS]
-    contours = contours_of(cuts, errors, slits, OPENINGS)
+    cuts = [e for e in entities if e.dxf.layer in OUTER | OPENINGS | SLITS]
+    contours = contours_of(cuts, errors, slits, SLITS)
     outer, openings = sort_out(contours, errors)
     bends = [e for e in entities if e.dxf.layer in BEND_UP | BEND_DOWN]
     if bends:

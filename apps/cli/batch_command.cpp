@@ -83,7 +83,8 @@ std::string summary_text(const batch::BatchResult& result) {
         "{left:input of an earlier run is/inputs of earlier runs are} not among these; the files "
         "are still there\n";
   return tell(pattern, counts).sentence +
-         fmt::format("wrote {}\n", (result.out / "index.html").string());
+         fmt::format("wrote {}\n", (result.out / "index.html").string()) +
+         left_out_text(result.refused_for, result.passed_over);
 }
 
 /// What is asked for, or the reason why it cannot be.
@@ -105,8 +106,18 @@ Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
   return options;
 }
 
+/// What a merge, which only joins results, has no use for; empty if nothing is given.
+std::string unused_by_merge(const BatchArguments& arguments) {
+  if (!arguments.formats.empty()) return "--format";
+  if (!arguments.shard.empty()) return "--shard";
+  const auto& given = arguments.options.all();
+  return given.empty() ? std::string() : flag_of(given.front().first->name);
+}
+
 Result<batch::BatchResult> result_of(const job::Catalogue& catalogue,
                                      const BatchArguments& arguments) {
+  if (const std::string unused = arguments.merge ? unused_by_merge(arguments) : ""; !unused.empty())
+    return fail(refuse::merge_and_make, {{"option", unused}}, "merge");
   Telling telling(arguments.how);
   const auto tell = [&](const batch::BatchProgress& at) { telling(at); };
   if (arguments.merge) {
@@ -150,7 +161,7 @@ int run_batch(const Program& program, const BatchArguments& arguments) {
   const auto result = result_of(program.catalogue, arguments);
   if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result));
-  return 0;
+  return status_of(result->ok + result->warnings, result->refused_for);
 }
 
 }  // namespace planish::cli

@@ -47,7 +47,8 @@ void describe_file(TableOption& entry, const std::string& command,
   entry.file = kind.starts_with("FILE") || kind == "PATH" || kind == "INPUT";
   if (kind.starts_with("FILE.")) entry.suffixes = {kind.substr(4)};
   if (!input || kind != "FILE") return;
-  if (reads_step(command, catalogue)) entry.suffixes = {".step", ".stp", ".brep"};
+  if (reads_step(command, catalogue))
+    entry.suffixes = {".step", ".stp", ".stpz", ".gz", ".zip", ".brep"};
   if (reads_json(command, catalogue)) entry.suffixes.emplace_back(".json");
 }
 

@@ -72,9 +72,9 @@ int run_batch(const Program& program, const BatchArguments& arguments);
 struct PackArguments {
   std::vector<std::string> inputs;
   std::string output;
-  std::string materials, rates;  ///< files; empty: none
-  std::string stock;             ///< "3000x1500"; empty: parts are not laid on sheets
-  std::optional<double> gap;     ///< mm
+  std::string rates;          ///< a file; empty: none
+  std::string stock;          ///< "3000x1500"; empty: parts are not laid on sheets
+  std::optional<double> gap;  ///< mm
   bool grain = false, zip = false, no_plan = false, no_drawings = false;
   ManyParts how;
   job::OptionValues options;

@@ -20,8 +20,8 @@ constexpr double kOften = 0.2;  // seconds between lines on a terminal
 
 /// Options of making parts: those that say how each is made and written.
 bool is_of_parts(const job::Option& option) {
-  static const std::set<std::string_view> kOfOne{"body", "piece",  "root",
-                                                 "up",   "bend_k", "rip_edges"};
+  static const std::set<std::string_view> kOfOne{"body",   "piece",     "root",     "up",
+                                                 "bend_k", "rip_edges", "thickness"};
   return option.on_command_line && !kOfOne.contains(option.name) &&
          option.group != job::OptionGroup::order;
 }
@@ -59,6 +59,35 @@ void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& h
 int complain(const Error& error, const ManyParts& how) {
   if (how.progress_json) fmt::print(stderr, "{{\"reason\":{}}}\n", job::reason_text(error));
   return complain(error);
+}
+
+std::string left_out_text(const std::vector<batch::RefusedFor>& refused,
+                          const batch::PassedOver& passed) {
+  constexpr std::size_t kMostLines = 10;
+  std::string text;
+  const auto add = [&](std::size_t all, const auto& line_of) {
+    for (std::size_t i = 0; i < std::min(all, kMostLines); ++i)
+      text += fmt::format("  {}\n", line_of(i));
+    if (all > kMostLines) text += fmt::format("  and {} more\n", all - kMostLines);
+  };
+  if (!refused.empty()) text += "refused:\n";
+  add(refused.size(), [&](std::size_t i) {
+    const batch::RefusedFor& one = refused[i];
+    const std::string more = one.count == 1 ? "" : fmt::format(" and {} more", one.count - 1);
+    return fmt::format("{}{}: {}", one.first, more, one.message.empty() ? one.code : one.message);
+  });
+  if (passed.count > 0) text += fmt::format("passed over ({}):\n", passed.count);
+  add(passed.count, [&](std::size_t i) {
+    return fmt::format("{}: {}", passed.files[i].name, passed.files[i].why);
+  });
+  return text;
+}
+
+int status_of(std::size_t made, const std::vector<batch::RefusedFor>& refused) {
+  const bool usage = std::ranges::any_of(refused, [](const batch::RefusedFor& one) {
+    return one.code == code_name(code::bad_option);
+  });
+  return made == 0 && usage ? exit_status(code::bad_option) : 0;
 }
 
 int workers_of(const ManyParts& how) {

@@ -23,6 +23,15 @@ int complain(const Error& error, const ManyParts& how);
 void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& how,
                     job::OptionValues& values);
 
+/// What is not among the results, as lines behind them: why parts were refused, what was passed
+/// over.
+std::string left_out_text(const std::vector<batch::RefusedFor>& refused,
+                          const batch::PassedOver& passed);
+
+/// The exit status of work that is done: that of wrong usage where the options left nothing to
+/// make.
+int status_of(std::size_t made, const std::vector<batch::RefusedFor>& refused);
+
 int workers_of(const ManyParts& how);
 
 /// Tells how far a batch is: on a line of the terminal, or as lines of JSON.

@@ -26,7 +26,7 @@ const job::Artifact* by_suffix(const std::vector<const job::Artifact*>& artifact
 }
 
 std::string stem_of(const fs::path& input) {
-  return input == "-" ? "stdin" : input.stem().string();
+  return input == "-" ? "stdin" : job::stem_of_input(input);
 }
 
 std::vector<fs::path> files_named(const std::vector<std::string>& values) {

@@ -49,11 +49,11 @@ Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
   options.plan = !arguments.no_plan;
   options.drawings = !arguments.no_drawings;
   options.zip = arguments.zip;
-  auto materials = given(arguments.materials, "list of materials");
-  if (!materials) return pass_on(materials);
+  for (const auto& [option, value] : arguments.options.all())
+    if (arguments.no_plan && option->group == job::OptionGroup::brake)
+      return fail(refuse::plan_and_none, {{"option", flag_of(option->name)}}, "no-plan");
   auto rates = given(arguments.rates, "rates file");
   if (!rates) return pass_on(rates);
-  options.materials = std::move(*materials);
   options.rates = std::move(*rates);
   if (!arguments.stock.empty()) {
     options.stock = stock_in(arguments.stock);
@@ -81,7 +81,8 @@ std::string summary_text(const pack::PackResult& result, const std::string& out)
   for (const std::string& note : result.notes)
     text += note + "\n";
   return text +
-         tell("wrote {n:file} to {out}\n", {{"n", result.files.size()}, {"out", out}}).sentence;
+         tell("wrote {n:file} to {out}\n", {{"n", result.files.size()}, {"out", out}}).sentence +
+         left_out_text(result.refused_for, result.passed_over);
 }
 
 }  // namespace
@@ -102,9 +103,6 @@ CLI::App* add_pack(const Program& program, PackArguments& arguments) {
   command
       ->add_flag("--no-drawings", arguments.no_drawings, "make no PDF of each part, and no cover")
       ->group("Output");
-  add_text(*command, "--materials", arguments.materials, "FILE.csv",
-           "materials and densities, by part name or colour")
-      ->group("Shop");
   add_text(*command, "--rates", arguments.rates, "FILE.json",
            "the shop's rates for cutting, bending and material")
       ->group("Shop");
@@ -136,7 +134,7 @@ int run_pack(const Program& program, const PackArguments& arguments) {
   telling.reset();
   if (!result) return complain(result.error(), arguments.how);
   if (!arguments.how.quiet) fmt::print("{}", summary_text(*result, arguments.output));
-  return 0;
+  return status_of(result->parts, result->refused_for);
 }
 
 }  // namespace planish::cli

@@ -4,6 +4,8 @@
 #include "output_files.hpp"
 #include "refusals.hpp"
 
+#include <planish/job/part_materials.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -185,6 +187,8 @@ Result<Plan> planned(const job::Catalogue& catalogue, const Arguments& arguments
   if (auto fine = check_files(arguments, plan); !fine) return pass_on(fine);
   plan.request.input = arguments.input;
   if (auto entered = arguments.options.enter(plan.request); !entered) return pass_on(entered);
+  if (arguments.all)
+    if (auto wrong = job::unstocked(plan.request)) return tl::unexpected(std::move(*wrong));
   return plan;
 }
 

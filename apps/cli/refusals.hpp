@@ -46,6 +46,12 @@ constexpr Refusal bad_stock{
     "--nest must be like 3000x1500, length and width of a sheet in mm, not \"{text}\"."};
 constexpr Refusal stock_unsaid{code::bad_option,
                                "--gap and --grain belong to --nest, which is not given."};
+constexpr Refusal merge_and_make{code::bad_option,
+                                 "--merge makes no parts, and {option} says how they are made.",
+                                 "Give it to the shards, and leave it out here."};
+constexpr Refusal plan_and_none{code::bad_option,
+                                "--no-plan leaves the press brake out, and {option} belongs to it.",
+                                "Leave one of them out."};
 constexpr Refusal bad_format{code::bad_option, "--format {format} is unknown.",
                              "Choose from these: {known}."};
 constexpr Refusal bad_shard{code::bad_option, "--shard must be like 3/64: which one, of how many."};

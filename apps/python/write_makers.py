@@ -136,7 +136,7 @@ class Reports:
             parts.append(f"class {name}(Record):\n" + self.fields(fields))
         # The same for objects that are no reports themselves.
         for name, of, left_out in (("PartKeys", "Report", ("flat",)),
-                                   ("FlatKeys", "ReportFlat", ("area", "perimeter", "openings", "bends")),
+                                   ("FlatKeys", "ReportFlat", ("area", "perimeter", "openings", "slits", "bends")),
                                    ("BendKeys", "ReportFlatBend", ("lines",))):
             # Of what was made these are known; a part that comes with a refusal may lack them.
             fields = {key: kind.removesuffix(" | None") if key in ("sheet", "verification") else kind

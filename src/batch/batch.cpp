@@ -3,6 +3,7 @@
 #include "workers.hpp"
 
 #include <planish/batch/codes.hpp>
+#include <planish/batch/options.hpp>
 #include <planish/job/options.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -279,35 +280,41 @@ class Running {
   std::optional<Error> error_;
 };
 
-RunRecord record_of(const std::vector<Input>& inputs, const BatchOptions& options) {
+RunRecord record_of(const Inputs& inputs, const BatchOptions& options) {
+  RunRecord record{.shard = options.shard, .inputs = inputs.files.size(), .work = {}};
   std::string work = settings_of(options);
-  for (const Input& input : inputs)
-    work += input.name + '\n';
-  return {options.shard, inputs.size(), hash_of(work), false};
+  for (const Input& input : inputs.files) {
+    work += fmt::format("{} x{}\n", input.name, input.copies);
+    if (input.copies != 1) record.copies.emplace(input.name, input.copies);
+  }
+  record.work = hash_of(work);
+  record.passed_over = inputs.passed_over;
+  return record;
 }
 
 }  // namespace
 
-Result<BatchResult> run_batch(const std::vector<Input>& inputs, const fs::path& out,
+Result<BatchResult> run_batch(const Inputs& inputs, const fs::path& out,
                               const BatchOptions& options, const job::Catalogue& catalogue,
                               const std::function<void(const BatchProgress&)>& report,
                               const std::function<bool()>& cancelled) {
+  if (auto wrong = useless_options(inputs.files, options.options, catalogue))
+    return tl::unexpected(std::move(*wrong));
   const Shard& shard = options.shard;
   auto state = State::open(
       shard.of == 1 ? out : out / fmt::format("shard-{}-of-{}", shard.number, shard.of));
   if (!state) return pass_on(state);
   RunRecord record = record_of(inputs, options);
   if (auto written = state->record(record); !written) return pass_on(written);
-  Running running(inputs, *state, options, catalogue, report, cancelled);
+  Running running(inputs.files, *state, options, catalogue, report, cancelled);
   if (auto error = running.run()) return tl::unexpected(std::move(*error));
-  const std::vector<std::string> names = running.names();
-  auto result = write_results(names, *state);
+  record.names = running.names();
+  auto result = write_results(record, *state);
   if (!result) return result;
   record.finished = true;
-  record.names = names;
   if (auto written = state->record(record); !written) return pass_on(written);
   result->resumed = running.progress().resumed;
-  result->left = state->journal().names().size() - names.size();
+  result->left = state->journal().names().size() - record.names.size();
   return result;
 }
 

@@ -1,14 +1,17 @@
 #include "refusals.hpp"
 
 #include <planish/base/text.hpp>
+#include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
 #include <planish/schema/text_file.hpp>
+#include <planish/shop/part_materials.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <charconv>
+#include <map>
 #include <sstream>
 #include <system_error>
 
@@ -16,7 +19,7 @@
 // Results are sorted and stored by an input's name, its path below the folder or list that led to
 // it, so no two may be equal; a file that is named twice counts once. The lists under way are kept,
 // so that a list which leads to itself is found. The output may not lie below a folder that is
-// read.
+// read. A folder is gone through by hand, so one below it that cannot be read costs only itself.
 
 namespace planish::batch {
 namespace {
@@ -25,6 +28,40 @@ namespace fs = std::filesystem;
 
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
+/// How often everything that a word means is wanted, and who says so.
+struct Wanted {
+  int copies = 1;
+  std::string said_by = {};
+};
+
+/// A line of a list, "part.step x20".
+struct ListLine {
+  std::string word;
+  std::string times = {};  ///< "20"; empty: the line does not say
+};
+
+ListLine line_of(const std::string& text) {
+  const std::size_t blank = text.find_last_of(" \t");
+  if (blank == std::string::npos) return {text};
+  std::string last = text.substr(blank + 1);
+  constexpr std::string_view kSign = "×";
+  if (last.starts_with(kSign)) last.replace(0, kSign.size(), "x");
+  const bool times = last.size() > 1 && (last[0] == 'x' || last[0] == 'X') &&
+                     std::isdigit(static_cast<unsigned char>(last[1]));
+  if (!times) return {text};
+  const std::size_t end = text.find_last_not_of(" \t", blank);
+  return {text.substr(0, end + 1), last.substr(1)};
+}
+
+std::optional<int> copies_in(const std::string& times) {
+  int copies = 0;
+  const char* end = times.data() + times.size();
+  const auto [stop, error] = std::from_chars(times.data(), end, copies);
+  if (error != std::errc() || stop != end || copies < 1 || copies > shop::kMostPieces)
+    return std::nullopt;
+  return copies;
+}
+
 /// Collects the inputs of one command line.
 class Collecting {
  public:
@@ -32,39 +69,94 @@ class Collecting {
       : out_(fs::weakly_canonical(out)), catalogue_(catalogue) {}
 
   /// The reason why a word cannot be taken.
-  std::optional<Error> add(const std::string& word, const fs::path& beside) {
-    if (word.starts_with('@')) return add_list(beside / word.substr(1));
+  std::optional<Error> add(const std::string& word, const fs::path& beside,
+                           const Wanted& wanted = {}) {
+    if (word.starts_with('@')) return add_list(beside / word.substr(1), wanted);
     const fs::path path = beside / word;
     std::error_code none;
-    if (fs::is_directory(path, none)) return add_folder(path);
+    if (fs::is_directory(path, none)) return add_folder(path, wanted);
     if (!fs::is_regular_file(path, none))
       return error_of(refuse::no_file_or_folder, {{"file", path.string()}}, path.string());
     // In a list of many folders the names of files alone may be the same.
     const fs::path below = path.lexically_normal().lexically_relative(beside.lexically_normal());
     const bool is_below = !beside.empty() && !below.empty() && *below.begin() != "..";
-    inputs_.push_back({path, is_below ? below.generic_string() : path.filename().string()});
+    take(path, is_below ? below.generic_string() : path.filename().string(), wanted);
     return std::nullopt;
   }
 
-  Result<std::vector<Input>> finish() {
-    std::ranges::sort(inputs_, {}, &Input::name);
-    std::vector<Input> inputs;
-    std::set<fs::path> taken;
+  Result<Inputs> finish() {
+    std::ranges::stable_sort(inputs_, {}, &Input::name);
+    Inputs found;
+    std::map<fs::path, std::size_t> taken;
     for (Input& input : inputs_) {
-      const bool fresh = taken.insert(fs::absolute(input.file).lexically_normal()).second;
-      if (!fresh) continue;
-      if (!inputs.empty() && inputs.back().name == input.name)
+      const auto [before, fresh] = taken.emplace(fs::absolute(input.file).lexically_normal(),
+                                                 found.files.size());
+      if (!fresh) {
+        const Input& first = found.files[before->second];
+        if (first.said_by != input.said_by || first.copies != input.copies)
+          return counted_twice(first, input);
+        continue;
+      }
+      if (!found.files.empty() && found.files.back().name == input.name)
         return fail(refuse::same_input_name, {{"name", input.name},
-                                              {"first", inputs.back().file.string()},
+                                              {"first", found.files.back().file.string()},
                                               {"second", input.file.string()}});
-      inputs.push_back(std::move(input));
+      found.files.push_back(std::move(input));
     }
-    if (inputs.empty()) return fail(refuse::nothing_to_do);
-    return inputs;
+    std::ranges::sort(passed_, {}, &PassedFile::name);
+    found.passed_over.count = passed_.size();
+    if (found.files.empty()) return tl::unexpected(nothing());
+    passed_.resize(std::min(passed_.size(), kMostPassed));
+    found.passed_over.files = std::move(passed_);
+    return found;
   }
 
  private:
-  std::optional<Error> add_list(const fs::path& list) {
+  void take(const fs::path& file, std::string name, const Wanted& wanted) {
+    inputs_.push_back({file, std::move(name), wanted.copies, wanted.said_by});
+  }
+
+  void pass_over(const std::string& name, ErrorCode code, std::string why) {
+    passed_.push_back({name, std::string(code_name(code)), std::move(why)});
+  }
+
+  static tl::unexpected<Error> counted_twice(const Input& first, const Input& second) {
+    const auto said = [](const Input& one) {
+      return one.said_by.empty() ? std::string("another word, which gives no quantity")
+                                 : one.said_by;
+    };
+    return fail(refuse::counted_twice,
+                {{"file", first.file.string()}, {"first", said(first)}, {"second", said(second)}},
+                first.file.string());
+  }
+
+  /// Why there is no input.
+  Error nothing() const {
+    if (unread_) return *unread_;
+    if (passed_.empty()) return error_of(refuse::nothing_to_do, {});
+    return error_of(refuse::all_passed_over,
+                    {{"count", passed_.size()}, {"first", passed_.front().name}});
+  }
+
+  /// Reads a line of a list.
+  std::optional<Error> add_line(const std::string& text, const fs::path& list, int number,
+                                const Wanted& wanted) {
+    const fs::path beside = list.has_parent_path() ? list.parent_path() : ".";
+    std::error_code none;
+    ListLine line = fs::exists(beside / text, none) ? ListLine{text} : line_of(text);
+    Wanted mine = wanted;
+    if (!line.times.empty()) {
+      const auto copies = copies_in(line.times);
+      if (!copies || *copies > shop::kMostPieces / wanted.copies)
+        return error_of(refuse::bad_copies,
+                        {{"times", shortened(line.times)}, {"most", shop::kMostPieces}}, "");
+      mine.copies *= *copies;
+      mine.said_by = fmt::format("{}, line {}", list.string(), number);
+    }
+    return add(line.word, beside, mine);
+  }
+
+  std::optional<Error> add_list(const fs::path& list, const Wanted& wanted) {
     std::error_code none;
     const fs::path whole = fs::weakly_canonical(list, none);
     if (std::ranges::find(lists_, whole) != lists_.end())
@@ -79,7 +171,7 @@ class Collecting {
         line.pop_back();
       ++number;
       if (line.empty() || line.starts_with('#')) continue;
-      auto error = add(line, list.has_parent_path() ? list.parent_path() : ".");
+      auto error = add_line(line, list, number, wanted);
       if (!error) continue;
       if (!line.starts_with('@')) {
         error->message = continued(std::move(error->message));
@@ -92,32 +184,54 @@ class Collecting {
     return std::nullopt;
   }
 
-  std::optional<Error> add_folder(const fs::path& folder) {
-    std::error_code failed;
-    const fs::path whole = fs::weakly_canonical(folder, failed);
+  std::optional<Error> add_folder(const fs::path& folder, const Wanted& wanted) {
+    std::error_code none;
+    const fs::path whole = fs::weakly_canonical(folder, none);
     const auto [end, rest] = std::ranges::mismatch(whole, out_);
     if (end == whole.end())
       return error_of(refuse::output_in_input,
                       {{"output", out_.string()}, {"folder", folder.string()}}, "output");
-    auto entry = fs::recursive_directory_iterator(folder, failed);
-    for (; !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed)) {
-      if (is_hidden(entry->path())) {
-        entry.disable_recursion_pending();
-        continue;
+    std::vector<fs::path> folders{folder};
+    while (!folders.empty()) {
+      const fs::path one = std::move(folders.back());
+      folders.pop_back();
+      std::error_code failed;
+      auto entry = fs::directory_iterator(one, failed);
+      for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
+        if (is_hidden(entry->path())) continue;
+        const std::string name = entry->path().lexically_relative(folder).generic_string();
+        if (entry->is_directory(none) && !entry->is_symlink(none))
+          folders.push_back(entry->path());
+        else
+          add_found(*entry, name, wanted);
       }
-      std::error_code none;
-      if (entry->is_regular_file(none) && is_input(entry->path()))
-        inputs_.push_back(
-            {entry->path(), entry->path().lexically_relative(folder).generic_string()});
+      if (failed) {
+        const std::string below = one.lexically_relative(folder).generic_string();
+        pass_over(below == "." ? folder.generic_string() : below, code::cannot_read,
+                  fmt::format("cannot be read ({})", failed.message()));
+        unread_ = schema::cannot_read("folder", one, failed.message());
+      }
     }
-    if (!failed) return std::nullopt;
-    return schema::cannot_read("folder", folder, failed.message());
+    return std::nullopt;
+  }
+
+  /// What is in a folder, but no folder itself.
+  void add_found(const fs::directory_entry& entry, const std::string& name, const Wanted& wanted) {
+    std::error_code failed;
+    const bool file = entry.is_regular_file(failed);
+    if (!file && entry.is_directory(failed))
+      return pass_over(name, code::no_input, "a link to a folder");
+    if (!file && !entry.exists(failed)) return pass_over(name, code::no_input, "a link to nothing");
+    if (file && is_input(entry.path())) return take(entry.path(), name, wanted);
+    pass_over(name, code::no_input, "no file that planish reads");
   }
 
   bool is_input(const fs::path& file) const {
-    const std::string suffix = lower_case(file.extension().string());
-    if (suffix == ".step" || suffix == ".stp") return true;
-    if (suffix != ".json") return false;
+    const std::string name = lower_case(file.filename().string());
+    for (const char* suffix :
+         {".step", ".stp", ".stpz", ".step.gz", ".stp.gz", ".step.zip", ".stp.zip"})
+      if (name.ends_with(suffix)) return true;
+    if (!name.ends_with(".json")) return false;
     const auto input = job::read_input_file(file, "input file");
     return input && catalogue_.maker_for(input->name, input->content);
   }
@@ -125,13 +239,15 @@ class Collecting {
   fs::path out_;
   const job::Catalogue& catalogue_;
   std::vector<Input> inputs_;
+  std::vector<PassedFile> passed_;
+  std::optional<Error> unread_;  ///< of the last folder that cannot be read
   std::vector<fs::path> lists_;  ///< being read, each named by the one before
 };
 
 }  // namespace
 
-Result<std::vector<Input>> inputs_of(const std::vector<std::string>& words, const fs::path& out,
-                                     const job::Catalogue& catalogue) {
+Result<Inputs> inputs_of(const std::vector<std::string>& words, const fs::path& out,
+                         const job::Catalogue& catalogue) {
   Collecting collecting(out, catalogue);
   for (const std::string& word : words)
     if (auto error = collecting.add(word, {})) return tl::unexpected(std::move(*error));

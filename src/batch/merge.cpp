@@ -157,15 +157,19 @@ Result<BatchResult> merge_batches(const std::vector<fs::path>& folders, const fs
   if (!batches) return pass_on(batches);
   auto state = State::open(out);
   if (!state) return pass_on(state);
-  RunRecord record{
-      .shard = {}, .inputs = batches->front().record.inputs, .work = batches->front().record.work};
+  const RunRecord& first = batches->front().record;
+  RunRecord record{.shard = {},
+                   .inputs = first.inputs,
+                   .work = first.work,
+                   .copies = first.copies,
+                   .passed_over = first.passed_over};
   if (auto written = state->record(record); !written) return pass_on(written);
   Merging merging(*state, *batches, report, cancelled);
   if (auto error = merging.run()) return tl::unexpected(std::move(*error));
   for (const Batch& batch : *batches)
     record.names.insert(record.names.end(), batch.record.names.begin(), batch.record.names.end());
   std::ranges::sort(record.names);
-  auto result = write_results(record.names, *state);
+  auto result = write_results(record, *state);
   if (!result) return result;
   record.finished = true;
   if (auto written = state->record(record); !written) return pass_on(written);

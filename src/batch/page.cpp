@@ -1,20 +1,22 @@
 #include "page.hpp"
 
 #include "page_text.hpp"
+#include "state.hpp"
 
+#include <planish/base/id_vector.hpp>
 #include <planish/base/text.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cctype>
-#include <set>
 #include <string_view>
 
-// The page of a batch: one file, in whose script each part is a row of JSON. Refused parts come
-// first. A browser shows only so many rows, so no more are kept; the total is said on the page. No
-// text of a part may end the script element.
+// The page of a batch: one file, in whose script each part is a row of JSON. Parts that were made
+// come first. A browser shows only so many rows, so no more are kept, refused ones before all
+// others; the total is said on the page. No text of a part may end the script element.
 
 namespace planish::batch {
 namespace {
@@ -28,13 +30,10 @@ Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// Why a part was refused, or the codes of what was found, each once.
-std::string message_of(const PartRecord& part) {
-  if (!part.message.empty()) return part.message;
-  std::set<std::string> codes;
-  for (const RecordedFinding& warning : warnings_of(part))
-    codes.insert(warning.code);
-  return fmt::format("{}", fmt::join(codes, ", "));
+/// Why a part was refused, or what was found, in sentences.
+std::vector<std::string> messages_of(const PartRecord& part) {
+  if (!part.message.empty()) return {part.message};
+  return mapped(warnings_of(part), [](const auto& one) { return capitalized(one.message) + "."; });
 }
 
 /// A path as it stands in an address.
@@ -62,13 +61,16 @@ void Page::add(const PartRecord& part, std::optional<std::size_t> distinct) {
   ++all_;
   if (distinct && *distinct >= copies_.size()) copies_.resize(*distinct + 1, 0);
   if (distinct) ++copies_[*distinct];
-  auto& rows = part.status == "refused" ? refused_ : part.status == "warning" ? warnings_ : ok_;
+  auto& [count, rows] = part.status == "refused"   ? refused_
+                        : part.status == "warning" ? warnings_
+                                                   : ok_;
+  ++count;
   if (rows.size() == kMostShown) return;
   rows.push_back(in_script({{"name", part.folder},
                             {"folder", "parts/" + in_address(part.folder)},
                             {"status", part.status},
                             {"reason", part.reason},
-                            {"message", message_of(part)},
+                            {"messages", messages_of(part)},
                             {"same", or_null(distinct)},
                             {"quantity", or_null(part.quantity)},
                             {"material", part.material},
@@ -79,16 +81,27 @@ void Page::add(const PartRecord& part, std::optional<std::size_t> distinct) {
                             {"openings", or_null(part.openings)}}));
 }
 
-std::string Page::text() const {
-  std::string data = fmt::format(R"({{"all":{},"copies":[{}],"parts":[)", all_,
-                                 fmt::join(copies_, ","));
-  std::size_t shown = 0;
-  for (const auto* rows : {&refused_, &warnings_, &ok_})
-    for (const std::string& row : *rows) {
-      if (shown == kMostShown) break;
-      data += (shown++ == 0 ? "\n" : ",\n") + row;
-    }
-  data += "]}";
+std::string Page::text(const PassedOver& passed) const {
+  // What is kept where there are too many: most of all what a person has to look at.
+  std::size_t room = kMostShown;
+  const auto kept = [&](const Rows& of) {
+    const auto& rows = of.rows;
+    const std::size_t count = std::min(room, rows.size());
+    room -= count;
+    return fmt::format(
+        "{}", fmt::join(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count), ",\n"));
+  };
+  const auto refused = kept(refused_), warnings = kept(warnings_), ok = kept(ok_);
+  std::string parts;
+  for (const auto& rows : {ok, warnings, refused}) {
+    if (rows.empty()) continue;
+    parts += fmt::format("{}\n{}", parts.empty() ? "" : ",", rows);
+  }
+  const std::string data = fmt::format(
+      R"({{"all":{},"ok":{},"warnings":{},"refused":{},"copies":[{}],)"
+      R"("passedOver":{},"parts":[{}]}})",
+      all_, ok_.count, warnings_.count, refused_.count, fmt::join(copies_, ","),
+      in_script(passed_over_json(passed)), parts);
   std::string page = kPageText;
   constexpr std::string_view kPlace = "{{data}}";
   return page.replace(page.find(kPlace), kPlace.size(), data);

@@ -1,3 +1,4 @@
+#include <planish/base/message.hpp>
 #include <planish/batch/part_record.hpp>
 
 #include <fmt/format.h>
@@ -24,14 +25,11 @@ struct Said {
 };
 
 using SaidText = Said<std::string>;
-constexpr std::array kTexts{SaidText{"/input", &PartRecord::input},
-                            SaidText{"/body", &PartRecord::body},
-                            SaidText{"/status", &PartRecord::status},
-                            SaidText{"/units", &PartRecord::units},
-                            SaidText{"/material", &PartRecord::material},
-                            SaidText{"/colour", &PartRecord::colour},
-                            SaidText{"/reason/code", &PartRecord::reason},
-                            SaidText{"/reason/message", &PartRecord::message}};
+constexpr std::array kTexts{
+    SaidText{"/input", &PartRecord::input},       SaidText{"/body", &PartRecord::body},
+    SaidText{"/status", &PartRecord::status},     SaidText{"/units", &PartRecord::units},
+    SaidText{"/material", &PartRecord::material}, SaidText{"/colour", &PartRecord::colour},
+    SaidText{"/reason/code", &PartRecord::reason}};
 
 using SaidCount = Said<std::optional<int>>;
 constexpr std::array kCounts{SaidCount{"/quantity", &PartRecord::quantity},
@@ -69,6 +67,18 @@ std::vector<std::string> texts_at(const Json& json, const char* pointer) {
   return texts;
 }
 
+/// A sentence with its options as on a command line, which is where batches come from.
+std::string sentence_at(const Json& reason) {
+  const Json& wording = at(reason, "/wording");
+  if (!wording.is_array()) return text_at(reason, "/message");
+  std::string sentence;
+  for (const Json& piece : wording) {
+    const std::string option = text_at(piece, "/option");
+    sentence += option.empty() ? text_at(piece, "/text") : flag_of(option);
+  }
+  return sentence;
+}
+
 void enter_report(PartRecord& record, const Json& report) {
   for (const SaidText& text : kTexts)
     record.*text.member = text_at(report, text.pointer);
@@ -81,6 +91,7 @@ void enter_report(PartRecord& record, const Json& report) {
   for (const Json& found : at(report, "/checks"))
     record.findings.push_back(
         {text_at(found, "/severity"), text_at(found, "/code"), text_at(found, "/message")});
+  record.message = sentence_at(at(report, "/reason"));
   record.notes = texts_at(report, "/notes");
   record.written = texts_at(report, "/files");
 }

@@ -3,6 +3,7 @@
 #include <planish/batch/parts.hpp>
 #include <planish/drawing/part_view.hpp>
 #include <planish/io/flat_json.hpp>
+#include <planish/job/output_paths.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/job/run.hpp>
 #include <planish/job/unfold.hpp>
@@ -88,9 +89,7 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
 }
 
 /// What the files of the only part of an input are called: bodies of such files have any names.
-std::string stem_of(const FileTask& task) {
-  return job::safe_name(std::filesystem::path(task.name).stem().string());
-}
+std::string stem_of(const FileTask& task) { return job::safe_name(job::stem_of_input(task.name)); }
 
 void unfold(const FileTask& task, const job::Maker& maker, const job::Request& request,
             const job::Catalogue& catalogue, const Listener& listener) {

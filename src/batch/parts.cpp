@@ -6,13 +6,27 @@
 #include <fmt/format.h>
 
 namespace planish::batch {
+namespace {
+
+Result<RunRecord> finished_record(const std::filesystem::path& out) {
+  auto record = read_record(out);
+  if (record && !record->finished)
+    return fail(refuse::batch_unfinished, {{"folder", out.string()}}, out.string());
+  return record;
+}
+
+}  // namespace
+
+Result<PassedOver> passed_over_by(const std::filesystem::path& out) {
+  auto record = finished_record(out);
+  if (!record) return pass_on(record);
+  return std::move(record->passed_over);
+}
 
 Result<void> for_each_part(const std::filesystem::path& out,
                            const std::function<Result<void>(BatchPart)>& take) {
-  const auto record = read_record(out);
+  const auto record = finished_record(out);
   if (!record) return pass_on(record);
-  if (!record->finished)
-    return fail(refuse::batch_unfinished, {{"folder", out.string()}}, out.string());
   auto journal = read_journal(out);
   if (!journal) return pass_on(journal);
   for (const std::string& name : record->names) {
@@ -20,7 +34,8 @@ Result<void> for_each_part(const std::filesystem::path& out,
     if (!parts) return pass_on(parts);
     for (PartRecord& part : *parts) {
       const auto folder = part_folder(out, part.folder);
-      if (auto taken = take({std::move(part), folder}); !taken) return taken;
+      if (auto taken = take({std::move(part), folder, record->copies_of(name)}); !taken)
+        return taken;
     }
   }
   return {};

@@ -19,6 +19,22 @@ constexpr Refusal same_input_name{code::bad_option,
 constexpr Refusal nothing_to_do{code::no_input,
                                 "There is nothing to do: no input is a STEP file (.step, .stp) or "
                                 "a JSON file that planish reads."};
+constexpr Refusal all_passed_over{
+    code::no_input,
+    "There is nothing to do: {count:file was/files were} passed over, {first} among them, and "
+    "none is a STEP file (.step, .stp) or a JSON file that planish reads."};
+constexpr Refusal bad_copies{
+    code::invalid_input,
+    "A quantity like x20 must be a whole number from 1 to {most}, not \"{times}\"."};
+constexpr Refusal counted_twice{code::invalid_input,
+                                "{file} is listed twice: by {first} and by {second}.",
+                                "List it once, with the quantity of both."};
+constexpr Refusal quantities_twice{
+    code::bad_option, "`materials` has a column quantity, and {said_by} gives a quantity too.",
+    "Leave one of them out."};
+constexpr Refusal no_input_says{
+    code::bad_option, "The shop profile has the materials {known}, and no input names one of them.",
+    "Choose one with `material`, or that of each part with `materials`."};
 constexpr Refusal list_in_itself{code::cannot_read, "The list {file} names itself."};
 constexpr Refusal output_in_input{
     code::bad_option, "The results would go into {output}, which is in the input folder {folder}.",

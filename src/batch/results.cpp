@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -71,27 +72,34 @@ class Writing {
     table_.add(csv_titles());
   }
 
-  Result<void> add(const std::string& name) {
+  Result<void> add(const std::string& name, int copies) {
     const auto parts = state_.journal().parts_of(name);
     if (!parts) return pass_on(parts);
     ++result_.inputs;
     for (std::size_t i = 0; i < parts->size(); ++i)
-      if (auto added = add(name, i, (*parts)[i]); !added) return added;
+      if (auto added = add(name, i, wanted((*parts)[i], copies)); !added) return added;
     return {};
   }
 
-  Result<BatchResult> finish() {
+  Result<BatchResult> finish(const PassedOver& passed) {
+    result_.passed_over = passed;
     result_.distinct = identical_.count();
     for (Growing* file : {&lines_, &table_})
       if (auto done = file->finish(); !done) return pass_on(done);
     if (auto done = write_file(state_.out() / "summary.json", summary()); !done)
       return pass_on(done);
-    if (auto done = write_file(state_.out() / "index.html", page_.text()); !done)
+    if (auto done = write_file(state_.out() / "index.html", page_.text(passed)); !done)
       return pass_on(done);
     return result_;
   }
 
  private:
+  /// A part as often as its input is wanted.
+  static PartRecord wanted(PartRecord part, int copies) {
+    if (copies != 1) part.quantity = part.quantity.value_or(1) * copies;
+    return part;
+  }
+
   Result<void> add(const std::string& name, std::size_t at, const PartRecord& part) {
     const auto distinct = identical_.number_of(name, at, part.shapes);
     if (!distinct) return pass_on(distinct);
@@ -112,14 +120,21 @@ class Writing {
     if (part.status == "ok") ++result_.ok;
     if (part.status == "warning") ++result_.warnings;
     if (part.status == "refused") ++result_.refused;
-    if (!part.reason.empty()) ++reasons_[part.reason];
+    if (part.reason.empty()) return;
+    ++reasons_[part.reason];
+    count_refused(result_.refused_for, {part.reason, part.message, part.folder});
   }
 
   std::string summary() const {
-    Json json{{"format", "planish/batch"},  {"version", 1},
-              {"inputs", result_.inputs},   {"parts", result_.parts},
-              {"ok", result_.ok},           {"warnings", result_.warnings},
-              {"refused", result_.refused}, {"distinct", result_.distinct},
+    Json json{{"format", "planish/batch"},
+              {"version", 1},
+              {"inputs", result_.inputs},
+              {"parts", result_.parts},
+              {"ok", result_.ok},
+              {"warnings", result_.warnings},
+              {"refused", result_.refused},
+              {"distinct", result_.distinct},
+              {"passed_over", passed_over_json(result_.passed_over)},
               {"reasons", Json::object()}};
     for (const auto& [reason, number] : reasons_)
       json["reasons"][reason] = number;
@@ -137,11 +152,21 @@ class Writing {
 
 }  // namespace
 
-Result<BatchResult> write_results(const std::vector<std::string>& names, State& state) {
+void count_refused(std::vector<RefusedFor>& all, const RefusedFor& one) {
+  const auto same = std::ranges::find_if(all, [&](const RefusedFor& other) {
+    return other.code == one.code && other.message == one.message;
+  });
+  if (same != all.end())
+    ++same->count;
+  else
+    all.push_back(one);
+}
+
+Result<BatchResult> write_results(const RunRecord& record, State& state) {
   Writing writing(state);
-  for (const std::string& name : names)
-    if (auto added = writing.add(name); !added) return pass_on(added);
-  return writing.finish();
+  for (const std::string& name : record.names)
+    if (auto added = writing.add(name, record.copies_of(name)); !added) return pass_on(added);
+  return writing.finish(record.passed_over);
 }
 
 }  // namespace planish::batch

@@ -41,7 +41,21 @@ void remove_drafts(const fs::path& folder) {
   }
 }
 
+PassedOver passed_over_in(const Json& json) {
+  PassedOver passed{json.at("count"), {}};
+  for (const Json& file : json.at("files"))
+    passed.files.push_back({file.at("file"), file.at("reason"), file.at("why")});
+  return passed;
+}
+
 }  // namespace
+
+Json passed_over_json(const PassedOver& passed) {
+  Json files = Json::array();
+  for (const PassedFile& file : passed.files)
+    files.push_back({{"file", file.name}, {"reason", file.reason}, {"why", file.why}});
+  return {{"count", passed.count}, {"files", std::move(files)}};
+}
 
 Result<State> State::open(const fs::path& out) {
   if (auto made = make_folder(out / kState); !made) return pass_on(made);
@@ -72,7 +86,9 @@ Result<void> State::record(const RunRecord& record) const {
                   {"inputs", record.inputs},
                   {"work", record.work},
                   {"finished", record.finished},
-                  {"names", record.names}};
+                  {"names", record.names},
+                  {"copies", record.copies},
+                  {"passed_over", passed_over_json(record.passed_over)}};
   return write_file(out_ / kState / kRecord,
                     json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -113,11 +129,14 @@ Result<RunRecord> read_record(const fs::path& out) {
   if (!text) return pass_on(text);
   const Json json = Json::parse(*text, nullptr, false);
   try {
-    return RunRecord{{json.at("shard").at(0), json.at("shard").at(1)},
-                     json.at("inputs"),
-                     json.at("work"),
-                     json.at("finished"),
-                     json.at("names")};
+    return RunRecord{
+        {json.at("shard").at(0), json.at("shard").at(1)},
+        json.at("inputs"),
+        json.at("work"),
+        json.at("finished"),
+        json.at("names"),
+        json.value("copies", std::map<std::string, int>()),
+        json.contains("passed_over") ? passed_over_in(json.at("passed_over")) : PassedOver()};
   } catch (const Json::exception&) {
     return fail(refuse::record_damaged, {{"file", file.string()}}, file.string());
   }

@@ -5,18 +5,28 @@
 #include <planish/batch/batch.hpp>
 #include <planish/batch/parts.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace planish::batch {
 
 /// What a run of a batch was about, kept with its results so that shards of one batch are known.
 struct RunRecord {
-  Shard shard;
+  Shard shard = {};
   std::size_t inputs = 0;  ///< of all shards
-  std::string work;        ///< hash of their names, of the options and of the version
+  std::string work = {};   ///< hash of their names and copies, the options and the version
   bool finished = false;
-  std::vector<std::string> names = {};  ///< of the inputs of this shard, once it is finished
+  std::vector<std::string> names = {};     ///< of the inputs of this shard, once it is finished
+  std::map<std::string, int> copies = {};  ///< by name, where more than one
+  PassedOver passed_over = {};             ///< of all shards
+
+  int copies_of(const std::string& name) const {
+    const auto found = copies.find(name);
+    return found == copies.end() ? 1 : found->second;
+  }
 };
 
 /// The folder of a batch's results while it is written: nobody else writes to it.
@@ -44,6 +54,9 @@ class State {
   int lock_ = -1;
   std::unique_ptr<Journal> journal_;
 };
+
+/// As results have it too.
+nlohmann::ordered_json passed_over_json(const PassedOver& passed);
 
 /// Where the files of a part are.
 std::filesystem::path part_folder(const std::filesystem::path& out, const std::string& part);

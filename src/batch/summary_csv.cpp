@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <utility>
 #include <vector>
@@ -15,10 +14,9 @@ namespace {
 
 std::string cell(const std::string& text) { return text; }
 
-/// As JSON has it, so that tables and reports say the same.
-template <typename Number>
-std::string cell(const std::optional<Number>& number) {
-  return number ? nlohmann::json(*number).dump() : std::string();
+std::string cell(const std::optional<double>& number) { return csv_number(number); }
+std::string cell(const std::optional<int>& number) {
+  return number ? std::to_string(*number) : std::string();
 }
 
 /// Titles and cells.

@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include "bend_measure.hpp"
+#include "contacts.hpp"
 #include "dihedral.hpp"
 #include "face_reader.hpp"
 #include "face_volume.hpp"
@@ -165,6 +166,7 @@ const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& pa
 }
 
 Result<Sheet> assemble_sheet(const Recognition& of) {
+  if (auto other = standing_across(of)) return tl::unexpected(std::move(*other));
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);

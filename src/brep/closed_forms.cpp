@@ -1,27 +1,40 @@
 #include "closed_forms.hpp"
 
-#include "rim.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
 
 // Bridges and lances that stay attached at both ends are stretched, not bent, and would make a loop
 // of joints. A group inside an inner loop of a flange is one if it makes a ring with the flange: a
-// tree of n groups has n joints with it and among themselves, more of them make a ring.
+// tree of n groups has n joints with it and among themselves, more of them make a ring. Doubly
+// curved faces that stand out of the sheet join groups too: the round ends of beads and louvres.
 
 namespace planish::brep {
 namespace {
 
-using Neighbours = std::vector<std::vector<int>>;  // by group
+using Neighbours = std::vector<std::vector<int>>;  // by group, then by part of the rim
 
-Neighbours neighbours_of(const Groups& groups) {
-  Neighbours neighbours(groups.rows.size());
+bool is_drawn(const SolidModel& model, int face) {
+  return std::holds_alternative<DoublyCurved>(model.faces[face].surface);
+}
+
+Neighbours neighbours_of(const SolidModel& model, const Groups& groups, const Rim& rim) {
+  const std::size_t count = groups.rows.size();
+  Neighbours neighbours(count + rim.parts.size());
   for (const GroupJoint& joint : groups.joints) {
     if (joint.a == joint.b) continue;
     neighbours[joint.a].push_back(joint.b);
     neighbours[joint.b].push_back(joint.a);
   }
+  for (const SolidEdge& edge : model.edges)
+    for (const int side : {0, 1}) {
+      const int skin = edge.faces[side], drawn = edge.faces[1 - side];
+      if (skin < 0 || drawn < 0 || groups.of_face[skin] < 0 || rim.part_of[drawn] < 0) continue;
+      if (!is_drawn(model, drawn) || rim.parts[rim.part_of[drawn]].within) continue;
+      const int part = static_cast<int>(count) + rim.part_of[drawn];
+      neighbours[groups.of_face[skin]].push_back(part);
+      neighbours[part].push_back(groups.of_face[skin]);
+    }
   return neighbours;
 }
 
@@ -63,8 +76,8 @@ bool makes_ring(const Neighbours& neighbours, const std::set<int>& inside, int f
 }  // namespace
 
 std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
-                              const Groups& groups) {
-  const Neighbours neighbours = neighbours_of(groups);
+                              const Groups& groups, const Rim& rim) {
+  const Neighbours neighbours = neighbours_of(model, groups, rim);
   std::map<int, GroupJoint> joint_at;  // by edge
   for (const GroupJoint& joint : groups.joints)
     joint_at[joint.edge] = joint;
@@ -85,7 +98,8 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
   }
   std::vector<int> faces;
   for (const int g : taken)
-    faces.insert(faces.end(), groups.rows[g].faces.begin(), groups.rows[g].faces.end());
+    if (g < std::ssize(groups.rows))
+      faces.insert(faces.end(), groups.rows[g].faces.begin(), groups.rows[g].faces.end());
   return faces;
 }
 

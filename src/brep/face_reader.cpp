@@ -1,15 +1,21 @@
 #include "face_reader.hpp"
 
 #include "borders.hpp"
+#include "narrowest.hpp"
 #include "widest.hpp"
 
+#include <planish/base/id_vector.hpp>
+#include <planish/geometry/plane.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 // A face of the solid as a face of the sheet, on the surface that represents its group. Loops of
 // one face are read each from a first point of its own, so a hole on a cylinder may come out a turn
 // away from the outer loop, and is moved back by whole turns. A border along an edge below the skin
-// keeps its depth; where a chamfer ends, the step to the next border is closed by its short side.
+// keeps its depth; where a chamfer ends, the step to the next border is closed by its short side,
+// and where a strip tapers to a point at a corner, by the edge below it.
 
 namespace planish::brep {
 namespace {
@@ -34,16 +40,24 @@ double middle_u(const BorderLoop& loop) {
   return (box.lo.x() + box.hi.x()) / 2;
 }
 
-/// A border along an edge below the skin, with its depth; its length is not the skin's.
-Border below_skin(Border border, const SolidFace& face, const Vec3& point) {
-  if (const auto* plane = std::get_if<Frame>(&face.surface)) {
-    border.edge_depth = -plane->local(point).z();
-    return border;
-  }
+double depth_at(const SolidFace& face, const Vec3& point) {
+  if (const auto* plane = std::get_if<Frame>(&face.surface)) return -plane->local(point).z();
   const auto& surface = std::get<Developable>(face.surface);
   const Vec2 uv = parameters_of(surface, point, 0.0);
-  border.edge_depth = -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
-  border.edge_length = {};
+  return -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
+}
+
+/// A border along an edge below the skin, with its depth. On a curved skin its length is not the
+/// skin's; where its depth varies, it has no edge to be measured against.
+Border below_skin(Border border, const SolidFace& face, const SpaceCurve& edge, double tolerance) {
+  border.edge_depth = depth_at(face, edge.start);
+  if (!std::holds_alternative<Frame>(face.surface)) border.edge_length.reset();
+  for (const double share : {0.25, 0.5, 0.75, 1.0})
+    if (std::abs(depth_at(face, edge.point(std::lerp(edge.t0, edge.t1, share))) -
+                 border.edge_depth) > tolerance) {
+      border.edge.reset();
+      border.edge_length.reset();
+    }
   return border;
 }
 
@@ -68,6 +82,113 @@ void connect(BorderLoop& borders, const Border& next) {
   borders.push_back(step);
 }
 
+int vertex_after(const SolidModel& model, const CoEdge& use) {
+  return model.edges[use.edge].vertices[use.forward ? 1 : 0];
+}
+int vertex_before(const SolidModel& model, const CoEdge& use) {
+  return vertex_after(model, {use.edge, !use.forward});
+}
+
+/// The edge of a wall that leads from the end of one edge below the skin to the start of the next,
+/// where a strip between them tapers to a point on the skin, as round a corner.
+std::optional<CoEdge> edge_between(const Recognition& of, const CoEdge& from, const CoEdge& to) {
+  const int start = vertex_after(of.model, from);
+  const int end = vertex_before(of.model, to);
+  if (start == end) return {};
+  const int wall = of.model.edges[to.edge].faces.front();
+  if (wall < 0 || of.rim.part_of[wall] < 0) return {};
+  for (const int f : of.rim.parts[of.rim.part_of[wall]].faces)
+    for (const auto& loop : of.model.faces[f].loops)
+      for (const CoEdge& use : loop)
+        for (const CoEdge& one : {use, CoEdge{use.edge, !use.forward}})
+          if (vertex_before(of.model, one) == start && vertex_after(of.model, one) == end)
+            return one;
+  return {};
+}
+
+/// Whether what lies beyond an edge of a skin is no cut: it leaves the sheet, or touches one skin.
+bool is_beside_form(const Recognition& of, int face, const CoEdge& use) {
+  const int wall = face_across(of.model.edges[use.edge], face);
+  if (wall < 0 || of.rim.part_of[wall] < 0) return false;
+  const RimPart& part = of.rim.parts[of.rim.part_of[wall]];
+  return !part.within || part.first.empty() || part.second.empty();
+}
+
+/// An edge along which the blank is cut.
+struct CutUse {
+  CoEdge use;
+  int border = -1;     ///< of the loop, that it stands for; −1: it leads from one to the next
+  bool below = false;  ///< it lies below the skin
+};
+std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
+  const auto& loop = of.model.faces[ref.face].loops[ref.loop];
+  std::vector<CutUse> uses;
+  const auto lead_to = [&](const CutUse& next) {
+    if (uses.empty() || !uses.back().below || !next.below) return;
+    if (const auto between = edge_between(of, uses.back().use, next.use))
+      uses.push_back({*between, -1, true});
+  };
+  for (int i = 0; i < std::ssize(loop); ++i) {
+    const CoEdge cut = is_beside_form(of, ref.face, loop[i])
+                           ? loop[i]
+                           : widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
+    const CutUse next{cut, i, cut.edge != loop[i].edge};
+    lead_to(next);
+    uses.push_back(next);
+  }
+  lead_to(CutUse(uses.front()));
+  return uses;
+}
+
+/// Whether the edge that is cut beside a joint, on the face across, ends at a vertex too: before
+/// the joint as this face runs along it, or after.
+bool meets_across(const Recognition& of, int across, const CoEdge& joint, int vertex, bool before) {
+  for (const auto& loop : of.model.faces[across].loops)
+    for (size_t i = 0; i < loop.size(); ++i) {
+      if (loop[i].edge != joint.edge || loop[i].forward == joint.forward) continue;
+      const CoEdge& beside = loop[(i + (before ? 1 : loop.size() - 1)) % loop.size()];
+      if (is_beside_form(of, across, beside)) return false;
+      const CoEdge cut = widest_edge(of.model, of.rim, of.skins.thickness, across, beside);
+      return vertex == (before ? vertex_before(of.model, cut) : vertex_after(of.model, cut));
+    }
+  return false;
+}
+
+/// Joints between faces that are both cut wider than the skin reach as far: borders are moved to
+/// the ends of those beside them where these lie in their lines.
+void extend_joints(const Recognition& of, int face, const std::vector<CutUse>& uses,
+                   BorderLoop& read) {
+  constexpr double kAside = 1e-6;  // mm, or radians
+  const size_t count = uses.size();
+  for (size_t i = 0; i < count; ++i) {
+    const int across = face_across(of.model.edges[uses[i].use.edge], face);
+    auto* segment = std::get_if<Segment>(&read[i].curve);
+    if (uses[i].below || !segment || across < 0 || of.skins.skin_of[across] == Skin::none) continue;
+    const Vec2 along = (segment->b - segment->a).normalized();
+    const size_t last = (i + count - 1) % count, next = (i + 1) % count;
+    const Vec2 start = end_of(read[last].curve), end = start_of(read[next].curve);
+    const auto moves = [&](const CutUse& beside, const Vec2& to, const Vec2& from, bool before) {
+      if (!beside.below || std::abs(cross(along, to - from)) > kAside) return false;
+      const int vertex = before ? vertex_after(of.model, beside.use)
+                                : vertex_before(of.model, beside.use);
+      return meets_across(of, across, uses[i].use, vertex, before);
+    };
+    const bool longer_before = moves(uses[last], start, segment->a, true);
+    const bool longer_after = moves(uses[next], end, segment->b, false);
+    if (longer_before) segment->a = start;
+    if (longer_after) segment->b = end;
+    if (longer_before || longer_after) read[i].edge_length.reset();
+  }
+}
+
+/// Whether only walls of cuts lie along a loop, and no joints.
+bool is_rim_alone(const Recognition& of, const LoopRef& ref) {
+  return std::ranges::all_of(of.model.faces[ref.face].loops[ref.loop], [&](const CoEdge& use) {
+    const int wall = face_across(of.model.edges[use.edge], ref.face);
+    return wall >= 0 && of.rim.part_of[wall] >= 0 && !is_beside_form(of, ref.face, use);
+  });
+}
+
 struct ReadLoop {
   BorderLoop borders;
   std::vector<int> places;  // in `borders`, by use
@@ -76,21 +197,23 @@ struct ReadLoop {
 ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
                    double u_near) {
   const SolidFace& face = of.model.faces[ref.face];
-  const auto& loop = face.loops[ref.loop];
+  const std::vector<CutUse> uses = cut_uses(of, ref);
   ReadLoop result;
-  std::vector<CoEdge> uses;
-  for (const CoEdge& use : loop) {
-    uses.push_back(widest_edge(of.model, of.rim, of.skins.thickness, ref.face, use));
-    result.widened |= uses.back().edge != use.edge;
-  }
-  BorderLoop read = read_borders(of.model, uses, surface, u_near, of.tolerance);
-  for (size_t i = 0; i < loop.size(); ++i) {
-    if (uses[i].edge != loop[i].edge)
-      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].edge].curve.start);
-    if (const auto as_read = read_face_at(of.model, ref.face, uses[i]))
+  result.widened = std::ranges::any_of(uses, &CutUse::below);
+  BorderLoop read = read_borders(of.model, mapped(uses, &CutUse::use), surface, u_near,
+                                 of.tolerance);
+  if (const auto* plane = std::get_if<Frame>(&surface); plane && is_rim_alone(of, ref))
+    read = with_bulges(of, *plane, std::move(read));
+  result.widened |= std::ranges::any_of(read, [](const Border& border) { return !border.edge; });
+  if (result.widened) extend_joints(of, ref.face, uses, read);
+  for (size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i].below && read[i].edge)
+      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve,
+                           of.tolerance);
+    if (const auto as_read = read_face_at(of.model, ref.face, uses[i].use))
       read[i].source_face = *as_read + 1;
     if (result.widened) connect(result.borders, read[i]);
-    result.places.push_back(static_cast<int>(result.borders.size()));
+    if (uses[i].border >= 0) result.places.push_back(static_cast<int>(result.borders.size()));
     result.borders.push_back(std::move(read[i]));
   }
   if (result.widened) connect(result.borders, Border(result.borders.front()));

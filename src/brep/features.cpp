@@ -1,17 +1,19 @@
 #include "features.hpp"
 
 #include "borders.hpp"
+#include "contacts.hpp"
 #include "form_openings.hpp"
 #include "form_side.hpp"
 #include "form_volume.hpp"
-#include "genus.hpp"
 #include "model_places.hpp"
+#include "narrowest.hpp"
 #include "refusals.hpp"
 #include "slanted_cuts.hpp"
 
 #include <planish/geometry/mesh.hpp>
 
 #include <algorithm>
+#include <set>
 
 // What the flat pattern only outlines: forms, bosses, pockets, countersinks, chamfers. A part of
 // the rim becomes a feature by which skins its loops touch and on which side it leaves the sheet;
@@ -20,15 +22,6 @@
 // (math.md#volume-identity, math.md#openings-and-genus).
 
 namespace planish::brep {
-namespace {
-
-const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
-  return of.model.faces[ref.face].loops[ref.loop];
-}
-
-bool is_plane(const Recognition& of, int face) {
-  return std::holds_alternative<Frame>(of.model.faces[face].surface);
-}
 
 FormedFeature feature_of(const char* kind, FormSide side, int solid_face, FaceId face) {
   FormedFeature feature;
@@ -37,6 +30,16 @@ FormedFeature feature_of(const char* kind, FormSide side, int solid_face, FaceId
   feature.source_face = solid_face + 1;
   feature.face = face;
   return feature;
+}
+
+namespace {
+
+const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
+  return of.model.faces[ref.face].loops[ref.loop];
+}
+
+bool is_plane(const Recognition& of, int face) {
+  return std::holds_alternative<Frame>(of.model.faces[face].surface);
 }
 
 /// A feature whose borders on the reference skin are drawn and not cut.
@@ -129,36 +132,132 @@ bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
          kSlope * thickness;
 }
 
-/// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrowest
-/// section; the wider outlines are drawn, and so is the far one of a slanted cut. Returns whether
-/// this accounts for everything that widens the opening. Only openings in planes are examined.
+double perimeter(const BorderLoop& borders) { return length(mapped(borders, &Border::curve)); }
+
+/// Mean distances between outlines, mm: below one they are the same, above the other an opening is
+/// wider by more than the noise of drilled holes.
+constexpr double kSameOutline = 1e-7;
+constexpr double kWiderOutline = 1e-3;
+
+bool is_wider(const BorderLoop& outline, const BorderLoop& than) {
+  return loop_area(outline) - loop_area(than) > kWiderOutline * perimeter(than);
+}
+
+/// Whether a loop is an opening of a plane with nothing but this part along it.
+bool goes_round(const Recognition& of, const RimPart& part, const LoopRef& ref) {
+  return opening_in_plane(of, ref) && std::ranges::all_of(loop_of(of, ref), [&](const CoEdge& use) {
+           const int wall = face_across(of.model.edges[use.edge], ref.face);
+           return wall >= 0 && of.rim.part_of[wall] >= 0 &&
+                  &of.rim.parts[of.rim.part_of[wall]] == &part;
+         });
+}
+
+/// An opening between planes, as it lies in the plane of the reference skin.
+struct PlaneOpening {
+  const RimPart& part;
+  LoopRef here, there;
+  BorderLoop mine, theirs;
+};
+
+/// What is cut of an opening: the narrowest section where it is narrower than the skin's outline.
+std::optional<BorderLoop> narrower_cut(const Recognition& of, const PlaneOpening& opening,
+                                       const Frame& frame) {
+  const auto section = narrowest_section(of, opening.part, frame);
+  const auto core = round_core(of, opening.part, frame);
+  const BorderLoop* least = &opening.mine;
+  for (const auto* other :
+       {&opening.theirs, section ? &*section : nullptr, core ? &*core : nullptr})
+    if (other && loop_area(*least) - loop_area(*other) > kSameOutline * perimeter(*other))
+      least = other;
+  if (least == &opening.mine) return {};
+  return *least;
+}
+
+FormedFeature drawn_opening(const char* kind, FormSide side, const PlaneOpening& opening,
+                            const BorderRef& first, std::vector<BorderLoop> outlines) {
+  FormedFeature feature = feature_of(kind, side, opening.part.faces.front(), first.face);
+  feature.outlines = std::move(outlines);
+  return feature;
+}
+
+/// Where an opening is wider than its cut, on either side or on both: to be machined after cutting.
+std::vector<FormedFeature> widenings(const PlaneOpening& opening, const BorderRef& first,
+                                     const BorderLoop& cut) {
+  const BorderLoop &mine = opening.mine, &theirs = opening.theirs;
+  const auto drawn = [&](FormSide side, std::vector<BorderLoop> outlines) {
+    return drawn_opening("countersink", side, opening, first, std::move(outlines));
+  };
+  const bool up = is_wider(mine, cut), down = is_wider(theirs, cut);
+  if (up && down && !is_wider(mine, theirs) && !is_wider(theirs, mine))
+    return {drawn(FormSide::both, {mine, theirs})};
+  std::vector<FormedFeature> found;
+  if (up) found.push_back(drawn(FormSide::up, {mine}));
+  if (down) found.push_back(drawn(FormSide::down, {theirs}));
+  return found;
+}
+
+/// How far a loop of the other skin lies below the plane of this one.
+double seen_depth(const Recognition& of, const LoopRef& ref, const Frame& plane) {
+  return -plane.local(of.outlines[ref.face].rings[ref.loop].front()).z();
+}
+
+/// What the solid lacks at an opening, against which the certificate holds what is cut.
+MeasuredOpening measured(const Recognition& of, const PlaneOpening& opening, const BorderRef& first,
+                         const Frame& frame, const BorderLoop& cut) {
+  MeasuredOpening measured{first.face, first.loop};
+  // Skins may lie closer here than on average.
+  const double share = of.skins.thickness / seen_depth(of, opening.there, frame);
+  measured.lacking = -share * opening_volume(of, opening.part, {opening.here, opening.there}, 0.0);
+  measured.beyond = std::max(0.0, measured.lacking - loop_area(cut) * of.skins.thickness);
+  measured.intrusion = intrusion_into(of, opening.part, frame, cut);
+  return measured;
+}
+
+/// An opening is cut to its narrowest section; the wider outlines are drawn, and so is the far one
+/// of a slanted cut. One that widens within the sheet only (a groove) has no outline. Returns
+/// whether this accounts for everything that widens the opening. Only openings in planes are
+/// examined.
 bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                  const RimPart& part, const LoopRef& here, const LoopRef& there) {
-  if (!opening_in_plane(of, here) || !opening_in_plane(of, there)) return false;
+  if (!goes_round(of, part, here) || !goes_round(of, part, there)) return false;
   const CoEdge& use = loop_of(of, here).front();
   const BorderRef first = map.borders.at({here.face, use.edge, use.forward});
   const auto& frame = std::get<Frame>(builder[first.face].surface);
+  const PlaneOpening opening{part, here, there,
+                             read_borders(of.model, loop_of(of, here), frame, 0.0, of.tolerance),
+                             seen_through(of, there, frame)};
   BorderLoop& cut = builder[first.face].loops[first.loop];
-  const BorderLoop mine = read_borders(of.model, loop_of(of, here), frame, 0.0, of.tolerance);
-  const BorderLoop theirs = seen_through(of, there, frame);
-  constexpr double kWider = 1.001;  // area ratio beyond the noise of drilled holes
-  if (loop_area(theirs) * kWider < loop_area(cut)) cut = theirs;
-  FormedFeature feature = feature_of("countersink", wider_side(mine, theirs, kWider),
-                                     part.faces.front(), first.face);
-  for (const BorderLoop* wider : {&mine, &theirs})
-    if (loop_area(*wider) > kWider * loop_area(cut)) feature.outlines.push_back(*wider);
-  const bool widens = !feature.outlines.empty();
-  if (widens) {
+  const auto narrower = narrower_cut(of, opening, frame);
+  const bool widened = narrower || map.widened.contains(here);
+  if (widened) cut = narrower.value_or(opening.mine);
+  MeasuredOpening balance = measured(of, opening, first, frame, cut);
+  std::vector<FormedFeature> found = widenings(opening, first, cut);
+  if (!widened && found.empty() && is_slanted(opening.mine, opening.theirs, of.skins.thickness)) {
+    balance.intrusion = 0.0;
+    found = {drawn_opening("slanted cut", FormSide::down, opening, first, {opening.theirs})};
+  } else if (const double width = balance.beyond / (of.skins.thickness * perimeter(cut));
+             widened || width > kSameOutline) {
     builder.add_form_volume(opening_volume(of, part, {here, there}, loop_area(cut)));
-  } else if (is_slanted(mine, theirs, of.skins.thickness)) {
-    feature.kind = "slanted cut";
-    feature.side = FormSide::down;
-    feature.outlines.push_back(theirs);
-  } else {
-    return false;
+    if (found.empty() && width > kWiderOutline) {
+      found = {drawn_opening("pocket", FormSide::both, opening, first, {})};
+      found.front().along = {first};
+    }
   }
-  builder.add_feature(std::move(feature));
-  return widens;
+  builder.add_opening(balance);
+  const bool drawn = std::ranges::any_of(
+      found, [](const FormedFeature& feature) { return feature.kind != "slanted cut"; });
+  for (FormedFeature& feature : found)
+    builder.add_feature(std::move(feature));
+  return widened || drawn;
+}
+
+/// The part of the rim along a loop of a skin.
+const RimPart* part_along(const Recognition& of, const LoopRef& ref) {
+  for (const CoEdge& use : loop_of(of, ref))
+    if (const int wall = face_across(of.model.edges[use.edge], ref.face);
+        wall >= 0 && of.rim.part_of[wall] >= 0)
+      return &of.rim.parts[of.rim.part_of[wall]];
+  return nullptr;
 }
 
 /// A chamfer or fillet around a contour: the skin's own outline is drawn.
@@ -168,7 +267,9 @@ void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recogni
   FormedFeature feature = feature_of("chamfer", FormSide::up, ref.face, face);
   if (const auto* plane = std::get_if<Frame>(&builder[face].surface))
     feature.outlines.push_back(read_borders(of.model, loop_of(of, ref), *plane, 0.0, of.tolerance));
-  builder.add_form_volume({});
+  const auto& borders = builder[face].loops;
+  const RimPart* part = part_along(of, ref);
+  builder.add_form_volume(part ? rim_volume(of, *part, loop_area(borders.front())) : std::nullopt);
   builder.add_feature(std::move(feature));
 }
 
@@ -176,8 +277,39 @@ void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recogni
 void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                       const RimPart& part) {
   if (!part.within) return;
+  bool found = false;
   for (const LoopRef& ref : loops_there(of, part))
-    if (is_chamfered(of, ref)) add_far_outline(builder, map, of, "chamfer", part, ref);
+    if (is_chamfered(of, ref)) {
+      add_far_outline(builder, map, of, "chamfer", part, ref);
+      found = true;
+    }
+  const auto& here = loops_here(of, part);
+  if (!found || here.empty() || map.widened.contains(here.front())) return;
+  const FaceId face = map.face_id.at(here.front().face);
+  if (const auto volume = rim_volume(of, part, loop_area(builder[face].loops.front())))
+    builder.add_form_volume(volume);
+}
+
+/// Cuts the outline of a plate as its widest section, where a step within its rim reaches farther
+/// than the chamfers beside the skin. Returns whether there is one.
+bool add_stepped_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                     const RimPart& part) {
+  constexpr double kThrough = 0.999;  // of the thickness: the other skin's edge is no step
+  if (!is_plate_rim(of, part)) return false;
+  Face& face = builder[map.face_id.at(loops_here(of, part).front().face)];
+  const auto& plane = std::get<Frame>(face.surface);
+  const auto section = narrowest_section(of, part, plane);
+  if (!section || std::ranges::any_of(*section, [&](const Border& border) {
+        return border.edge_depth > kThrough * of.skins.thickness;
+      }))
+    return false;
+  BorderLoop& cut = face.loops.front();
+  if (loop_area(*section) - loop_area(cut) <= kSameOutline * perimeter(cut)) return false;
+  cut = *section;
+  const LoopRef& there = loops_there(of, part).front();
+  if (is_wider(cut, seen_through(of, there, plane)))
+    add_far_outline(builder, map, of, "chamfer", part, there);
+  return true;
 }
 
 /// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
@@ -186,38 +318,6 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPa
                                      map.face_id.begin()->second);
   feature.own_openings = part.openings;
   builder.add_feature(std::move(feature));
-}
-
-/// Whether a recess in planes of the reference skin has more holes in its floor than outlines.
-bool has_several_holes(const Recognition& of, const RimPart& part) {
-  const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
-  const auto& here = loops_here(of, part);
-  const auto& there = loops_there(of, part);
-  // A loop that is no opening is the outline of a face cut off from its skin.
-  return part.openings > std::ssize(here) && there.size() > here.size() &&
-         std::ranges::all_of(here, in_plane) && std::ranges::all_of(there, in_plane);
-}
-
-/// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
-/// touch, so that the solid has an opening there which no cut makes. All contours along such walls
-/// are cut, and the other skin has no more of them, so none has been lost.
-void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
-  for (const RimPart& part : of.rim.parts) {
-    if (!part.within || part.openings <= 1 || has_several_holes(of, part)) continue;
-    const auto contours_on = [&](Skin skin) {
-      return closed_borders(of.model, part.faces, [&](int edge) {
-        const auto& faces = of.model.edges[edge].faces;
-        return std::ranges::any_of(faces,
-                                   [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
-      });
-    };
-    const int cut = contours_on(of.skin);
-    if (cut == 0 || contours_on(other_skin(of.skin)) > cut || part.openings <= cut) continue;
-    FormedFeature feature = feature_of("contact", FormSide::both, part.faces.front(),
-                                       map.face_id.begin()->second);
-    feature.own_openings = part.openings - cut;
-    builder.add_feature(std::move(feature));
-  }
 }
 
 }  // namespace
@@ -231,6 +331,8 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     if (part.within && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))
         widened.erase(here.front());
+      else if (add_stepped_rim(builder, map, of, part))
+        widened.insert(here.front());
       else
         add_far_chamfers(builder, map, of, part);
     } else if (here.empty()) {

@@ -17,6 +17,9 @@ struct SheetMap {
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
 };
 
+/// A feature of a face of the sheet, first met at a face of the solid; without outlines and volume.
+FormedFeature feature_of(const char* kind, FormSide side, int solid_face, FaceId face);
+
 /// Adds features that a flat pattern only outlines: formed features and bosses (their borders
 /// marked, drawn and not cut), pockets, countersinks (cut to the narrowest section), slanted cuts,
 /// chamfered rims; and their contribution to the plain sheet's volume, positive or negative.

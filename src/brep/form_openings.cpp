@@ -3,6 +3,7 @@
 #include "borders.hpp"
 #include "form_volume.hpp"
 #include "passages.hpp"
+#include "widest.hpp"
 
 #include <planish/geometry/fit.hpp>
 #include <planish/geometry/plane.hpp>
@@ -151,26 +152,52 @@ Loop pilot_of(const Recognition& of, const RimPart& part, const Section& section
   return lies_inside(pilot, {sampled(section.loop, chord)}, kOutside) ? pilot : section.loop;
 }
 
-/// Edges of the reference skin along which the sheet ends at the form in a wall of its thickness:
-/// chains of them, loop by loop.
+/// Along how much of its borders a face touches the other skin, mm.
+double length_there(const Recognition& of, int face) {
+  double sum = 0.0;
+  for (const auto& loop : of.model.faces[face].loops)
+    for (const CoEdge& use : loop) {
+      const int other = face_across(of.model.edges[use.edge], face);
+      if (other >= 0 && of.skins.skin_of[other] == other_skin(of.skin))
+        sum += of.model.edges[use.edge].curve.length();
+    }
+  return sum;
+}
+
+/// Whether the sheet ends at an edge of its reference skin: in a wall of its thickness, the rounded
+/// or chamfered edges of which are strips of their own.
+bool ends_at(const Recognition& of, int skin_face, const CoEdge& use) {
+  constexpr int kMostStrips = 6;
+  constexpr double kBeyond = 0.05;  // of the thickness: farther out a form begins
+  constexpr double kMost = 0.5;     // of the edge: less is the end of a rounding beside it
+  const double least = kMost * of.model.edges[use.edge].curve.length();
+  int from = skin_face, edge = use.edge;
+  for (int i = 0; i < kMostStrips; ++i) {
+    const int wall = face_across(of.model.edges[edge], from);
+    if (wall < 0 || of.rim.part_of[wall] < 0) return false;
+    if (length_there(of, wall) > least) return true;
+    const auto next = opposite_edge(of.model, wall, edge);
+    if (!next) return false;
+    const SpaceCurve& curve = of.model.edges[*next].curve;
+    const double depth = depth_below(of.model.faces[skin_face], of.outlines[skin_face],
+                                     curve.point((curve.t0 + curve.t1) / 2)) /
+                         of.skins.thickness;
+    if (depth < -kBeyond || depth > 1.0 + kBeyond) return false;
+    from = wall;
+    edge = *next;
+  }
+  return false;
+}
+
+/// Edges of the reference skin along which the sheet ends at the form: chains of them, loop by
+/// loop.
 std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart& part) {
-  const auto touches_there = [&](int face) {
-    for (const auto& loop : of.model.faces[face].loops)
-      for (const CoEdge& use : loop) {
-        const int other = face_across(of.model.edges[use.edge], face);
-        if (other < 0 || of.skins.skin_of[other] == Skin::none) continue;
-        if (of.skins.skin_of[other] != of.skin) return true;
-      }
-    return false;
-  };
   std::vector<std::vector<CoEdge>> chains;
   for (const LoopRef& ref : loops_here(of, part)) {
     const auto& loop = of.model.faces[ref.face].loops[ref.loop];
     std::vector<bool> free;
-    for (const CoEdge& use : loop) {
-      const int wall = face_across(of.model.edges[use.edge], ref.face);
-      free.push_back(wall >= 0 && of.rim.part_of[wall] >= 0 && touches_there(wall));
-    }
+    for (const CoEdge& use : loop)
+      free.push_back(ends_at(of, ref.face, use));
     const auto formed = std::ranges::find(free, false);
     const size_t first = formed == free.end() ? 0 : static_cast<size_t>(formed - free.begin());
     bool begun = false;
@@ -186,11 +213,27 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
   return chains;
 }
 
+/// A free edge where its wall reaches farthest: below its rounding, whose ends on the skin are no
+/// edges of the sheet.
+std::vector<CoEdge> widest_chain(const Recognition& of, const RimPart& part,
+                                 const std::vector<CoEdge>& chain) {
+  std::vector<CoEdge> moved;
+  for (const LoopRef& ref : loops_here(of, part))
+    for (const CoEdge& use : of.model.faces[ref.face].loops[ref.loop]) {
+      if (std::ranges::find(chain, use.edge, &CoEdge::edge) == chain.end()) continue;
+      const CoEdge widest = widest_edge(of.model, of.rim, of.skins.thickness, ref.face, use);
+      if (widest.edge != use.edge) moved.push_back(widest);
+    }
+  return moved.empty() ? chain : moved;
+}
+
 /// The free edge beside a narrow passage; taken off the list.
-std::optional<BorderLoop> slit_of(const Recognition& of, const Section& section, const Frame& plane,
+std::optional<BorderLoop> slit_of(const Recognition& of, const RimPart& part,
+                                  const Section& section, const Frame& plane,
                                   std::vector<std::vector<CoEdge>>& free) {
   for (auto chain = free.begin(); chain != free.end(); ++chain) {
-    BorderLoop borders = read_borders(of.model, *chain, plane, 0.0, of.tolerance);
+    BorderLoop borders = read_borders(of.model, widest_chain(of, part, *chain), plane, 0.0,
+                                      of.tolerance);
     const Vec2 middle = point_at(borders[borders.size() / 2].curve, 0.5);
     const bool beside = std::ranges::any_of(section.loop, [&](const Curve2& curve) {
       return nearest(curve, middle).distance <= kSlit * of.skins.thickness;
@@ -225,7 +268,7 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
     const Section section = section_of(of, chain, plane);
     const auto slit = is_wider(section, kSlit, of.skins.thickness)
                           ? std::nullopt
-                          : slit_of(of, section, plane, free);
+                          : slit_of(of, part, section, plane, free);
     if (slit) {
       feature.slits.push_back(*slit);
       --feature.lost_openings;

@@ -2,6 +2,7 @@
 
 #include "borders.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 // The volume that a form adds to the plain sheet, by the divergence theorem: each face has its
@@ -62,6 +63,29 @@ double opening_volume(const Recognition& of, const RimPart& part,
     depth += over.height;
   }
   return excess + cut * depth * 2 / 3;
+}
+
+bool is_plate_rim(const Recognition& of, const RimPart& part) {
+  const auto alone = [&](const LoopRef& ref) {
+    const SolidFace& face = of.model.faces[ref.face];
+    return std::holds_alternative<Frame>(face.surface) && !opening_in_plane(of, ref) &&
+           std::ranges::all_of(face.loops[ref.loop], [&](const CoEdge& use) {
+             const int wall = face_across(of.model.edges[use.edge], ref.face);
+             return wall >= 0 && of.rim.part_of[wall] >= 0;
+           });
+  };
+  return part.first.size() == 1 && part.second.size() == 1 && alone(part.first.front()) &&
+         alone(part.second.front());
+}
+
+std::optional<double> rim_volume(const Recognition& of, const RimPart& part, double cut) {
+  if (!is_plate_rim(of, part)) return {};
+  double excess = volume_under(of, part);
+  for (const LoopRef& ref : {part.first.front(), part.second.front()}) {
+    const Cover over = cover_of(of, ref);
+    excess += over.area * over.height / 3 - cut * over.height;
+  }
+  return excess;
 }
 
 }  // namespace planish::brep

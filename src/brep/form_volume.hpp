@@ -22,4 +22,11 @@ std::optional<double> form_volume(const Recognition& of, const RimPart& part);
 double opening_volume(const Recognition& of, const RimPart& part,
                       const std::array<LoopRef, 2>& openings, double cut);
 
+/// Whether a part goes round one plane on either skin, as the rim of a plate, and nothing else.
+bool is_plate_rim(const Recognition& of, const RimPart& part);
+
+/// The same along the rim of a plate, cut with the area `cut` inside its outline; empty along
+/// others.
+std::optional<double> rim_volume(const Recognition& of, const RimPart& part, double cut);
+
 }  // namespace planish::brep

@@ -8,6 +8,8 @@
 
 namespace planish::brep {
 
+using EdgeTest = std::function<bool(int edge)>;
+
 /// Genus of the solid, summed over its shells (math.md#openings-and-genus): half of what
 /// V − E + Σ (2 − loops of the face) misses of twice the number of shells. Seams count as edges,
 /// degenerate edges are not there; shells that touch in a vertex only are told apart there. None
@@ -20,7 +22,15 @@ std::optional<int> genus_of(const SolidModel& model);
 int openings_through(const SolidModel& model, const std::vector<int>& faces);
 
 /// How many closed borders of the faces have an edge that is wanted.
-int closed_borders(const SolidModel& model, const std::vector<int>& faces,
-                   const std::function<bool(int edge)>& wanted);
+int closed_borders(const SolidModel& model, const std::vector<int>& faces, const EdgeTest& wanted);
+
+/// What a surface of faces is like: V − E + F, and its closed borders.
+struct PatchShape {
+  int euler = 0, borders = 0;
+  friend bool operator==(const PatchShape&, const PatchShape&) = default;
+};
+/// Of faces that are cut apart along the edges of a test.
+PatchShape shape_of_patch(const SolidModel& model, const std::vector<int>& faces,
+                          const EdgeTest& parts);
 
 }  // namespace planish::brep

@@ -7,8 +7,12 @@
 #include "solid_reader.hpp"
 #include "thickness.hpp"
 
+#include <planish/base/id_vector.hpp>
+#include <planish/base/text.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/sheet/rip.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +38,14 @@ constexpr double kBorderTolerance = 1e-5;
 Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
                            Skins skins) {
   constexpr double kLargestShare = 0.25;  // of the skin
+  const bool drawn = std::ranges::any_of(model.faces, [](const SolidFace& face) {
+    return std::holds_alternative<DoublyCurved>(face.surface);
+  });
+  const Rim rim = drawn ? find_rim(model, outlines, skins)
+                        : Rim{{}, std::vector<int>(model.faces.size(), -1)};
   for (const Skin skin : {Skin::first, Skin::second}) {
     const Groups groups = group_faces(model, outlines, skins, skin);
-    const std::vector<int> faces = closed_forms(model, outlines, groups);
+    const std::vector<int> faces = closed_forms(model, outlines, groups, rim);
     const double area = sum_of(faces, [&](int f) { return outlines[f].area; });
     const double whole = skin == Skin::first ? skins.area_first : skins.area_second;
     if (area > kLargestShare * whole) continue;
@@ -58,8 +67,11 @@ struct Reading {
 /// The likeliest thicknesses; then the flat plate: the walls of a frame or of a grating may be
 /// larger than its skins, and then the first readings take them for the sheet.
 std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outline>& outlines,
-                                 double tolerance) {
-  auto readings = mapped(likely_thicknesses(model, outlines, tolerance),
+                                 const RecognizeOptions& options) {
+  if (options.thickness)
+    return {{*options.thickness, SkinStart::largest},
+            {*options.thickness, SkinStart::largest_plane}};
+  auto readings = mapped(likely_thicknesses(model, outlines, options.thickness_tolerance),
                          [&](double thickness) { return Reading{thickness}; });
   if (const auto thickness = plate_thickness(model, outlines))
     readings.push_back({*thickness, SkinStart::largest_plane});
@@ -81,9 +93,12 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
 /// part of it.
 constexpr double kFormed = 0.08;
 
-/// The largest share for a sheet. Slanted cuts take off more of a short piece, and are measured.
+/// Slanted cuts, and what is machined round openings, may have more of a short piece: they are
+/// measured.
+constexpr double kSlanted = 0.25;
+
+/// The largest share for a sheet.
 double formed_at_most(const Sheet& sheet) {
-  constexpr double kSlanted = 0.25;
   const bool slanted = !sheet.features.empty() &&
                        std::ranges::all_of(sheet.features, [](const FormedFeature& feature) {
                          return feature.kind == "slanted cut";
@@ -113,11 +128,13 @@ std::pair<double, double> strip_sides(const Loop& outline) {
   return {quarter - rest, quarter + rest};
 }
 
+/// Length over thickness of a strip that is no block.
+constexpr double kLong = 5.0;
+
 /// Whether the openings of a plate are its own matter: only the outline, with its openings filled,
 /// tells plates from wires, square bars and blocks (math.md#plates-and-bars).
 bool is_plate_outline(const Loop& outline, double thickness) {
   constexpr double kPlate = 3.0;   // width over thickness from which a plate needs no length
-  constexpr double kLong = 5.0;    // length over thickness of a strip that is no block
   constexpr double kStrip = 1.3;   // width over thickness of any strip; of a square bar it is 1
   constexpr double kBar = 1.1;     // the same of a bar
   constexpr double kBarWidth = 5;  // mm: flat bars are at least as wide; what is narrower is wire
@@ -126,16 +143,20 @@ bool is_plate_outline(const Loop& outline, double thickness) {
   return length >= kLong * thickness && width >= (width >= kBarWidth ? kBar : kStrip) * thickness;
 }
 
+/// What a person sees of the width: of what has openings, the mean of its webs.
+double width_seen(const FlatPattern& pattern) {
+  return pattern.openings.empty() ? strip_sides(pattern.outer.loop).first
+                                  : 2 * pattern.area / pattern.perimeter;
+}
+
 /// A plate is one whatever its outline and however much is cut out of it.
-Result<void> is_wide_enough(const FlatPattern& pattern) {
+bool is_wide_enough(const FlatPattern& pattern) {
   constexpr double kWide = 1.3;  // mean width over thickness: this is enough
   constexpr double kWeb = 0.5;   // the same: narrower webs are not cut
   const double width = 2 * pattern.area / pattern.perimeter;
-  if (width >= kWide * pattern.thickness) return {};
-  if (width >= kWeb * pattern.thickness && is_plate_outline(pattern.outer.loop, pattern.thickness))
-    return {};
-  return fail(refuse::too_narrow,
-              {{"thickness", pattern.thickness, unit::mm}, {"width", width, unit::mm}});
+  if (width >= kWide * pattern.thickness) return true;
+  return width >= kWeb * pattern.thickness &&
+         is_plate_outline(pattern.outer.loop, pattern.thickness);
 }
 
 /// The layout that recognition looks at.
@@ -144,27 +165,88 @@ FlattenOptions usual_layout() {
   return {.allowance = ConstantK{0.5, "recognition"}, .extruded = ExtrudedHoles::outline};
 }
 
-/// Whether a sheet accounts for the solid in which it was found: it lies flat, it is wider than
-/// thick, and it has the solid's volume within what its features allow.
-Result<void> accounts_for_solid(const Sheet& sheet) {
+/// Why a sheet does not account for the solid in which it was found.
+struct Doubts {
+  std::optional<Error> narrow = {};  ///< it is hardly wider than thick
+  bool is_strip = false;             ///< but long
+  std::optional<Error> wrong = {};   ///< it does not lie flat, or has not the volume of the solid
+                                     ///< within what its features allow
+
+  const std::optional<Error>& first() const { return narrow ? narrow : wrong; }
+};
+
+Doubts doubts_about(const Sheet& sheet) {
   const auto pattern = flatten(sheet, usual_layout());
-  if (!pattern) return pass_on(pattern);
-  if (auto wide = is_wide_enough(*pattern); !wide) return wide;
+  if (!pattern) return {.wrong = pattern.error()};
+  Doubts doubts;
+  if (!is_wide_enough(*pattern)) {
+    doubts.is_strip = strip_sides(pattern->outer.loop).second >= kLong * sheet.thickness;
+    doubts.narrow = error_of(
+        doubts.is_strip ? refuse::too_narrow : refuse::a_block,
+        {{"thickness", sheet.thickness, unit::mm}, {"width", width_seen(*pattern), unit::mm}});
+  }
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
-  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
-                               formed_at_most(sheet) * *sheet.volume;
+  const double bored = sum_of(sheet.measured_openings, &MeasuredOpening::beyond);
+  const double forms = sheet.forms_volume.value_or(0.0) + bored;
+  const bool formed_too_much = std::abs(forms) > formed_at_most(sheet) * *sheet.volume ||
+                               bored > kSlanted * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
-    return fail(refuse::volume_unexplained, {{"thickness", sheet.thickness, unit::mm},
-                                             {"share", 100 * flat / *sheet.volume, unit::percent}});
-  return {};
+    doubts.wrong = error_of(refuse::volume_unexplained,
+                            {{"thickness", sheet.thickness, unit::mm},
+                             {"share", 100 * flat / *sheet.volume, unit::percent}});
+  return doubts;
 }
+
+/// The sheets of one solid that were tried, and what came of them.
+class Trials {
+ public:
+  explicit Trials(const RecognizeOptions& options) : options_(options) {}
+
+  /// Whether it is the sheet of the solid.
+  bool accept(const Result<Sheet>& sheet) {
+    Doubts doubts = sheet ? doubts_about(*sheet) : Doubts{.wrong = sheet.error()};
+    if (options_.thickness) doubts.narrow.reset();
+    if (!doubts.first()) return true;
+    if (doubts.is_strip && !doubts.wrong) note_narrow(sheet->thickness);
+    if (first_) return false;
+    first_ = doubts.first();
+    is_narrow_ = doubts.is_strip;
+    if (sheet && first_->code == code::closed_loop) closed_ = *sheet;
+    return false;
+  }
+
+  /// The error of the first, with what would help; `opened` judges a closed sheet that rips open.
+  Error refusal(const SheetCheck& opened) const {
+    if (closed_) return loop_refusal(*closed_, *first_, usual_layout(), opened);
+    Error why = first_.value_or(error_of(refuse::no_opposite_faces, {}));
+    if (!is_narrow_) return why;
+    for (const double thickness : narrow_) {
+      const std::string text = trimmed_number(thickness, 4);
+      why.remedies.push_back(
+          {"thickness", text, fmt::format("Take it for a sheet of {} mm", text)});
+    }
+    return why;
+  }
+
+ private:
+  void note_narrow(double thickness) {
+    if (std::ranges::count(narrow_, thickness) == 0) narrow_.push_back(thickness);
+  }
+
+  const RecognizeOptions& options_;
+  std::optional<Error> first_;
+  std::optional<Sheet> closed_;
+  bool is_narrow_ = false;
+  std::vector<double> narrow_;  ///< thicknesses of which it would be a sheet, if it were wider
+};
 
 /// What a closed sheet must pass that is opened by rips.
 SheetCheck check_of_ripped(const RecognizeOptions& options) {
   return [&options](const Sheet& open) -> Result<void> {
-    if (auto accounted = accounts_for_solid(open); !accounted || !options.passes) return accounted;
-    return options.passes(open);
+    if (const Doubts doubts = doubts_about(open); doubts.first())
+      return tl::unexpected(*doubts.first());
+    return options.passes ? options.passes(open) : Result<void>();
   };
 }
 
@@ -172,22 +254,13 @@ SheetCheck check_of_ripped(const RecognizeOptions& options) {
 /// first one tried.
 Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& options) {
   const std::vector<Outline> outlines = outlines_of(model);
-  std::optional<Error> first;
-  std::optional<Sheet> closed;
-  const double tolerance = options.thickness_tolerance;
-  for (const Reading& reading : readings_of(model, outlines, tolerance)) {
-    auto sheet = sheet_of(reading, model, outlines, tolerance);
+  Trials trials(options);
+  for (const Reading& reading : readings_of(model, outlines, options)) {
+    auto sheet = sheet_of(reading, model, outlines, options.thickness_tolerance);
     if (sheet) sheet = ripped(std::move(*sheet), options.rip_edges);
-    const auto accounted = sheet ? accounts_for_solid(*sheet) : pass_on(sheet);
-    if (accounted) return sheet;
-    if (first) continue;
-    first = accounted.error();
-    if (sheet && first->code == code::closed_loop) closed = std::move(*sheet);
+    if (trials.accept(sheet)) return sheet;
   }
-  if (closed)
-    return tl::unexpected(loop_refusal(*closed, *first, usual_layout(), check_of_ripped(options)));
-  if (first) return tl::unexpected(*first);
-  return fail(refuse::no_opposite_faces);
+  return tl::unexpected(trials.refusal(check_of_ripped(options)));
 }
 
 Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,

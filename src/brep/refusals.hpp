@@ -20,6 +20,22 @@ constexpr Refusal file_ends_early{
 constexpr Refusal shape_ends_early{code::truncated_file,
                                    "{file} ends in the middle of its B-rep: it was cut short.",
                                    "Copy or export it again."};
+constexpr Refusal damaged_archive{code::truncated_file,
+                                  "{file} is packed, and damaged or cut short: it cannot be "
+                                  "unpacked.",
+                                  "Copy or export it again."};
+constexpr Refusal archive_without_step{
+    code::not_step,
+    "{file} is an archive in which no STEP file is found: it holds none, or is cut short.",
+    "Pack the part as STEP AP203, AP214 or AP242."};
+constexpr Refusal archive_of_several{code::invalid_input,
+                                     "{file} is an archive of {count:STEP file}.",
+                                     "Unpack it and give one of them, or all to `planish batch`."};
+constexpr Refusal strange_archive{
+    code::invalid_input,
+    "{file} holds {entry} encrypted, or packed by another method than deflate.", "Unpack it."};
+constexpr Refusal unpacks_too_large{code::invalid_input, "{file} unpacks to more than {most}.",
+                                    "Unpack it yourself."};
 constexpr Refusal holds_nothing{code::no_solid, "{file} holds no geometry.",
                                 "Export the part as a solid."};
 constexpr Refusal no_shape{code::no_solid, "{file} holds no shape that can be read.",
@@ -54,8 +70,12 @@ constexpr Refusal tolerance_of_recognition{
     code::bad_option, "The {what} tolerance is {tolerance}; it must be above 0."};
 constexpr Refusal too_narrow{
     code::not_a_sheet,
-    "The body is {thickness} thick but only {width} wide on average: a bar, wire or profile, not a "
-    "sheet."};
+    "The body is {thickness} thick and only about {width} wide: a bar, wire or profile, not a "
+    "sheet.",
+    "If it is cut or bent from sheet, set `thickness` to that of the sheet."};
+constexpr Refusal a_block{code::not_a_sheet,
+                          "The body is {thickness} thick and only about {width} wide: a bar, block "
+                          "or profile, not a sheet."};
 constexpr Refusal volume_unexplained{
     code::not_a_sheet,
     "A sheet of {thickness} accounts for {share} of the body's volume: the body is not made of one "

@@ -2,6 +2,7 @@
 
 #include "borders.hpp"
 #include "form_volume.hpp"
+#include "widest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +102,9 @@ bool is_chamfered(const Recognition& of, const LoopRef& ref) {
   const auto& loop = of.model.faces[ref.face].loops[ref.loop];
   const Skin across = other_skin(of.skins.skin_of[ref.face]);
   return std::ranges::any_of(loop, [&](const CoEdge& use) {
-    return wall_slope(of, ref.face, use) > 0.0 &&
-           !reaches(of, face_across(of.model.edges[use.edge], ref.face), across);
+    const int wall = face_across(of.model.edges[use.edge], ref.face);
+    if (wall < 0 || of.rim.part_of[wall] < 0 || reaches(of, wall, across)) return false;
+    return wall_slope(of, ref.face, use) > 0.0 || leans_back(of.model, ref.face, use);
   });
 }
 

@@ -55,15 +55,23 @@ struct CoEdge {
   bool forward = true;
 };
 
+/// About the frame's z: a tube of radius `minor`, its middle on a circle of radius `major`.
+struct Torus {
+  Frame frame;
+  double major = 0.0;
+  double minor = 0.0;
+};
+
 /// A surface that is not known to be plane or developable.
 struct DoublyCurved {
   std::string kind;  ///< "sphere", "torus", "spline", …
+  std::optional<Torus> torus = {};
 };
 using SolidSurface = std::variant<Frame, Developable, DoublyCurved>;
 
 struct SolidFace {
   SolidSurface surface;  ///< planes: z outward
-  int sense = 1;         ///< outward normal = sense · surface normal
+  int sense = 1;         ///< outward normal = sense · surface normal; of a torus, from its tube
   std::vector<std::vector<CoEdge>> loops;
   std::vector<int> merged;  ///< other faces that are part of this one since healing
   double fitted = 0.0;      ///< deviation when the surface was recognised from another kind, mm

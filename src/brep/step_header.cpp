@@ -21,8 +21,6 @@ namespace {
 constexpr std::string_view kBlank = " \t\r\n";
 
 std::string_view trimmed_left(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const size_t first = text.find_first_not_of(kBlank);
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }

@@ -4,6 +4,7 @@
 #include "exchange_lock.hpp"
 #include "guarded.hpp"
 #include "identical.hpp"
+#include "packed_file.hpp"
 #include "product_tree.hpp"
 #include "refusals.hpp"
 #include "step_header.hpp"
@@ -137,6 +138,20 @@ Result<StepFile> read_checked(const std::string& text, const std::string& path,
   return check_bodies(std::move(*content), name);
 }
 
+/// The same of a file that may be packed, or begin with a byte order mark, which the kernel does
+/// not know.
+Result<StepFile> read_any(const std::string& bytes, const std::string& path,
+                          const std::string& name, const Progress& progress) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kByteOrderMark))
+    return read_checked(bytes.substr(kByteOrderMark.size()), path, name, progress);
+  if (!brep::is_packed(bytes)) return read_checked(bytes, path, name, progress);
+  const auto text = brep::unpacked(bytes, name);
+  if (!text) return pass_on(text);
+  if (brep::is_packed(*text)) return fail(refuse::not_step, {{"file", name}}, name);
+  return read_any(*text, path, name, progress);
+}
+
 }  // namespace
 
 Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress) {
@@ -153,12 +168,12 @@ Result<StepFile> read_step(const std::filesystem::path& file, const Progress& pr
                 file.string());
   std::ostringstream text;
   text << stream.rdbuf();
-  return read_checked(std::move(text).str(), file.string(), name, progress);
+  return read_any(std::move(text).str(), file.string(), name, progress);
 }
 
 Result<StepFile> read_step_text(const std::string& text, const std::string& name,
                                 const Progress& progress) {
-  return read_checked(text, name, name, progress);
+  return read_any(text, name, name, progress);
 }
 
 }  // namespace planish

@@ -2,6 +2,8 @@
 
 #include "fit_surface.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
@@ -12,6 +14,7 @@
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
+#include <gp_Torus.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -227,12 +230,49 @@ std::string kind_name(GeomAbs_SurfaceType type) {
   }
 }
 
+/// A torus, also as a circle that is turned about an axis in its plane.
+std::optional<Torus> torus_of(const BRepAdaptor_Surface& surface) {
+  if (surface.GetType() == GeomAbs_Torus) {
+    const gp_Torus torus = surface.Torus();
+    return Torus{frame_of(torus.Position()), torus.MajorRadius(), torus.MinorRadius()};
+  }
+  if (surface.GetType() != GeomAbs_SurfaceOfRevolution) return {};
+  const Handle(Adaptor3d_Curve) turned = surface.BasisCurve();
+  if (turned->GetType() != GeomAbs_Circle) return {};
+  const gp_Circ circle = turned->Circle();
+  const gp_Ax1 axis = surface.AxeOfRevolution();
+  const Vec3 origin = vec(axis.Location().XYZ()), along = vec(axis.Direction().XYZ());
+  const Vec3 from = vec(circle.Location().XYZ()) - origin;
+  const Vec3 foot = from.dot(along) * along;
+  const Vec3 normal = vec(circle.Axis().Direction().XYZ());
+  constexpr double kInPlane = tolerance::kComputed;
+  if (std::abs(normal.dot(along)) > kInPlane ||
+      std::abs(normal.dot(from - foot)) > kInPlane * from.norm())
+    return {};
+  return Torus{frame_from_normal(origin + foot, along), (from - foot).norm(), circle.Radius()};
+}
+
+/// What is known of a face that is curved in two directions; its outward normal at a sample tells
+/// the sense of a torus.
+SolidFace curved_face(const KernelPatch& patch, const SurfaceSample& sample) {
+  SolidFace face;
+  const auto torus = torus_of(patch.surface);
+  face.surface = DoublyCurved{kind_name(patch.surface.GetType()), torus};
+  if (!torus) return face;
+  const Vec3 local = torus->frame.local(sample.point);
+  const Vec2 middle = torus->major * Vec2(local.head<2>()).normalized();
+  face.sense = (sample.point - torus->frame.point(middle)).dot(sample.normal) >= 0 ? 1 : -1;
+  return face;
+}
+
 SolidFace fitted_face(const KernelPatch& patch, double tolerance) {
   SolidFace face;
   const std::vector<SurfaceSample> taken = samples_of(patch);
   face.surface = DoublyCurved{kind_name(patch.surface.GetType())};
   const GeomAbs_SurfaceType type = patch.surface.GetType();
-  if (taken.empty() || type == GeomAbs_Sphere || type == GeomAbs_Torus) return face;
+  if (taken.empty() || type == GeomAbs_Sphere) return face;
+  face = curved_face(patch, taken[taken.size() / 2]);
+  if (type == GeomAbs_Torus) return face;
   if (auto fit = fit_surface(taken, tolerance)) {
     face.fitted = fit->deviation;
     if (const auto* developable = std::get_if<Developable>(&fit->surface)) {

@@ -1,18 +1,19 @@
 #include "thickness.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
-// The likely thicknesses of a solid. Large faces vote for the depth of the nearest face opposite
-// them, with the area that both share; votes within the tolerance of each other are counted
+// The likely thicknesses of a solid. Large faces vote for the depths of the nearest faces opposite
+// them, with the areas that they share; votes within the tolerance of each other are counted
 // together, and at most three are returned. The number of voters bounds the cost, and small general
 // surfaces, mostly the walls of letters, do not vote.
 
 namespace planish::brep {
 namespace {
 
-/// A face's vote for the depth of its nearest opposite face, weighted by the area that both share.
+/// A face's vote for the depth of an opposite face, weighted by the area that both share.
 struct Vote {
   double depth = 0.0;
   double area = 0.0;
@@ -42,20 +43,28 @@ std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& out
   return faces;
 }
 
-std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
+/// The votes of a face, nearest first. A nearer face hides what lies behind it, so all of them
+/// together weigh no more than the face: a shallow recess does not outvote the sheet around it.
+std::vector<Vote> votes_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
   constexpr double kLeastShare = 0.1;  // of the smaller face: less is a coincidence
   constexpr double kEven = 0.1;        // spread, of the depth
-  Vote vote{std::numeric_limits<double>::infinity(), 0.0};
+  std::vector<Vote> votes;
   for (int b = 0; b < std::ssize(outlines); ++b) {
     if (a == b || outlines[b].flat.empty()) continue;
     const auto seen = opposite(model, outlines, a, b);
-    if (!seen || seen->depth <= 0 || seen->depth >= vote.depth) continue;
+    if (!seen || seen->depth <= 0) continue;
     if (seen->overlap < kLeastShare * std::min(outlines[a].area, outlines[b].area)) continue;
     if (seen->spread > kEven * seen->depth) continue;
-    vote = {seen->depth, seen->overlap};
+    votes.push_back({seen->depth, seen->overlap});
   }
-  if (vote.area <= 0) return {};
-  return vote;
+  std::ranges::sort(votes, {}, &Vote::depth);
+  double open = outlines[a].area;
+  for (Vote& vote : votes) {
+    vote.area = std::min(vote.area, open);
+    open -= vote.area;
+  }
+  std::erase_if(votes, [](const Vote& vote) { return vote.area <= 0.0; });
+  return votes;
 }
 
 /// Merges votes within the tolerance of each other, with their mean depth and total area.
@@ -84,7 +93,8 @@ std::vector<double> likely_thicknesses(const SolidModel& model,
   constexpr size_t kMost = 3;
   std::vector<Vote> votes;
   for (const int face : voters(model, outlines))
-    if (const auto vote = vote_of(model, outlines, face)) votes.push_back(*vote);
+    for (const Vote& vote : votes_of(model, outlines, face))
+      votes.push_back(vote);
   std::vector<Vote> rows = counted(std::move(votes), tolerance);
   std::ranges::sort(rows, std::ranges::greater(), &Vote::area);
   std::vector<double> depths;
@@ -102,9 +112,9 @@ std::optional<double> plate_thickness(const SolidModel& model,
         (largest < 0 || outlines[f].area > outlines[largest].area))
       largest = f;
   if (largest < 0) return {};
-  const auto vote = vote_of(model, outlines, largest);
-  if (!vote) return {};
-  return vote->depth;
+  const auto votes = votes_of(model, outlines, largest);
+  if (votes.empty()) return {};
+  return std::ranges::max_element(votes, {}, &Vote::area)->depth;
 }
 
 }  // namespace planish::brep

@@ -1,9 +1,15 @@
 #include "widest.hpp"
 
+#include <planish/base/id_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
 // Where the blank must be cut if a wall widens below the skin: at the edge where the widening ends,
 // so that it reaches as far as the material. Strips of the wall are followed from the skin as long
-// as their middles face outwards and they are no steps; a wall that slants from skin to skin is a
-// slanted cut and stays with the skin's own border.
+// as they lean outwards and are no steps; a wall that slants from skin to skin is a slanted cut and
+// stays with the skin's own border. How a strip that is curved in two directions leans (a fillet
+// round a corner), the chord between its edges tells.
 
 namespace planish::brep {
 namespace {
@@ -15,35 +21,93 @@ constexpr double kSlope = 0.05;
 constexpr double kFlattest = 0.99;
 /// Smallest share of the thickness that a chamfer removes, and that it leaves.
 constexpr double kShallowest = 1e-3;
-
-/// Outward normal of a wall near a point of its border; empty where it is not known.
-std::optional<Vec3> wall_normal(const SolidModel& model, int wall, const Vec3& point) {
-  const SolidFace& face = model.faces[wall];
-  if (std::holds_alternative<DoublyCurved>(face.surface)) return {};
-  return outward_normal_at(face, point);
-}
-
-/// The edge across a strip: the other loop of a ring, the opposite side of a four-sided face.
-std::optional<int> opposite_edge(const SolidFace& strip, int edge) {
-  if (strip.loops.size() == 2 && strip.loops[0].size() == 1 && strip.loops[1].size() == 1)
-    return strip.loops[strip.loops[0].front().edge == edge ? 1 : 0].front().edge;
-  if (strip.loops.size() != 1 || strip.loops.front().size() != 4) return {};
-  const auto& loop = strip.loops.front();
-  for (size_t i = 0; i < 4; ++i)
-    if (loop[i].edge == edge) return loop[(i + 2) % 4].edge;
-  return {};
-}
+/// Of the length of an edge: nearer to each other, its ends are one.
+constexpr double kClosed = 1e-3;
 
 Vec3 middle(const SpaceCurve& curve) { return curve.point((curve.t0 + curve.t1) / 2); }
+
+/// Twice the area that a closed curve encloses, as a vector.
+Vec3 swept(const SpaceCurve& curve) {
+  constexpr int kPieces = 16;
+  Vec3 sum = Vec3::Zero();
+  Vec3 from = curve.start - curve.start;
+  for (int i = 1; i <= kPieces; ++i) {
+    const Vec3 to = curve.point(std::lerp(curve.t0, curve.t1, static_cast<double>(i) / kPieces)) -
+                    curve.start;
+    sum += from.cross(to);
+    from = to;
+  }
+  return sum;
+}
 
 /// Whether two edges along a strip run the same way.
 bool same_way(const SpaceCurve& a, const SpaceCurve& b) {
   if (a.kind == SpaceCurve::Kind::circle && b.kind == SpaceCurve::Kind::circle)
     return a.circle.z.dot(b.circle.z) > 0;
-  return (a.end - a.start).dot(b.end - b.start) > 0;
+  const Vec3 along = a.end - a.start;
+  if (along.norm() < kClosed * a.length()) return swept(a).dot(swept(b)) > 0;
+  return along.dot(b.end - b.start) > 0;
+}
+
+/// How a strip goes on from its edge along a skin to its other edge.
+struct Lean {
+  double slope = 0.0;  ///< sine of its outward normal towards the skin's outside
+  double depth = 0.0;  ///< of the other edge below this one, mm
+};
+Lean lean_of(const SolidModel& model, const Vec3& outwards, const CoEdge& use, int wall, int far) {
+  const SpaceCurve& near = model.edges[use.edge].curve;
+  const Vec3 from = middle(near), to = middle(model.edges[far].curve);
+  Lean lean{0.0, (from - to).dot(outwards)};
+  if (!std::holds_alternative<DoublyCurved>(model.faces[wall].surface)) {
+    lean.slope = outward_normal_at(model.faces[wall], (from + to) / 2).dot(outwards);
+    return lean;
+  }
+  const Vec3 tangent = near.tangent((near.t0 + near.t1) / 2);
+  const Vec3 away = (use.forward ? tangent : Vec3(-tangent)).cross(outwards);
+  const double chord = std::hypot((to - from).dot(away), lean.depth);
+  if (chord > 0.0) lean.slope = (to - from).dot(away) / chord;
+  return lean;
+}
+
+/// A loop without the slivers that roundings leave at corners, if four sides remain.
+std::vector<CoEdge> four_sides(const SolidModel& model, const std::vector<CoEdge>& loop) {
+  constexpr size_t kSides = 4;
+  constexpr double kSliver = 0.05;  // of the shortest side
+  if (loop.size() <= kSides) return loop;
+  std::vector<double> lengths = mapped(
+      loop, [&](const CoEdge& use) { return model.edges[use.edge].curve.length(); });
+  std::ranges::sort(lengths, std::ranges::greater());
+  const double shortest = lengths[kSides - 1];
+  if (lengths[kSides] > kSliver * shortest) return {};
+  std::vector<CoEdge> sides;
+  for (const CoEdge& use : loop)
+    if (model.edges[use.edge].curve.length() >= shortest) sides.push_back(use);
+  return sides;
 }
 
 }  // namespace
+
+std::optional<int> opposite_edge(const SolidModel& model, int wall, int edge) {
+  const SolidFace& strip = model.faces[wall];
+  if (strip.loops.size() == 2 && strip.loops[0].size() == 1 && strip.loops[1].size() == 1)
+    return strip.loops[strip.loops[0].front().edge == edge ? 1 : 0].front().edge;
+  if (strip.loops.size() != 1) return {};
+  const auto loop = four_sides(model, strip.loops.front());
+  if (loop.size() != 4) return {};
+  for (size_t i = 0; i < 4; ++i)
+    if (loop[i].edge == edge) return loop[(i + 2) % 4].edge;
+  return {};
+}
+
+bool leans_back(const SolidModel& model, int skin_face, const CoEdge& border) {
+  const int wall = face_across(model.edges[border.edge], skin_face);
+  if (wall < 0) return false;
+  const auto far = opposite_edge(model, wall, border.edge);
+  if (!far) return false;
+  const SpaceCurve& curve = model.edges[border.edge].curve;
+  const Vec3 outwards = outward_normal_at(model.faces[skin_face], middle(curve));
+  return lean_of(model, outwards, border, wall, *far).slope > kSlope;
+}
 
 CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, int skin_face,
                    const CoEdge& border) {
@@ -56,21 +120,16 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
     const SolidEdge& edge = model.edges[at.edge];
     const int wall = face_across(edge, from);
     if (edge.uses != 2 || wall < 0 || rim.part_of[wall] < 0) break;
-    if (!rim.parts[rim.part_of[wall]].within) break;
-    const auto next = opposite_edge(model.faces[wall], at.edge);
+    const auto next = opposite_edge(model, wall, at.edge);
     if (!next) break;
     // A slanted wall from skin to skin is a slanted cut: the skin's own border represents it.
     if (const int beyond = face_across(model.edges[*next], wall);
         beyond < 0 || rim.part_of[beyond] < 0)
       break;
-    // A wall widens where its middle faces towards the skin's outside.
     const SpaceCurve& far = model.edges[*next].curve;
-    const Vec3 half_way = (middle(edge.curve) + middle(far)) / 2;
-    const auto normal = wall_normal(model, wall, half_way);
     const Vec3 outwards = outward_normal_at(model.faces[skin_face], middle(edge.curve));
-    const double slope = normal ? normal->dot(outwards) : 0.0;
+    const auto [slope, depth] = lean_of(model, outwards, at, wall, *next);
     if (slope < kSlope || slope > kFlattest) break;
-    const double depth = (middle(edge.curve) - middle(far)).dot(outwards);
     if (depth <= kShallowest * thickness || reached + depth >= (1.0 - kShallowest) * thickness)
       break;
     reached += depth;

@@ -1,3 +1,4 @@
+#include "bend_dimensions.hpp"
 #include "filling.hpp"
 
 #include <planish/base/assert.hpp>
@@ -14,7 +15,7 @@
 #include <array>
 #include <cmath>
 
-// The drawing of a part: view and facts, pattern with overall sizes, table of bends, sentences.
+// The drawing of a part: view and facts, pattern with its dimensions, table of bends, sentences.
 // They flow down the page, and what does not fit begins another one, where the table repeats its
 // head. The pattern is drawn as large as its place allows. The page's y runs down, the pattern's
 // up; `Fit` turns it.
@@ -29,6 +30,7 @@ constexpr double kOutlineChord = 0.05;        // of curves on paper, mm
 constexpr double kDrawnAtMost = 20.0;         // scale: what is small is drawn larger
 constexpr double kUpright = 1e-6;             // sine
 const std::vector<double> kHidden{1.2, 0.6};  // dashes of outlines on the side that faces down
+const std::vector<double> kDotted{0.4, 0.8};
 
 Box2 box_of(const std::vector<std::vector<Vec2>>& lines) {
   Box2 box;
@@ -37,9 +39,19 @@ Box2 box_of(const std::vector<std::vector<Vec2>>& lines) {
   return box;
 }
 
-/// A pattern within a rectangle; returns how it lies there.
-Fit drawn_flat(Page& page, const FlatPattern& flat, const Rectangle& into) {
-  const Fit fit(bounds(flat.outer.loop), into, kDrawnAtMost);
+/// The blank, where it is turned against the overall sizes.
+std::optional<std::vector<Vec2>> turned_blank(const FlatPattern& flat) {
+  constexpr double kSeen = 0.01;  // mm
+  const Vec2 size = blank_size(flat), overall = bounds(flat.outer.loop).size();
+  if (std::abs(size.x() - std::max(overall.x(), overall.y())) < kSeen &&
+      std::abs(size.y() - std::min(overall.x(), overall.y())) < kSeen)
+    return std::nullopt;
+  const Isometry2 back = laid_by_blank(flat).inverse();
+  return std::vector<Vec2>{back * Vec2(0, 0), back * Vec2(size.x(), 0), back * size,
+                           back * Vec2(0, size.y()), back * Vec2(0, 0)};
+}
+
+void draw_pattern(Page& page, const FlatPattern& flat, const Fit& fit) {
   auto rings = mapped(rings_of(flat, fit.scale()),
                       [&](auto& ring) { return fit(std::move(ring)); });
   page.area(std::move(rings), {.fill = kPageSheet, .width = 0.3});
@@ -58,7 +70,6 @@ Fit drawn_flat(Page& page, const FlatPattern& flat, const Rectangle& into) {
                 {.stroke = bend.direction == BendDirection::up ? kPageUp : kPageDown,
                  .width = 0.25,
                  .dashes = {2.5, 1.2}});
-  return fit;
 }
 
 /// The ids of bends beside their lines, read from below or from the right.
@@ -105,27 +116,59 @@ void write_facts(Filling& filling, const PartDrawing& drawing) {
   filling.skip(kHeight + 3.0);
 }
 
+/// What the numbers around a pattern are, in grey below it.
+std::vector<std::string> captions_of(const PartDrawing& drawing, const Fit& fit,
+                                     std::size_t unwritten, bool turned) {
+  const Units units(drawing.units);
+  const std::string scale = fit.scale() < 1.0 ? fmt::format("1 : {:.3g}", 1.0 / fit.scale())
+                                              : fmt::format("{:.3g} : 1", fit.scale());
+  std::vector<std::string> captions{fmt::format(
+      "flat pattern, scale {}; blue bends up, red down, lengths in {}", scale, units.symbol())};
+  if (turned) {
+    const Vec2 size = blank_size(*drawing.flat);
+    captions.push_back(
+        fmt::format("dimensions: as the pattern lies here; dotted: the blank of {} × {}, the "
+                    "smallest rectangle around it",
+                    units.short_text(size.x()), units.short_text(size.y())));
+  }
+  if (unwritten > 0)
+    captions.push_back(fmt::format("{} too close together to be dimensioned",
+                                   counted(unwritten, "bend line/bend lines are")));
+  return captions;
+}
+
 void write_flat(Filling& filling, const PartDrawing& drawing) {
   constexpr double kHeight = 108.0, kRoom = 10.0;  // for the dimensions
+  constexpr double kBendRoom = 18.0;               // for those of bend lines
+  constexpr double kCaption = 3.6;                 // between lines
   Page& page = filling.page();
+  const FlatPattern& flat = *drawing.flat;
+  const double behind = flat.bends.empty() ? kRoom : kBendRoom;
   const Rectangle into{{kEdge + kRoom, filling.top() + kRoom},
-                       {kInner - 2.0 * kRoom, kHeight - 2.0 * kRoom}};
-  const Fit fit = drawn_flat(page, *drawing.flat, into);
-  name_bends(page, *drawing.flat, fit);
-  const Box2 box = bounds(drawing.flat->outer.loop);
+                       {kInner - kRoom - behind, kHeight - kRoom - behind}};
+  const Box2 box = bounds(flat.outer.loop);
+  const auto blank = turned_blank(flat);
+  Box2 drawn = box;
+  for (const Vec2& corner : blank.value_or(std::vector<Vec2>()))
+    drawn.add(corner);
+  const Fit fit(drawn, into, kDrawnAtMost);
+  if (blank) page.lines({fit(*blank)}, {.stroke = kPageGrey, .width = 0.2, .dashes = kDotted});
+  draw_pattern(page, flat, fit);
+  name_bends(page, flat, fit);
   const Vec2 low = fit(box.lo), high = fit(box.hi);
   const Units units(drawing.units);
   dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0},
             units.short_text(box.size().x()));
   dimension(page, {low.x(), low.y()}, {low.x(), high.y()}, {-6.0, 0.0},
             units.short_text(box.size().y()));
-  const std::string scale = fit.scale() < 1.0 ? fmt::format("1 : {:.3g}", 1.0 / fit.scale())
-                                              : fmt::format("{:.3g} : 1", fit.scale());
-  page.text({kSheetWidth - kEdge, filling.top() + kHeight},
-            fmt::format("flat pattern, scale {}; blue bends up, red down, lengths in {}", scale,
-                        units.symbol()),
-            {.size = 2.8, .anchor = TextAnchor::end, .colour = kPageGrey});
-  filling.skip(kHeight + 4.0);
+  const std::size_t unwritten = dimension_bends(page, flat, fit, units);
+  filling.skip(kHeight);
+  for (const std::string& caption : captions_of(drawing, fit, unwritten, blank.has_value())) {
+    page.text({kSheetWidth - kEdge, filling.top()}, caption,
+              {.size = 2.8, .anchor = TextAnchor::end, .colour = kPageGrey});
+    filling.skip(kCaption);
+  }
+  filling.skip(1.0);
 }
 
 struct BendColumn {
@@ -201,7 +244,7 @@ void draw_view(Page& page, const PartView& view, const Vec2& corner, const Vec2&
 }
 
 void draw_flat(Page& page, const FlatPattern& flat, const Vec2& corner, const Vec2& size) {
-  drawn_flat(page, flat, {corner, size});
+  draw_pattern(page, flat, Fit(bounds(flat.outer.loop), {corner, size}, kDrawnAtMost));
 }
 
 std::vector<Page> part_pages(const PartDrawing& drawing) {

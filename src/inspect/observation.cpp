@@ -20,8 +20,31 @@ std::string term_text(double factor, const char* name) {
   return factor == 1.0 ? name : number_text(factor) + " " + name;
 }
 
+/// The limit of a breach: what information misses is only a rule of thumb.
+std::string limit_text(Severity severity, const Facts& facts) {
+  const bool usual = severity == Severity::info;
+  if (std::ranges::none_of(facts, [](const Fact& fact) { return fact.name() == "rule"; }))
+    return tell(usual ? say::usual_anyway : say::needed_anyway, facts).sentence;
+  return tell(usual ? say::usual : say::needed, facts).sentence;
+}
+
+/// The same where all of them are information.
+const char* many_unusual(std::string_view code) {
+  static const std::map<std::string_view, const char*> kMany{
+      {"bend_relief", "reliefs of bends are smaller than usual"},
+      {"inside_radius", "bends have a smaller inside radius than usual"},
+      {"hem", "hems are narrower inside or have a shorter return than usual"},
+      {"opening_to_bend", "openings are closer to bends than usual"},
+      {"opening_in_bend", "openings are cut through bends"},
+      {"opening_to_edge", "openings are closer to the outer edge than usual"},
+      {"opening_to_opening", "gaps between openings are narrower than usual"}};
+  const auto found = kMany.find(code);
+  return found == kMany.end() ? nullptr : found->second;
+}
+
 /// What the places of a rule have in common; follows their number.
-const char* many_of(std::string_view code) {
+const char* many_of(std::string_view code, Severity worst) {
+  if (const char* unusual = many_unusual(code); unusual && worst == Severity::info) return unusual;
   static const std::map<std::string_view, const char*> kMany{
       {"flange_height", "flanges are too low to be bent"},
       {"bend_relief", "ends of bends have no relief, or too small a one"},
@@ -55,8 +78,9 @@ Finding finding_of(const char* code, std::vector<const Observation*> alike) {
   Finding result{code, worst.severity, worst.message, {},
                  {},   worst.places,   worst.numbers, remedies_of(code)};
   if (alike.size() > 1) {
-    Told many = told("{count} {what}; the worst: {worst}",
-                     {{"count", alike.size()}, {"what", many_of(code)}, {"worst", worst.message}});
+    Told many = told("{count} {what}; the worst: {worst}", {{"count", alike.size()},
+                                                            {"what", many_of(code, worst.severity)},
+                                                            {"worst", worst.message}});
     result.message = std::move(many.sentence);
     result.numbers.insert(result.numbers.begin(), many.numbers.begin(), many.numbers.end());
   }
@@ -96,8 +120,8 @@ Told told(say::Sentence sentence, const Facts& facts) {
   return result;
 }
 
-FindingPlace breach(Severity severity, say::Sentence sentence, const Facts& facts,
-                    std::vector<Vec2> at) {
+FindingPlace breach(Severity severity, say::Sentence sentence, Facts facts, std::vector<Vec2> at) {
+  facts.emplace_back("limit", limit_text(severity, facts));
   Told text = told(sentence, facts);
   return {severity, std::move(text.sentence), std::move(at), std::move(text.places),
           std::move(text.numbers)};

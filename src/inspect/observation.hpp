@@ -33,9 +33,9 @@ std::vector<Finding> grouped(const std::vector<Observation>& observations);
 
 /// `tell`, with no capital at a place that a sentence begins with.
 Told told(say::Sentence sentence, const Facts& facts);
-/// A place where a rule is broken, as a sentence tells it.
-FindingPlace breach(Severity severity, say::Sentence sentence, const Facts& facts,
-                    std::vector<Vec2> at);
+/// A place where a rule is broken, as a sentence tells it; {limit} in it is what the rule asks for,
+/// {wanted} by its {rule}.
+FindingPlace breach(Severity severity, say::Sentence sentence, Facts facts, std::vector<Vec2> at);
 
 /// The terms of a limit, "1.5 T + R"; a factor of 0 omits its term.
 std::string factors_text(double t_factor, double r_factor = 0.0);

@@ -30,6 +30,7 @@ DxfStyles styles_of(const DxfOptions& options) {
   const bool dashed = options.bend_linetype == BendLinetype::dashed;
   DxfStyles styles{.outer = {names.outer, 7},
                    .openings = {names.openings, 4},
+                   .slits = {names.slits, 6},
                    .bend_up = {names.bend_up, 5, dashed},
                    .bend_down = {names.bend_down, 1, dashed},
                    // Not dashed: some shops bend along every dashed line.
@@ -38,6 +39,8 @@ DxfStyles styles_of(const DxfOptions& options) {
                    // Readers take every layer with BEND in its name for bend lines.
                    .text = {"TEXT", 8}};
   if (names.openings == names.outer) styles.openings.color = styles.outer.color;
+  if (names.slits == names.openings) styles.slits.color = styles.openings.color;
+  if (names.slits == names.outer) styles.slits.color = styles.outer.color;
   return styles;
 }
 
@@ -108,10 +111,10 @@ void Drawing::add_line(const EntityStyle& style, const Vec2& a, const Vec2& b) {
 void Drawing::add_slit(const Curve2& slit) {
   for (const Curve2& curve : curves_of_slit(slit, outline_options())) {
     if (const auto* line = std::get_if<Segment>(&curve)) {
-      add_line(styles_.openings, line->a, line->b);
+      add_line(styles_.slits, line->a, line->b);
     } else {
       extents_.add(bounds(curve));
-      entities_.push_back({styles_.openings, Outline(Loop{curve})});
+      entities_.push_back({styles_.slits, Outline(Loop{curve})});
     }
   }
 }

@@ -11,7 +11,7 @@
 namespace planish::io_detail {
 
 struct DxfStyles {
-  EntityStyle outer, openings, bend_up, bend_down, bend_zone, features, text;
+  EntityStyle outer, openings, slits, bend_up, bend_down, bend_zone, features, text;
 };
 DxfStyles styles_of(const DxfOptions& options);
 

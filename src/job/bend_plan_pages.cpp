@@ -4,10 +4,9 @@
 
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/job/bend_plan_pages.hpp>
+#include <planish/job/output_paths.hpp>
 
 #include <fmt/format.h>
-
-#include <filesystem>
 
 namespace planish::job {
 namespace {
@@ -22,7 +21,7 @@ std::string metal_of(const Bending& bending) {
 
 /// The part as its file is called, and its body where that has a name of its own.
 std::string title_of(const Report& report) {
-  const std::string file = std::filesystem::path(input_name(report)).stem().string();
+  const std::string file = stem_of_input(input_name(report));
   return report.body.empty() || report.body == file ? file : file + " · " + report.body;
 }
 

@@ -82,11 +82,11 @@ Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending
   return error;
 }
 
-/// The same where bending is only looked into.
+/// The same where bending is only looked into: the pattern is right, and other tools may bend it.
 Finding cannot_bend_finding(Error why, std::vector<Vec2> at) {
   if (why.message.ends_with('.')) why.message.pop_back();  // findings have no full stop
   return {"cannot_bend",
-          Severity::error,
+          Severity::warning,
           continued(std::move(why.message)),
           std::move(at),
           {},

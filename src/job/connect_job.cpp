@@ -39,13 +39,14 @@ JoinOptions joining_of(const PlatesFile& file, const Request& request) {
 
 std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const Request& request,
                           const Progress& progress) {
-  if (auto wrong = unchosen(request)) return wrong;
-  const AllowanceRule allowance = allowance_of(file, request);
+  const auto mine = request_of_part(request, report);
+  if (!mine) return mine.error();
+  const AllowanceRule allowance = allowance_of(file, *mine);
   progress.at("joining the plates", 0.0);
-  auto connection = planish::connect(with_options(file, joining_of(file, request)),
+  auto connection = planish::connect(with_options(file, joining_of(file, *mine)),
                                      options_for(allowance), first_part(progress));
   if (!connection) return placed(connection.error(), place_name(request.input.string()));
-  return finish(report, std::move(*connection), allowance, request, progress);
+  return finish(report, std::move(*connection), allowance, *mine, progress);
 }
 
 }  // namespace

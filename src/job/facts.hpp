@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/job/report.hpp>
+#include <planish/job/unfold.hpp>
 
 #include <optional>
 #include <string_view>
@@ -13,6 +13,9 @@ std::string_view severity_name(Severity severity);
 bool sheet_known(const Report& report);
 bool flat_known(const Report& report);
 bool certificate_known(const Report& report);
+
+/// What a file holds beside its bodies, as a sentence.
+std::string note_of_surfaces(const UnfoldReport& report);
 
 /// NaN if not known, which fails comparisons and becomes null in JSON.
 double or_nan(const std::optional<double>& value);

@@ -6,6 +6,7 @@
 #include <planish/brep/step.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/job/info.hpp>
+#include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
 
@@ -89,7 +90,7 @@ Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
   for (int i = first; i < last; ++i) {
     if (progress.should_stop()) return fail(refuse::cancelled);
     const Body& body = file.bodies[i];
-    progress.at(fmt::format("body {} ({})", i + 1, body.name()),
+    progress.at(fmt::format("body {} ({})", i + 1, schema::printable_name(body.name())),
                 double(i - first) / (last - first));
     report.bodies.push_back(body_info(body, i + 1));
     if (request.recognize) report.bodies.back().sheet = sheet_info(body);

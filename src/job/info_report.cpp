@@ -69,10 +69,10 @@ std::string body_table(const InfoReport& report, const Units& units) {
                                [&](const BodyInfo& body) { return !(body.*text).empty(); });
   };
   const bool materials = any(&BodyInfo::material), colours = any(&BodyInfo::colour);
-  std::vector<Table::Column> columns{{"no", Align::right},       {"body"},
+  std::vector<Table::Column> columns{{"no", Align::right},       {"body", Align::left, kNameShown},
                                      {"quantity", Align::right}, {"faces", Align::right},
                                      {"size", Align::right},     {"volume", Align::right}};
-  if (materials) columns.push_back({"material"});
+  if (materials) columns.push_back({"material", Align::left, kNameShown});
   if (colours) columns.push_back({"colour"});
   Table table(columns);
   for (const BodyInfo& body : report.bodies) {
@@ -116,7 +116,7 @@ std::string info_json(const InfoReport& report, const std::optional<Error>& erro
 std::string info_text(const InfoReport& report) {
   const Units units(report.units);
   const auto said = [](const std::string& text) {
-    return text.empty() ? "not stated" : printable(text);
+    return text.empty() ? "not stated" : printable_name(text);
   };
   const bool step = !report.schema.starts_with("B-rep");
   std::string text = fmt::format("{}: {}{}, made by {}, in {}\n", printable(report.input),

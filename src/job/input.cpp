@@ -3,6 +3,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/text.hpp>
+#include <planish/schema/printable.hpp>
 #include <planish/schema/text_file.hpp>
 #include <planish/schema/units.hpp>
 
@@ -23,7 +24,7 @@ std::string body_list(const StepFile& file) {
   const int n = static_cast<int>(file.bodies.size());
   for (int i = 0; i < n && i < kListedBodies; ++i) {
     const Body& body = file.bodies[i];
-    text += fmt::format("{}{} \"{}\"", i ? ", " : "", i + 1, body.name());
+    text += fmt::format("{}{} \"{}\"", i ? ", " : "", i + 1, printable_name(body.name()));
     if (body.quantity() > 1) text += fmt::format(" (×{})", body.quantity());
   }
   if (n > kListedBodies) text += fmt::format(" and {} more", n - kListedBodies);

@@ -17,9 +17,10 @@
 #include <cmath>
 
 // From a sheet to the finished report, the same for every maker: pattern, certificate, overlaps,
-// reliefs, rules, plan of strokes. A pattern that the certificate disproves never comes out. The
-// certificate is that of the pattern before reliefs; the area that these take is checked on its own
-// and corrects the ratios (math.md#reliefs). A draft stops after the pattern.
+// reliefs, rules, plan of strokes. A pattern that the certificate disproves never comes out, one
+// with an error only if that is asked for. The certificate is that of the pattern before reliefs;
+// the area that these take is checked on its own and corrects the ratios (math.md#reliefs). A draft
+// stops after the pattern.
 
 namespace planish::job {
 using namespace shop;
@@ -175,20 +176,22 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   const auto unmended = relieve(report, given, overlaps);
   offer_reliefs(overlaps, report, given);
   append(report.findings, overlaps);
-  if (!given.checks.write_overlapping) {
+  if (!given.checks.write_overlapping && !given.checks.write_anyway) {
     if (auto refusal = overlap_refusal(overlaps)) {
       if (unmended) say_after(*refusal, no_relief_because(*unmended));
       return refusal;
     }
   }
   if (given.folded) append(report.findings, self_intersections(report, *given.folded));
+  if (auto doubt = size_doubt(report.summary.thickness, report.size.x()))
+    report.findings.push_back(std::move(*doubt));
   const std::optional<ShopChoice>& shop = given.checks.shop;
   if (given.checks.rules.enabled)
     append(report.findings, check_rules(given.sheet, report.flat, rules_of(given)));
   if (shop)
     append(report.findings,
            shop_findings({report.summary.thickness, report.size, report.flat}, *shop));
-  return std::nullopt;
+  return error_refusal(report.findings, given.checks);
 }
 
 }  // namespace
@@ -231,11 +234,15 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
   return {};
 }
 
-Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips,
+Result<Recognized> found_sheet(const Body& body, RecognizeOptions options,
                                const Progress& progress) {
-  const FlattenOptions options{.allowance = ConstantK{0.5, "recognition"}};
-  const auto lies = [&](const Sheet& open) { return lies_uncovered(open, options, progress); };
-  return recognize(body, {.rip_edges = rips, .passes = lies});
+  const FlattenOptions layout{.allowance = ConstantK{0.5, "recognition"}};
+  options.passes = [&](const Sheet& open) { return lies_uncovered(open, layout, progress); };
+  return recognize(body, options);
+}
+
+RecognizeOptions sought_by(const Request& request) {
+  return {.rip_edges = request.rip_edges, .thickness = request.thickness};
 }
 
 }  // namespace planish::job

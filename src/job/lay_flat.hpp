@@ -45,9 +45,11 @@ Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
                             const Progress& progress);
 
 /// `recognize`, where a refusal names a rip only if rips lead to a pattern that does not cover
-/// itself. Errors: those of `recognize`, `cancelled`.
-Result<Recognized> found_sheet(const Body& body, const std::vector<int>& rips = {},
+/// itself, which is checked here. Errors: those of `recognize`, `cancelled`.
+Result<Recognized> found_sheet(const Body& body, RecognizeOptions options = {},
                                const Progress& progress = {});
+/// What is looked for, as a request says.
+RecognizeOptions sought_by(const Request& request);
 
 /// The report that `fill` completes, with the time it took. An error with exit status 4 is the
 /// report's refusal; any other leaves nothing to show.

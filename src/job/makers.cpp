@@ -17,14 +17,14 @@ const std::vector<Maker>& makers() {
 std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own) {
   for (const char* name :
        {"profile", "r12", "splines", "arc_tolerance", "bend_marks", "tick_length", "tangent_lines",
-        "bend_text", "turn_to_blank", "write_overlapping", "density"})
+        "bend_text", "turn_to_blank", "write_overlapping", "write_anyway", "density"})
     own.push_back({name});
   return own;
 }
 
 std::vector<OptionUse> with_bending_options(std::vector<OptionUse> own) {
-  for (const char* name : {"shop", "check_bending", "tools", "metal", "springback", "clearance",
-                           "shortfall", "opening"})
+  for (const char* name : {"shop", "materials", "check_bending", "tools", "metal", "springback",
+                           "clearance", "shortfall", "opening"})
     own.push_back({name});
   return with_pattern_options(std::move(own));
 }

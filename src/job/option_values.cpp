@@ -119,11 +119,13 @@ Error not_a_content(const Option& option) {
 
 /// `material` beside a shop: one of the shop's, or a file.
 Result<bool> enter_shop_material(const std::string& name, Request& request, bool reads_files) {
-  if (take_material(request, name)) return true;
+  if (take_material(request, name)) {
+    request.material = request.shop->chosen().name;
+    return true;
+  }
   std::error_code ignored;
   if (!reads_files || !std::filesystem::exists(name, ignored))
     return tl::unexpected(without_material(request.shop->shop, name, reads_files));
-  if (request.allowance) return fail(refuse::one_k, {}, "material");
   return false;
 }
 
@@ -158,6 +160,19 @@ Result<void> enter_one(const Option& option, const OptionValue& value, Request& 
   const auto* file = std::get_if<OptionFile>(&value);
   if (!done && file) return tl::unexpected(within_content(done.error(), option, *file));
   return done;
+}
+
+/// Says that K comes from two of the options; null if it comes from one at most. `curves`: the
+/// material's are one of them.
+std::optional<Error> second_k_rule(const OptionValues& values, bool curves) {
+  std::string_view first;
+  for (const std::string_view name : {"k", "k_table", "din6935", "material"}) {
+    if (!values.given(name) || (name == "material" && !curves)) continue;
+    if (!first.empty())
+      return error_of(refuse::one_k, {{"first", first}, {"second", name}}, std::string(name));
+    first = name;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -204,14 +219,12 @@ std::optional<double> OptionValues::number(std::string_view name) const {
 }
 
 Result<void> OptionValues::check_together() const {
-  const int k_rules = given("k") + given("k_table") + given("din6935") +
-                      (given("material") && !given("shop"));
-  const char* last_k_rule = given("material")  ? "material"
-                            : given("din6935") ? "din6935"
-                                               : "k_table";
+  // Beside a shop a material may be a name of it, which no file says.
+  if (auto twice = second_k_rule(*this, !given("shop"))) return tl::unexpected(std::move(*twice));
   for (const Contradiction& one : {
-           Contradiction{k_rules > 1, refuse::one_k, last_k_rule},
-           {given("no_rules") && given("rules"), refuse::rules_and_none, "no_rules"},
+           Contradiction{given("no_rules") && given("rules"), refuse::rules_and_none, "no_rules"},
+           {given("tangent_lines") && text("profile") == "solidedge", refuse::tangents_unlayered,
+            "tangent_lines"},
            {given("r12") && text("splines") == "keep", refuse::kept_splines, "splines"},
            {given("tick_length") && text("bend_marks") != "ticks", refuse::ticks_alone,
             "tick_length"},
@@ -227,10 +240,15 @@ Result<void> OptionValues::enter(Request& request) const {
     ordered.emplace(rank_of(*one.first), &one);
   for (const auto& [rank, one] : ordered)
     if (auto done = enter_one(*one->first, one->second, request, reads_files_); !done) return done;
+  const bool curves = request.allowance &&
+                      std::holds_alternative<MaterialCurves>(*request.allowance);
+  if (auto twice = second_k_rule(*this, curves)) return tl::unexpected(std::move(*twice));
   if (!request.shop) return {};
-  // `planish bend --material steel` takes a word that it knows for the metal.
-  if (!request.shop->material) take_material(request, text("metal"));
   request.shop->density_given = given("density");
+  // `planish bend --material steel` takes a word that it knows for the metal.
+  for (const std::string& name : {request.material, text("metal")})
+    if (!request.shop->material) take_material(request, name);
+  if (auto wrong = unstocked_file(request)) return tl::unexpected(std::move(*wrong));
   request.shop->strength_given = given("metal");
   request.shop->gauge_limits = !given("rules") && !given("process");
   return {};

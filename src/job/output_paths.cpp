@@ -1,5 +1,6 @@
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/output_paths.hpp>
 
 #include <fmt/format.h>
@@ -36,6 +37,12 @@ Result<void> all_different(const std::vector<fs::path>& outputs) {
       return fail(refuse::two_outputs, {{"file", path.string()}});
   }
   return {};
+}
+
+std::string stem_of_input(const fs::path& input) {
+  const std::string suffix = lower_case(input.extension().string());
+  const fs::path stem = input.stem();
+  return (suffix == ".gz" || suffix == ".zip" ? stem.stem() : stem).string();
 }
 
 fs::path name_of_piece(const fs::path& path, int piece, int pieces) {

@@ -25,6 +25,10 @@ constexpr Refusal length_wrong{
     code::pattern_wrong,
     "An edge of the solid and its image in the pattern differ in length by {off}. The pattern "
     "cannot be trusted and is not written."};
+constexpr Refusal opening_wrong{
+    code::pattern_wrong,
+    "An opening of the pattern is not what the solid lets through: they differ by {off} all round. "
+    "The pattern cannot be trusted and is not written."};
 constexpr Refusal refold_wrong{code::pattern_wrong,
                                "The contour, folded back, misses the solid's edge by {off}. The "
                                "pattern cannot be trusted and is not written."};
@@ -34,8 +38,7 @@ constexpr Refusal cancelled{code::cancelled, "Cancelled."};
 constexpr Refusal bad_option_text{code::bad_option, "`{option}` must be {wanted}, not \"{text}\"."};
 constexpr Refusal not_an_option{code::bad_option, "`{option}` is not an option of {task}."};
 constexpr Refusal options_not_json{code::invalid_input, "The options are not JSON."};
-constexpr Refusal one_k{code::bad_option,
-                        "`k`, `k_table`, `din6935` and `material` each say where K comes from.",
+constexpr Refusal one_k{code::bad_option, "`{first}` and `{second}` each say where K comes from.",
                         "Give only one of them."};
 constexpr Refusal rules_and_none{code::bad_option, "`rules` and `no_rules` contradict each other.",
                                  "Leave one of them out."};
@@ -44,6 +47,10 @@ constexpr Refusal kept_splines{code::bad_option,
                                "Leave one of them out."};
 constexpr Refusal ticks_alone{code::bad_option, "`tick_length` goes with `bend_marks` ticks.",
                               "Set `bend_marks` to ticks.", "bend_marks", "ticks"};
+constexpr Refusal tangents_unlayered{
+    code::bad_option,
+    "`tangent_lines` cannot be drawn with `profile` solidedge, which has no layer for bend zones.",
+    "Choose another `profile`, or leave `tangent_lines` out."};
 constexpr Refusal bad_rip_edges{
     code::bad_option,
     "`rip_edges` must be numbers of edges with commas between them, as in 21,56, not \"{text}\"."};
@@ -60,14 +67,23 @@ constexpr Refusal name_without_shop{
     code::bad_option, "`{option}` can be the name of a material only together with `shop`.",
     "Give the content of the {kind}."};
 constexpr Refusal material_unsaid{code::bad_option, "The shop profile has the materials {known}.",
-                                  "Choose one with `material`."};
+                                  "Choose one with `material`, or that of each part with "
+                                  "`materials`."};
+constexpr Refusal row_not_stocked{
+    code::bad_option,
+    "{file}, {@line}: the shop profile has no material \"{material}\"; it has {known}."};
+constexpr Refusal file_not_stocked{
+    code::bad_option,
+    "The shop profile has no material \"{material}\", which the file of `material` describes; it "
+    "has {known}.",
+    "Name it in that file as the shop does."};
 constexpr Refusal material_not_stocked{
     code::bad_option,
     "The part is made of {material}, which the shop profile does not have; it has {known}.",
-    "Choose one with `material`."};
-constexpr Refusal k_of_transition{code::bad_option,
-                                  "A transition has no inside radius, so its K is one number.",
-                                  "Give it by `k`."};
+    "Choose one with `material`, or that of each part with `materials`."};
+constexpr Refusal k_of_transition{
+    code::bad_option, "`{option}` gives K by the inside radius, which a transition does not have.",
+    "Give one number by `k`."};
 constexpr Refusal folder_unsaid{
     code::invalid_input, "{@field} is missing, but the {kind} names the file {file} at {@named}.",
     "Give the folder of that file."};
@@ -133,6 +149,10 @@ constexpr Refusal pattern_overlaps{code::overlap, "{what}.",
                                    "Set `write_overlapping` to write the pattern anyway."};
 constexpr Refusal pattern_overlaps_more{code::overlap, "{what}, and at {more:more place}.",
                                         "Set `write_overlapping` to write the pattern anyway."};
+constexpr std::string_view kWriteAnyway = "Set `write_anyway` to write the files all the same.";
+constexpr Refusal opening_lost{code::lost_opening, "{what}{others}.", kWriteAnyway};
+constexpr Refusal opening_too_many{code::extra_opening, "{what}{others}.", kWriteAnyway};
+constexpr Refusal runs_through{code::self_intersection, "{what}{others}.", kWriteAnyway};
 constexpr Refusal contours_cross{code::overlap, "Contours cross elsewhere."};
 constexpr Refusal strip_turned{
     code::out_of_reach,

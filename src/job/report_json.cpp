@@ -4,6 +4,7 @@
 #include "places_json.hpp"
 #include "plan_report.hpp"
 #include "report_schema.hpp"
+#include "tree_json.hpp"
 
 #include <planish/job/unfold.hpp>
 #include <planish/schema/json_parts.hpp>
@@ -85,10 +86,12 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   json["perimeter"] = number_json(units.length(flat.perimeter));
   json["size"] = point_json(report.size, units);
   json["openings"] = flat.openings.size();
+  json["slits"] = flat.slits.size();
   json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
   if (bends == BendList::shown) add_bends(json["bends"], flat, units, details);
+  if (bends == BendList::shown) json["tree"] = tree_json(report, units);
   if (!flat.labels.empty()) json["labels"] = Json::array();
   for (const FlatLabel& label : flat.labels)
     json["labels"].push_back({{"text", label.text}, {"at", point_json(label.at, units)}});
@@ -103,6 +106,7 @@ Json openings_json(const OpeningCount& openings) {
   Json json;
   if (openings.solid) json["solid"] = *openings.solid;
   json["pattern"] = openings.pattern;
+  if (openings.slits > 0) json["slits"] = openings.slits;
   json["features"] = openings.features;
   if (openings.loops > 0) json["loops"] = openings.loops;
   return json;
@@ -116,11 +120,15 @@ Json verification_json(const Report& report, const Units& units) {
   json["explained_ratio"] = number_json(or_nan(certificate.explained_ratio));
   json["length_error"] = number_json(units.length(certificate.length_error));
   json["refold_deviation"] = number_json(units.length(or_nan(certificate.refold_deviation)));
+  if (certificate.opening_error)
+    json["opening_error"] = number_json(units.length(*certificate.opening_error));
   json["closure"] = number_json(units.length(report.flat.closure));
   json["area_at_half"] = number_json(units.area(certificate.flat_area_half));
   json["openings"] = openings_json(certificate.openings);
   json["places"]["length_error"] = point_json(certificate.length_error_at, units);
   json["places"]["refold_deviation"] = point_json(certificate.refold_at, units);
+  if (certificate.opening_error)
+    json["places"]["opening_error"] = point_json(certificate.opening_error_at, units);
   return json;
 }
 
@@ -136,6 +144,8 @@ Json begun_report(const Report& report, std::string_view command) {
   json["version"] = 1;
   json["command"] = report.task.empty() ? command : report.task;
   json["input"] = report.input;
+  if (!report.material.empty()) json["material"] = report.material;
+  if (report.quantity != 1) json["quantity"] = report.quantity;
   return json;
 }
 
@@ -160,7 +170,6 @@ Json report_value(const UnfoldReport& report) {
   json["body"] = report.body;
   json["body_number"] = report.number;
   json["quantity"] = report.quantity;
-  if (!report.material.empty()) json["material"] = report.material;
   if (report.density) json["density"] = number_json(*report.density);
   if (!report.colour.empty()) json["colour"] = report.colour;
   finish_report(json, report);
@@ -169,7 +178,6 @@ Json report_value(const UnfoldReport& report) {
 
 ReportDetails unfold_report_details() {
   return {{optional("body", any_text()), optional("body_number", whole(1)),
-           optional("quantity", whole(1)), optional("material", any_text()),
            optional("density", measured_number()), optional("colour", any_text())},
           {}};
 }

@@ -2,6 +2,7 @@
 
 #include "places_json.hpp"
 #include "plan_report.hpp"
+#include "tree_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,21 +51,26 @@ Schema flat_schema(const std::vector<Field>& bend_details) {
   const Schema label = object({required("text", any_text()), required("at", report_point())});
   return object({required("area", measured_area()), required("perimeter", measured_length()),
                  required("size", report_point()), required("openings", whole()),
+                 optional("slits", whole().said("lines that are cut")),
                  required("cutting", object({required("outer", measured_length()),
                                              required("inner", measured_length())})),
                  required("bends", list(bend_schema(bend_details))),
-                 optional("labels", list(label)), required("features", list(feature))});
+                 optional("tree", tree_schema()), optional("labels", list(label)),
+                 required("features", list(feature))});
 }
 
 Schema verification_schema() {
   return object(
       {required("volume_ratio", measured_number()), required("explained_ratio", measured_number()),
        required("length_error", measured_length()), required("refold_deviation", measured_length()),
-       required("closure", measured_length()), required("area_at_half", measured_area()),
+       optional("opening_error", measured_length()), required("closure", measured_length()),
+       required("area_at_half", measured_area()),
        required("openings", object({optional("solid", whole()), required("pattern", whole()),
+                                    optional("slits", whole(1).said("of those of the pattern")),
                                     required("features", whole()), optional("loops", whole(1))})),
        required("places", object({required("length_error", report_point()),
-                                  required("refold_deviation", report_point())}))});
+                                  required("refold_deviation", report_point()),
+                                  optional("opening_error", report_point())}))});
 }
 
 void append(std::vector<Field>& all, std::vector<Field> more) {
@@ -152,6 +158,7 @@ Schema report_schema(const Catalogue& catalogue) {
   fields.push_back(required(
       "command", words(names).said(fmt::format("the maker, or {}", fmt::join(others, " or ")))));
   fields.push_back(required("input", any_text()));
+  append(fields, {optional("material", any_text()), optional("quantity", whole(1))});
   append(fields, common_fields(bend_details));
   append(fields, std::move(report_details));
   return object(std::move(fields)).said("What came of one part");
@@ -163,6 +170,7 @@ Schema summary_schema(const Catalogue& catalogue) {
          {required("command", words({"unfold"})), required("input", any_text()),
           required("units", words({"mm", "inch", "m"})), required("status", status_schema()),
           required("unfolded", whole()), required("refused", whole()), required("pieces", whole()),
+          optional("surface_bodies", whole().said("shells that belong to no solid")),
           required("bodies", list(report_schema(catalogue)))});
   return object(std::move(fields)).said("What came of every body of a file");
 }

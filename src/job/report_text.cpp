@@ -24,7 +24,7 @@ namespace {
 std::string title(const UnfoldReport& report) {
   std::string text = input_name(report);
   if (report.bodies_in_file > 1) {
-    text += fmt::format(", body {} \"{}\"", report.number, report.body);
+    text += fmt::format(", body {} \"{}\"", report.number, printable_name(report.body));
   }
   if (report.quantity > 1) text += fmt::format(" ×{}", report.quantity);
   return text;
@@ -47,10 +47,14 @@ std::string blank_line(const Report& report, const Units& units) {
       "blank {} × {} {}, area {} {}², cutting length {} {} outer",
       units.length_text(report.size.x()), units.length_text(report.size.y()), unit,
       units.area_text(flat.area), unit, units.length_text(outer_cutting_length(flat)), unit);
-  if (!flat.openings.empty()) {
+  std::vector<std::string> within;
+  if (!flat.openings.empty()) within.push_back(counted(flat.openings.size(), "opening"));
+  if (!flat.slits.empty()) within.push_back(counted(flat.slits.size(), "slit"));
+  if (!within.empty())
     text += fmt::format(" + {} {} in {}", units.length_text(inner_cutting_length(flat)), unit,
-                        counted(flat.openings.size(), "opening"));
-  }
+                        listed(within));
+  const std::string forms = forms_text(flat);
+  if (!forms.empty()) text += fmt::format("\noutlined, not cut: {}", forms);
   return text + "\n";
 }
 
@@ -95,6 +99,9 @@ std::string residual(double mm, const Units& units) {
 std::string openings_text(const OpeningCount& openings) {
   if (!openings.solid) return {};
   std::string text = fmt::format(", openings {} of {}", openings.pattern, *openings.solid);
+  if (openings.slits > 0)
+    text += fmt::format(" ({} {})", openings.slits,
+                        openings.slits == 1 ? "is a slit" : "are slits");
   if (openings.features > 0) text += fmt::format(", {} in features", openings.features);
   return text;
 }

@@ -36,6 +36,8 @@ constexpr std::string_view
 constexpr std::string_view without_forms = "; without them it is {explained:7}";
 constexpr std::string_view slanted_or_missed =
     "; the cause is a missed feature, or cut edges that are not normal to the sheet";
+constexpr std::string_view openings_fit =
+    ", along the outer contour or in a bend; openings in flanges fit what the solid lacks there";
 constexpr std::string_view slanted_cuts =
     "{count:cut edge} {are} not normal to the sheet; the pattern follows one skin "
     "there";
@@ -52,9 +54,18 @@ constexpr std::string_view folded_untested =
 constexpr std::string_view
     file_missing = "no {what} could be made, so its file is not written: {reason}";
 
+constexpr std::string_view size_unlikely =
+    "the sheet is {thickness} thick and its blank {length} long, which no shop has: check the unit "
+    "in which the input states its lengths";
+
+constexpr std::string_view more_errors = ", and {more:more error} {are} found";
+
 constexpr std::string_view length_off =
     "an edge of the solid and its image in the pattern differ in length by {off}, more than "
     "{allowed}";
+constexpr std::string_view opening_off =
+    "an opening of the pattern is not what the solid lets through: they differ by {off} all round, "
+    "more than {allowed}";
 constexpr std::string_view
     refold_off = "the contour, folded back, misses the solid's edge by {off}, more than {allowed}";
 constexpr std::string_view

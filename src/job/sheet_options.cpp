@@ -36,6 +36,9 @@ Done set_din6935(Request& to, const OptionValue& value) {
 Done set_material(Request& to, const OptionValue& value) {
   auto material = parse_material(file_of(value).text, file_of(value).name);
   if (!material) return pass_on(material);
+  // Called as its file where the file names none: without the suffix.
+  const std::filesystem::path called = material->name;
+  to.material = called.extension() == ".json" ? called.stem().string() : material->name;
   to.allowance = std::move(*material);
   return {};
 }
@@ -117,6 +120,10 @@ const std::vector<Option>& sheet_options() {
            row::word("root", {"largest"}, "largest",
                      "face that stays where it is; `planish info --sheets` lists the faces",
                      stored<&Request::root>, OptionKind::face),
+           row::number("thickness", kAboveZero,
+                       "thickness of the sheet, in mm, where it is not the one found: of strips as "
+                       "narrow as a bar",
+                       stored<&Request::thickness>),
            row::name("rip_edges",
                      "edges along which a closed part is cut open, by their numbers in the file, "
                      "as in 21,56",

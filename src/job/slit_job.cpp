@@ -4,6 +4,7 @@
 #include "made_report.hpp"
 #include "refusals.hpp"
 #include "strip_meetings.hpp"
+#include "verdict.hpp"
 
 #include <planish/job/slit.hpp>
 #include <planish/schema/units.hpp>
@@ -199,7 +200,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   auto cut = cut_slits(std::move(report.flat), {file.kerf, file.stop_hole});
   if (!cut) return placed(at_kerf(cut.error(), file), name);
   report.flat = std::move(*cut);
-  return std::nullopt;
+  return error_refusal(report.findings, request);
 }
 
 std::optional<Error> fill(SlitReport& report, const SlitFile& file, const Request& request,

@@ -49,10 +49,6 @@ int pieces(const Bodies& bodies) {
   return sum_of(bodies, [](const auto& body) { return report_of(body).quantity; });
 }
 
-std::string plain(double value) {
-  return number_json(value).is_null() ? "" : fmt::format("{}", value);
-}
-
 using Cells = std::vector<std::string>;
 
 Cells fields(const UnfoldReport& report) {
@@ -69,18 +65,18 @@ Cells fields(const UnfoldReport& report) {
   };
   const bool sheet = sheet_known(report), flat = flat_known(report);
   const bool certified = certificate_known(report);
-  add(sheet, plain(units.length(report.summary.thickness)));
-  add(flat, plain(units.length(report.size.x())));
-  add(flat, plain(units.length(report.size.y())));
-  add(flat, plain(units.area(report.flat.area)));
-  add(flat, plain(units.length(outer_cutting_length(report.flat))));
-  add(flat, plain(units.length(inner_cutting_length(report.flat))));
+  add(sheet, csv_number(units.length(report.summary.thickness)));
+  add(flat, csv_number(units.length(report.size.x())));
+  add(flat, csv_number(units.length(report.size.y())));
+  add(flat, csv_number(units.area(report.flat.area)));
+  add(flat, csv_number(units.length(outer_cutting_length(report.flat))));
+  add(flat, csv_number(units.length(inner_cutting_length(report.flat))));
   add(flat, fmt::format("{}", report.flat.openings.size()));
   add(sheet, fmt::format("{}", report.summary.bends));
-  add(report.mass.has_value(), plain(or_nan(report.mass)));
-  add(certified, plain(or_nan(report.certificate.volume_ratio)));
-  add(certified, plain(units.length(report.certificate.length_error)));
-  add(certified, plain(units.length(or_nan(report.certificate.refold_deviation))));
+  add(report.mass.has_value(), csv_number(or_nan(report.mass)));
+  add(certified, csv_number(or_nan(report.certificate.volume_ratio)));
+  add(certified, csv_number(units.length(report.certificate.length_error)));
+  add(certified, csv_number(units.length(or_nan(report.certificate.refold_deviation))));
   const auto warnings = std::ranges::count_if(
       report.findings, [](const auto& f) { return f.severity != Severity::info; });
   cells.push_back(fmt::format("{}", warnings));
@@ -151,6 +147,7 @@ std::string summary_json(const Bodies& bodies) {
   json["unfolded"] = unfolded(bodies);
   json["refused"] = static_cast<int>(bodies.size()) - unfolded(bodies);
   json["pieces"] = pieces(bodies);
+  json["surface_bodies"] = bodies.empty() ? 0 : report_of(bodies.front()).surface_bodies;
   json["bodies"] = Json::array();
   for (const auto& body : bodies)
     json["bodies"].push_back(report_value(report_of(body)));
@@ -168,7 +165,7 @@ std::string summary_text(const Bodies& bodies) {
   using Align = Table::Align;
   const Units units(unit_of(bodies));
   Table table({{"no", Align::right},
-               {"body"},
+               {"body", Align::left, kNameShown},
                {"quantity", Align::right},
                {"status"},
                {"thickness", Align::right},
@@ -187,10 +184,13 @@ std::string summary_text(const Bodies& bodies) {
     cells.push_back(outcome(report));
     table.add(std::move(cells));
   }
-  return fmt::format("{} of {} unfolded ({} in all), lengths in {}\n{}{}", unfolded(bodies),
+  std::string note;
+  if (!bodies.empty() && report_of(bodies.front()).surface_bodies > 0)
+    note = fmt::format("note: {}\n", note_of_surfaces(report_of(bodies.front())));
+  return fmt::format("{} of {} unfolded ({} in all), lengths in {}\n{}{}{}", unfolded(bodies),
                      counted(bodies.size(), "different body/different bodies"),
                      counted(pieces(bodies), "piece"), units.name(), table.text("  "),
-                     warnings_text(bodies));
+                     warnings_text(bodies), note);
 }
 
 }  // namespace planish::job

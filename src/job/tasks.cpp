@@ -50,7 +50,8 @@ bool is_of_sheet_to_bend(const Option& option) {
   constexpr OptionGroup kGroups[] = {OptionGroup::input, OptionGroup::bends, OptionGroup::joining,
                                      OptionGroup::shop};
   return option.on_command_line && option.name != "material" &&
-         (std::ranges::count(kGroups, option.group) > 0 || option.name == "units");
+         (std::ranges::count(kGroups, option.group) > 0 || option.name == "units" ||
+          option.name == "write_anyway");
 }
 
 Maker bending_with(const Maker& maker) {

@@ -38,7 +38,10 @@ Result<ConstantK> k_of(const TransitionFile& file, const Request& request) {
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (constant) return ConstantK{constant->k, "constant"};
-    return fail(refuse::k_of_transition, {}, "k");
+    const char* option = std::holds_alternative<MaterialCurves>(*request.allowance) ? "material"
+                         : std::holds_alternative<BendTable>(*request.allowance)    ? "k_table"
+                                                                                    : "din6935";
+    return fail(refuse::k_of_transition, {{"option", option}}, option);
   }
   if (request.shop && gauge_of(*request.shop, spec.thickness))
     return shop_k(*request.shop, spec.thickness);
@@ -60,9 +63,11 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
   std::optional<FoldedBody> body;
   if (folded) {
     if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
-    if (piece.solid)
+    if (piece.solid) {
       body.emplace(
           FoldedBody{*piece.solid, folded->sheet, {folded->seams.begin(), folded->seams.end()}});
+      if (folded->ridge) body->seams.push_back(*folded->ridge);
+    }
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);
@@ -97,7 +102,6 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
                           const Request& request, const Progress& progress) {
   TransitionSpec& spec = report.spec;
   spec = file.spec;
-  if (auto wrong = unchosen(request)) return wrong;
   const auto k = k_of(file, request);
   if (!k) return k.error();
   spec.k_factor = k->k;
@@ -119,6 +123,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
     TransitionPiece piece;
     piece.input = report.input;
     piece.units = report.units;
+    piece.material = report.material;
+    piece.quantity = report.quantity;
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
     auto wrong = draft ? draw_piece(piece, sheets[i], options, request, progress)
                        : lay_piece(piece, sheets[i], folded_piece(i), options, request, progress);
@@ -136,8 +142,10 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
 
 Outcome<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                              const Progress& progress) {
-  return reported(begun<TransitionReport>(request, file.units),
-                  [&](TransitionReport& report) { return fill(report, file, request, progress); });
+  return reported(begun<TransitionReport>(request, file.units), [&](TransitionReport& report) {
+    const auto mine = request_of_part(request, report);
+    return mine ? fill(report, file, *mine, progress) : mine.error();
+  });
 }
 
 Outcome<TransitionReport> transition(const Request& request, const Progress& progress) {

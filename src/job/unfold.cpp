@@ -1,9 +1,11 @@
 #include "input.hpp"
 #include "refusals.hpp"
+#include "taken_shop.hpp"
 
 #include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
+#include <planish/schema/printable.hpp>
 
 #include <fmt/format.h>
 
@@ -46,7 +48,8 @@ Progress share_of(const Progress& whole, int index, int count, const std::string
   Progress part;
   part.cancelled = whole.cancelled;
   part.report = [&whole, index, count, name](std::string_view stage, double share) {
-    whole.at(fmt::format("body {} of {} ({}): {}", index + 1, count, name, stage),
+    whole.at(fmt::format("body {} of {} ({}): {}", index + 1, count, schema::printable_name(name),
+                         stage),
              (index + share) / count);
   };
   return part;
@@ -59,6 +62,7 @@ UnfoldReport refused(const Body& body, const Request& request, const Error& erro
   report.material = body.material();
   report.colour = body.colour();
   report.density = body.density();
+  enter_material(report, request);
   return report;
 }
 
@@ -73,6 +77,14 @@ UnfoldReport failed_unfold(const Request& request, const Error& error) {
   return report;
 }
 
+void place_in_file(UnfoldReport& report, const StepFile& file, int body) {
+  report.number = body + 1;
+  report.bodies_in_file = static_cast<int>(file.bodies.size());
+  report.surface_bodies = file.surface_bodies;
+  if (report.bodies_in_file == 1 && report.surface_bodies > 0)
+    report.notes.push_back(note_of_surfaces(report));
+}
+
 Outcome<UnfoldReport> unfold(const Request& request, const Progress& progress) {
   const auto read = timed_read(request, progress);
   if (!read) return pass_on(read);
@@ -81,8 +93,7 @@ Outcome<UnfoldReport> unfold(const Request& request, const Progress& progress) {
   auto report = shown(unfold_body(read->file.bodies[*index], request, progress));
   if (!report) return pass_on(report);
   report->input = request.input.string();
-  report->number = *index + 1;
-  report->bodies_in_file = static_cast<int>(read->file.bodies.size());
+  place_in_file(*report, read->file, *index);
   report->read_seconds = read->seconds;
   return std::move(*report);
 }
@@ -108,8 +119,7 @@ Result<std::vector<Outcome<UnfoldReport>>> unfold_all(const Request& request,
     if (!report && report.error().code == code::cancelled) return pass_on(report);
     if (!report) report = refused(body, request, report.error());
     report->input = request.input.string();
-    report->number = i + 1;
-    report->bodies_in_file = count;
+    place_in_file(*report, read->file, i);
     report->read_seconds = read->seconds;
     bodies.push_back(std::move(*report));
   }

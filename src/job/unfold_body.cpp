@@ -19,6 +19,7 @@ UnfoldReport begun(const Body& body, const Request& request) {
   report.colour = body.colour();
   report.density = body.density();
   report.units = request.units.value_or(LengthUnit::mm);
+  enter_material(report, request);
   return report;
 }
 
@@ -42,15 +43,13 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   report.summary = summary_of(found->sheet);
   report.notes = found->notes;
   if (!request.rip_edges.empty()) report.notes.push_back(note_of_rips(request.rip_edges));
-  // Of a shop's materials that which the file names, unless one was chosen.
-  Request mine = request;
-  if (mine.shop && !mine.shop->material) take_material(mine, body.material());
-  if (auto wrong = unchosen(mine, body.material())) return wrong;
-  const auto options = flatten_options(found->sheet, mine);
+  const auto mine = request_of_part(request, report);
+  if (!mine) return mine.error();
+  const auto options = flatten_options(found->sheet, *mine);
   if (!options) return options.error();
   return lay_flat(
       report,
-      {found->sheet, found->distance, mine, FoldedBody{body, found->sheet}, mine.relief, true},
+      {found->sheet, found->distance, *mine, FoldedBody{body, found->sheet}, mine->relief, true},
       *options, progress);
 }
 
@@ -67,7 +66,7 @@ Outcome<UnfoldReport> unfold_body(const Body& body, const Request& request,
                                   const Progress& progress) {
   return reported(begun(body, request), [&](UnfoldReport& report) {
     progress.at("finding the sheet", 0.2);
-    return fill(report, body, found_sheet(body, request.rip_edges, progress), request, progress);
+    return fill(report, body, found_sheet(body, sought_by(request), progress), request, progress);
   });
 }
 

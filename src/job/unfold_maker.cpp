@@ -10,6 +10,8 @@
 #include <planish/job/unfold.hpp>
 
 #include <map>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 namespace planish::job {
@@ -78,33 +80,34 @@ class UnfoldWork : public Work {
     if (!index) return pass_on(index);
     const Body& body = file_.bodies[*index];
     auto report = shown(
-        unfold_recognized(body, sheet_of(*index, request.rip_edges, progress), request, progress));
+        unfold_recognized(body, sheet_of(*index, request, progress), request, progress));
     if (!report) return pass_on(report);
     report->input = request.input.string();
-    report->number = *index + 1;
-    report->bodies_in_file = static_cast<int>(file_.bodies.size());
+    place_in_file(*report, file_, *index);
     return std::make_unique<MadeUnfolded>(std::move(*report), body);
   }
 
   bool free_spare() override { return std::exchange(file_.content, nullptr) != nullptr; }
 
  private:
-  /// Recognised once per body and rips.
-  const Result<Recognized>& sheet_of(int body, const std::vector<int>& rips,
-                                     const Progress& progress) {
-    const auto known = found_.find({body, rips});
+  /// Recognised once per body and what is looked for.
+  const Result<Recognized>& sheet_of(int body, const Request& request, const Progress& progress) {
+    const Sought sought{body, request.rip_edges, request.thickness};
+    const auto known = found_.find(sought);
     const auto stopped = [](const Result<Recognized>& found) {
       return !found && found.error().code == code::cancelled;
     };
     if (known != found_.end() && !stopped(known->second)) return known->second;
     progress.at("finding the sheet", 0.2);
-    auto found = found_sheet(file_.bodies[body], rips, progress);
-    return found_.insert_or_assign(std::pair(body, rips), std::move(found)).first->second;
+    auto found = found_sheet(file_.bodies[body], sought_by(request), progress);
+    return found_.insert_or_assign(sought, std::move(found)).first->second;
   }
+
+  using Sought = std::tuple<int, std::vector<int>, std::optional<double>>;
 
   std::string name_;
   StepFile file_;
-  std::map<std::pair<int, std::vector<int>>, Result<Recognized>> found_;
+  std::map<Sought, Result<Recognized>> found_;
 };
 
 Result<std::unique_ptr<Work>> open_model(const InputFile& input, const Progress& progress) {
@@ -142,6 +145,7 @@ Maker unfold_maker() {
                                        {"bend_k"},
                                        {"root"},
                                        {"rip_edges"},
+                                       {"thickness"},
                                        {"up"},
                                        {"extruded"},
                                        {"relief"},

@@ -4,6 +4,8 @@
 #include "refusals.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 #include <planish/sheet/codes.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
@@ -14,33 +16,41 @@
 #include <cmath>
 
 // What a certificate means (math.md#certificate, cli.md#unfold): a residual beyond its first bound
-// is a finding with its place, beyond the second the pattern is refused as wrong. The volume
-// without forms decides if they could be measured, else the whole, with a wider bound. A ratio that
-// is not a number refuses.
+// is a finding with its place, beyond the second the pattern is refused as wrong. A finding that is
+// an error refuses it too, unless the files are to be written all the same. The volume without
+// forms decides if they could be measured, else the whole, with a wider bound. A ratio that is not
+// a number refuses.
 
 namespace planish::job {
 namespace {
+
+constexpr auto kSlantedCut = "slanted cut";
+constexpr auto kChamfer = "chamfer";
 
 std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({}, {}) mm", trimmed_number(p.x(), 3),
                      trimmed_number(p.y(), 3));
 }
 
+/// The middles of features; of a chamfer, which goes round the material, a point of its edge.
 std::vector<Vec2> feature_places(const FlatPattern& flat) {
   std::vector<Vec2> places;
   for (const FlatFeature& feature : flat.features) {
+    places.insert(places.end(), feature.along.begin(), feature.along.end());
     if (feature.outlines.empty()) continue;
-    const Box2 box = bounds(feature.outlines.front());
-    places.push_back(0.5 * (box.lo + box.hi));
+    const Loop& outline = feature.outlines.front();
+    const Box2 box = bounds(outline);
+    places.push_back(feature.kind == kChamfer ? point_at(outline.front(), 0.5)
+                                              : Vec2(0.5 * (box.lo + box.hi)));
   }
   return places;
 }
 
-constexpr auto kSlantedCut = "slanted cut";
-
 bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
-Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
+Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat,
+                     const CertificateBounds& bounds) {
+  const double bound = bounds.volume_warning;
   const double ratio = or_nan(certificate.volume_ratio);
   const std::string features = forms_text(flat);
   const double explained = or_nan(certificate.explained_ratio);
@@ -51,7 +61,11 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
     pattern += say::without_forms;
     facts.emplace_back("explained", explained, unit::none);
   }
-  if (features.empty() || off(explained, bound)) pattern += say::slanted_or_missed;
+  if (features.empty() || off(explained, bound)) {
+    pattern += say::slanted_or_missed;
+    if (certificate.opening_error && *certificate.opening_error <= bounds.opening_warning)
+      pattern += say::openings_fit;
+  }
   return finding_of("volume_identity", Severity::warning, pattern, facts, feature_places(flat));
 }
 
@@ -117,22 +131,41 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
   if (count > 0) found.push_back(counting("uncut_opening", say::uncut_openings, count, uncut));
 }
 
+/// The refusal for the first of so many findings.
+Error refusal_with(const Refusal& refusal, const Finding& first, Facts facts) {
+  facts.emplace_back("what", capitalized(first.message));
+  Error error = error_of(refusal, facts,
+                         first.at.empty() ? std::string() : place_text(first.at.front()));
+  error.places = first.about;
+  error.numbers = first.numbers;
+  error.remedies = first.remedies;
+  return error;
+}
+
+/// An error refuses under its own code; an overlap has refused before.
+const Refusal* refusal_of(const Finding& finding) {
+  if (finding.severity != Severity::error) return nullptr;
+  for (const Refusal* refusal :
+       {&refuse::opening_lost, &refuse::opening_too_many, &refuse::runs_through})
+    if (refusal->code.name == finding.code) return refusal;
+  PLANISH_ASSERT(finding.code == code::overlap.name);
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
   if (auto doubt = opening_doubt(certificate.openings)) found.push_back(std::move(*doubt));
-  // A good explained ratio means that mitred corners or slanted cuts account for the difference.
-  const bool unformed = std::ranges::all_of(
-      flat.features, [](const FlatFeature& feature) { return feature.kind == kSlantedCut; });
-  const bool explained = unformed &&
-                         !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
-  if (solid_volume > 0.0 && !explained &&
-      (off(or_nan(certificate.volume_ratio), bounds.volume_warning) ||
-       off(or_nan(certificate.explained_ratio), bounds.volume_warning))) {
-    found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
-  }
+  const bool explained = !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
+  const bool measured = std::isfinite(or_nan(certificate.explained_ratio));
+  if (solid_volume > 0.0 && !(measured && explained) &&
+      (measured || off(or_nan(certificate.volume_ratio), bounds.volume_warning)))
+    found.push_back(volume_doubt(certificate, flat, bounds));
+  if (certificate.opening_error.value_or(0.0) > bounds.opening_warning)
+    found.push_back(residual_doubt("opening_size", say::opening_off, *certificate.opening_error,
+                                   bounds.opening_warning, certificate.opening_error_at));
   if (certificate.length_error > bounds.length_warning) {
     found.push_back(residual_doubt("edge_length", say::length_off, certificate.length_error,
                                    bounds.length_warning, certificate.length_error_at));
@@ -160,25 +193,44 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
   if (certificate.length_error > bounds.length_refusal) {
     return wrong(refuse::length_wrong, certificate.length_error, certificate.length_error_at);
   }
+  if (certificate.opening_error.value_or(0.0) > bounds.opening_refusal) {
+    return wrong(refuse::opening_wrong, *certificate.opening_error, certificate.opening_error_at);
+  }
   if (or_nan(certificate.refold_deviation) > bounds.refold_refusal) {
     return wrong(refuse::refold_wrong, or_nan(certificate.refold_deviation), certificate.refold_at);
   }
   return std::nullopt;
 }
 
+std::optional<Finding> size_doubt(double thickness, double blank_length) {
+  // mm. Foil and shim begin at 0.01; plate is rolled up to some 300, and up to 25 m long.
+  constexpr double kThinnest = 0.01, kThickest = 400.0, kShortest = 0.5, kLongest = 30'000.0;
+  if (thickness >= kThinnest && thickness <= kThickest && blank_length >= kShortest &&
+      blank_length <= kLongest)
+    return std::nullopt;
+  return finding_of("unlikely_size", Severity::warning, say::size_unlikely,
+                    {{"thickness", thickness, unit::mm}, {"length", blank_length, unit::mm}}, {});
+}
+
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   if (overlaps.empty()) return std::nullopt;
-  const Finding& first = overlaps.front();
-  std::string what = first.message;
-  if (what.front() >= 'a' && what.front() <= 'z')
-    what.front() = static_cast<char>(what.front() - 'a' + 'A');
-  Error error = error_of(
+  return refusal_with(
       overlaps.size() > 1 ? refuse::pattern_overlaps_more : refuse::pattern_overlaps,
-      {{"what", what}, {"more", overlaps.size() - 1}},
-      first.at.empty() ? std::string() : place_text(first.at.front()));
-  error.places = first.about;
-  error.numbers = first.numbers;
-  error.remedies = first.remedies;
+      overlaps.front(), {{"more", overlaps.size() - 1}});
+}
+
+std::optional<Error> error_refusal(const std::vector<Finding>& findings,
+                                   const PatternChecks& checks) {
+  if (checks.write_anyway) return std::nullopt;
+  const auto refuses = [](const Finding& finding) { return refusal_of(finding) != nullptr; };
+  const auto first = std::ranges::find_if(findings, refuses);
+  if (first == findings.end()) return std::nullopt;
+  const auto more = std::ranges::count_if(first + 1, findings.end(), refuses);
+  std::string others;
+  if (more > 0)
+    others = tell(say::more_errors, {{"more", more}, {"are", more == 1 ? "is" : "are"}}).sentence;
+  Error error = refusal_with(*refusal_of(*first), *first, {{"others", others}});
+  error.remedies.push_back({"write_anyway", "true", "Write it anyway"});
   return error;
 }
 

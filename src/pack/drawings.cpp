@@ -112,6 +112,17 @@ drawing::ListedLines refused_of(const PartList& list) {
   return section;
 }
 
+drawing::ListedLines passed_of(const batch::PassedOver& passed) {
+  constexpr std::size_t kMost = 40;  // lines
+  drawing::ListedLines section{{fmt::format("Passed over ({})", passed.count)}, {}};
+  const std::size_t told = std::min(kMost, passed.files.size());
+  for (std::size_t i = 0; i < told; ++i)
+    section.lines.push_back({fmt::format("{} – {}", passed.files[i].name, passed.files[i].why)});
+  if (told < passed.count)
+    section.lines.push_back({fmt::format("and {} more", passed.count - told)});
+  return section;
+}
+
 }  // namespace
 
 std::vector<Page> drawing_of(const PackPart& part) {
@@ -138,6 +149,7 @@ std::vector<Page> cover_of(const PartList& list, const StockSheets& stock, const
     drawing.sums = sums_of("In all", totals_of(list, 0, list.parts.size()), currency);
   if (!stock.sheets.empty() || !stock.notes.empty()) drawing.sections.push_back(sheets_of(stock));
   if (!list.refused.empty()) drawing.sections.push_back(refused_of(list));
+  if (list.passed_over.count > 0) drawing.sections.push_back(passed_of(list.passed_over));
   return drawing::list_pages(drawing);
 }
 

@@ -2,12 +2,14 @@
 #include "folder.hpp"
 #include "part_list.hpp"
 #include "parts_csv.hpp"
+#include "refusals.hpp"
 #include "stock.hpp"
 #include "zip.hpp"
 
 #include <planish/batch/inputs.hpp>
+#include <planish/batch/options.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/job/run.hpp>
+#include <planish/job/options.hpp>
 #include <planish/pack/pack.hpp>
 #include <planish/shop/rates.hpp>
 
@@ -30,28 +32,16 @@ constexpr auto kBatch = ".planish-pack";
 /// What the order of one part's bends may be looked for; what takes longer is for `planish bend`.
 constexpr double kSearchTime = 1.0;  // seconds
 
-/// The options of the batch: whether parts can be bent is looked for, not how.
+/// The options of the batch: whether parts can be bent is looked for, not how. A list of materials
+/// that changes no pattern is left to the pack, so that another one costs no work.
 std::string batch_options(const PackOptions& options) {
   Json json = Json::parse(options.options);
+  if (!json.contains("shop") && !json.contains("material")) json.erase("materials");
   if (options.plan) {
     json["check_bending"] = true;
     json["search_time"] = kSearchTime;
   }
   return json.dump();
-}
-
-/// How patterns are drawn, from options that a batch and its makers have checked.
-Result<DxfOptions> dxf_options(const PackOptions& options, const job::Catalogue& catalogue) {
-  const job::Maker& maker = catalogue.makers.front();
-  Json drawn = Json::object();
-  const Json given = Json::parse(options.options);
-  for (const auto& [name, value] : given.items())
-    if (maker.takes(name)) drawn[name] = value;
-  const auto values = job::read_options(drawn.dump(), maker, job::OptionFiles::path_or_content, "");
-  if (!values) return pass_on(values);
-  job::Request request;
-  if (const auto entered = values->enter(request); !entered) return pass_on(entered);
-  return request.dxf;
 }
 
 /// A pack is called as what it was made of.
@@ -88,8 +78,12 @@ class Making {
         title_(std::move(title)),
         currency_(std::move(currency)) {}
 
-  Result<PackResult> run(PartList list, const DxfOptions& dxf) {
+  Result<PackResult> run(PartList list, const job::Request& request) {
+    const DxfOptions& dxf = request.dxf;
     list_ = std::move(list);
+    for (const int line : list_.unused_rows)
+      notes_.push_back(fmt::format("{}, line {}: no part takes its material from this row",
+                                   request.materials->name(), line));
     if (auto drawn = write_patterns(dxf); !drawn) return pass_on(drawn);
     if (options_.drawings)
       if (auto drawn = write_drawings(); !drawn) return pass_on(drawn);
@@ -165,10 +159,15 @@ class Making {
     result.groups = list_.groups.size();
     for (const PackPart& part : list_.parts)
       result.pieces += static_cast<std::size_t>(part.quantity);
-    for (const RefusedPart& refused : list_.refused)
+    for (const RefusedPart& refused : list_.refused) {
       result.refused += static_cast<std::size_t>(refused.source.quantity);
+      batch::count_refused(result.refused_for,
+                           {refused.code, refused.reason, source_text(refused.source)});
+    }
     result.sheets = stock_.sheets.size();
-    result.notes = stock_.notes;
+    result.passed_over = list_.passed_over;
+    result.notes = notes_;
+    result.notes.insert(result.notes.end(), stock_.notes.begin(), stock_.notes.end());
     result.files = folder_.files();
     return result;
   }
@@ -179,15 +178,31 @@ class Making {
   Zip zip_;
   PartList list_;
   StockSheets stock_;
+  std::vector<std::string> notes_;
   std::string title_, currency_;
 };
+
+/// What is wrong with options for the parts of a finished batch: they are drawn, but not made
+/// again.
+std::optional<Error> made_already(const std::string& folder, const PackOptions& options) {
+  const Json given = Json::parse(options.options);
+  for (const auto& [name, value] : given.items()) {
+    const bool drawn = job::option(name).group == job::OptionGroup::dxf;
+    if (!drawn && name != "materials" && name != "density")
+      return error_of(refuse::made_already, {{"option", name}, {"folder", folder}}, name);
+  }
+  return std::nullopt;
+}
 
 /// The folder of the batch that a pack is made of: one that is given, or made now.
 Result<fs::path> batch_of(const std::vector<std::string>& words, const fs::path& out,
                           const PackOptions& options, const job::Catalogue& catalogue,
                           const std::function<void(const batch::BatchProgress&)>& report,
                           const std::function<bool()>& cancelled) {
-  if (words.size() == 1 && batch::is_batch(words.front())) return fs::path(words.front());
+  if (words.size() == 1 && batch::is_batch(words.front())) {
+    if (auto wrong = made_already(words.front(), options)) return tl::unexpected(std::move(*wrong));
+    return fs::path(words.front());
+  }
   const auto inputs = batch::inputs_of(words, out, catalogue);
   if (!inputs) return pass_on(inputs);
   batch::BatchOptions asked;
@@ -195,6 +210,8 @@ Result<fs::path> batch_of(const std::vector<std::string>& words, const fs::path&
   asked.options = batch_options(options);
   asked.workers = options.workers;
   asked.limits = options.limits;
+  if (auto wrong = batch::useless_options(inputs->files, options.options, catalogue))
+    return tl::unexpected(std::move(*wrong));
   const auto done = batch::run_batch(*inputs, out / kBatch, asked, catalogue, report, cancelled);
   if (!done) return pass_on(done);
   return out / kBatch;
@@ -206,25 +223,17 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
                              const PackOptions& options, const job::Catalogue& catalogue,
                              const std::function<void(const batch::BatchProgress&)>& report,
                              const std::function<bool()>& cancelled) {
-  Materials materials;
-  if (options.materials) {
-    auto read = Materials::parse(*options.materials);
-    if (!read) return pass_on(read);
-    materials = std::move(*read);
-  }
-  if (const Json given = Json::parse(options.options); given.contains("density"))
-    materials.density_of_all = given["density"].get<double>();
+  const auto request = batch::request_of(options.options, catalogue);
+  if (!request) return pass_on(request);
   std::optional<shop::Rates> rates;
   if (options.rates) {
     auto read = shop::Rates::parse(options.rates->text, options.rates->name);
     if (!read) return pass_on(read);
     rates = std::move(*read);
   }
-  const auto dxf = dxf_options(options, catalogue);
-  if (!dxf) return pass_on(dxf);
   const auto batch = batch_of(words, out, options, catalogue, report, cancelled);
   if (!batch) return pass_on(batch);
-  auto list = part_list(*batch, materials);
+  auto list = part_list(*batch, *request);
   if (!list) return pass_on(list);
   const bool planned = options.plan && *batch == out / kBatch;
   for (PackPart& part : list->parts)
@@ -232,7 +241,7 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   if (rates)
     if (auto priced = enter_costs(*list, *rates); !priced) return pass_on(priced);
   return Making(out, options, cancelled, title_of(words), rates ? rates->currency() : std::string())
-      .run(std::move(*list), *dxf);
+      .run(std::move(*list), *request);
 }
 
 }  // namespace planish::pack

@@ -1,10 +1,12 @@
 #include "part_list.hpp"
 
+#include "parts_csv.hpp"
 #include "refusals.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/io/flat_writers.hpp>
+#include <planish/job/output_paths.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/schema/text_file.hpp>
 #include <planish/sheet/same_part.hpp>
@@ -44,20 +46,21 @@ std::string plan_of(const PartRecord& record, const FlatPattern& flat) {
 
 /// kg; `alone`: it is the whole part.
 std::optional<double> mass_of(const PartRecord& record, const FlatPattern& flat,
-                              const Materials::Row* material,
+                              const shop::PartMaterial* material,
                               const std::optional<double>& density_of_all, bool alone) {
   constexpr double kCubicDecimetre = 1e6;  // mm³
-  if (!material || !material->density) {
+  const auto density = material && material->density ? material->density : density_of_all;
+  if (!density) {
     // A density of the file is that of the file's material.
-    const bool of_another = material && !density_of_all && record.density &&
-                            material->material != record.material;
+    const bool of_another = material && record.density &&
+                            lower_case(material->material) != lower_case(record.material);
     return alone && !of_another ? record.mass : std::nullopt;
   }
   const double unit = millimetres_in(units_of(record));
   const double volume = record.volume.value_or(0.0);
   const double mm3 = alone && volume > 0.0 ? volume * unit * unit * unit
                                            : flat.area * flat.thickness;
-  return *material->density * mm3 / kCubicDecimetre;
+  return *density * mm3 / kCubicDecimetre;
 }
 
 void measure(PackPart& part) {
@@ -92,21 +95,30 @@ class OfMaterial {
 
 class Collecting {
  public:
-  explicit Collecting(const Materials& materials) : materials_(materials) {}
+  explicit Collecting(const job::Request& request) : request_(request) {}
 
   Result<void> add(const batch::BatchPart& from) {
     const PartRecord& record = from.record;
-    const PartSource source{record.input, name_of(record), record.quantity.value_or(1)};
+    PartSource source{record.input, name_of(record), record.quantity.value_or(1)};
+    const shop::PartMaterial* row = row_of(record, source);
+    if (row && row->quantity && from.copies != 1)
+      return fail(refuse::quantity_twice,
+                  {{"part", source_text(source)}, {"line", place::line(row->line)}}, "materials");
+    if (row && row->quantity) source.quantity = *row->quantity;
+    source.quantity *= from.copies;
     if (record.shapes.empty()) {
       list_.refused.push_back({source, record.reason, record.message});
       return {};
     }
     for (std::size_t piece = 0; piece < record.shapes.size(); ++piece)
-      if (auto added = add_piece(from, source, piece); !added) return added;
+      if (auto added = add_piece(from, source, row, piece); !added) return added;
     return {};
   }
 
   PartList finish() && {
+    if (request_.materials)
+      for (const shop::PartMaterial& row : request_.materials->rows())
+        if (!used_.contains(row.line)) list_.unused_rows.push_back(row.line);
     std::ranges::stable_sort(list_.parts, {}, [](const PackPart& part) {
       return std::tuple(part.material == kUnknown, part.material, rounded(part.flat.thickness),
                         part.name);
@@ -126,7 +138,7 @@ class Collecting {
   /// Of a body its own name, of a file without one the file's.
   static std::string name_of(const PartRecord& record) {
     if (!record.body.empty()) return record.body;
-    return std::filesystem::path(record.input).stem().string();
+    return job::stem_of_input(record.input);
   }
 
   /// Names that programs give to bodies of which they know none.
@@ -135,9 +147,7 @@ class Collecting {
     return kKinds.contains(body) || body.starts_with("Open CASCADE STEP translator");
   }
 
-  static std::string stem_of(const PartSource& source) {
-    return std::filesystem::path(source.input).stem().string();
-  }
+  static std::string stem_of(const PartSource& source) { return job::stem_of_input(source.input); }
 
   /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
   static double rounded(double thickness) {
@@ -145,8 +155,27 @@ class Collecting {
     return std::round(thickness * kThousandths) / kThousandths;
   }
 
+  /// What the list of materials says of a part.
+  const shop::PartMaterial* row_of(const PartRecord& record, const PartSource& source) {
+    if (!request_.materials) return nullptr;
+    const std::filesystem::path input(source.input);
+    const auto* row = request_.materials->find(
+        {name_of(record), input.stem().string(), input.filename().string()}, record.colour);
+    if (row) used_.insert(row->line);
+    return row;
+  }
+
+  /// As the list says, else as was chosen for all, else as the file says. With a shop the batch
+  /// knows better: it has chosen among the shop's.
+  std::string material_of(const PartRecord& record, const shop::PartMaterial* row) const {
+    const bool of_shop = request_.shop && !record.material.empty();
+    if (row && !of_shop) return row->material;
+    if (!request_.material.empty() && !of_shop) return request_.material;
+    return record.material.empty() ? kUnknown : record.material;
+  }
+
   Result<void> add_piece(const batch::BatchPart& from, const PartSource& source,
-                         std::size_t piece) {
+                         const shop::PartMaterial* row, std::size_t piece) {
     const PartRecord& record = from.record;
     auto flat = read_flat_json(record.shapes[piece]);
     if (!flat)
@@ -158,10 +187,7 @@ class Collecting {
                                  ? stem_of(source)
                                  : source.body;
     part.name = alone ? name : fmt::format("{}-{}", name, piece + 1);
-    const Materials::Row* row = materials_.find({name, source.body, stem_of(source)},
-                                                record.colour);
-    part.material = row ? row->material : record.material;
-    if (part.material.empty()) part.material = kUnknown;
+    part.material = material_of(record, row);
     part.flat = std::move(*flat);
     OfMaterial& same = of(part.material);
     const std::size_t at = same.place_of(part);
@@ -175,7 +201,7 @@ class Collecting {
     return {};
   }
 
-  void describe(PackPart& part, const batch::BatchPart& from, const Materials::Row* row,
+  void describe(PackPart& part, const batch::BatchPart& from, const shop::PartMaterial* row,
                 std::size_t piece) const {
     const PartRecord& record = from.record;
     part.units = units_of(record);
@@ -183,7 +209,8 @@ class Collecting {
     for (const batch::RecordedFinding& warning : batch::warnings_of(record))
       part.warnings.push_back(warning.message);
     part.notes = record.notes;
-    part.mass = mass_of(record, part.flat, row, materials_.density_of_all,
+    // With a shop the batch knows the density of each material.
+    part.mass = mass_of(record, part.flat, row, request_.shop ? std::nullopt : request_.density,
                         record.shapes.size() == 1);
     measure(part);
     if (const auto text = schema::read_text(from.files / batch::view_name(piece), "view"))
@@ -210,19 +237,24 @@ class Collecting {
     }
   }
 
-  const Materials& materials_;
+  const job::Request& request_;
+  std::set<int> used_;  ///< lines of the list of materials
   PartList list_;
   std::map<std::string, std::unique_ptr<OfMaterial>> by_material_;
 };
 
 }  // namespace
 
-Result<PartList> part_list(const std::filesystem::path& batch, const Materials& materials) {
-  Collecting collecting(materials);
+Result<PartList> part_list(const std::filesystem::path& batch, const job::Request& request) {
+  Collecting collecting(request);
   const auto taken = batch::for_each_part(
       batch, [&](const batch::BatchPart& part) { return collecting.add(part); });
   if (!taken) return pass_on(taken);
-  return std::move(collecting).finish();
+  PartList list = std::move(collecting).finish();
+  auto passed = batch::passed_over_by(batch);
+  if (!passed) return pass_on(passed);
+  list.passed_over = std::move(*passed);
+  return list;
 }
 
 }  // namespace planish::pack

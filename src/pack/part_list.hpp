@@ -1,10 +1,9 @@
 #pragma once
 
-#include "materials.hpp"
-
 #include <planish/batch/parts.hpp>
 #include <planish/drawing/part_view.hpp>
 #include <planish/io/flat_writers.hpp>
+#include <planish/job/request.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <optional>
@@ -12,6 +11,9 @@
 #include <vector>
 
 namespace planish::pack {
+
+/// What a part is called whose material nobody says.
+inline constexpr auto kUnknown = "unknown";
 
 /// Where a part came from.
 struct PartSource {
@@ -64,10 +66,13 @@ struct PartList {
   std::vector<PackPart> parts;
   std::vector<PartGroup> groups;
   std::vector<RefusedPart> refused;
+  std::vector<int> unused_rows = {};  ///< lines of the list of materials about no part
+  batch::PassedOver passed_over = {};
 };
 
-/// Merges identical parts of one material and puts all in order. Errors: `cannot_read` (a batch
-/// that is damaged).
-Result<PartList> part_list(const std::filesystem::path& batch, const Materials& materials);
+/// Merges identical parts of one material and puts all in order. The request has the materials that
+/// were chosen, which go before those that the batch knows. Errors: `cannot_read` (a batch that is
+/// damaged), `bad_option` (quantities from two places).
+Result<PartList> part_list(const std::filesystem::path& batch, const job::Request& request);
 
 }  // namespace planish::pack

@@ -1,7 +1,5 @@
 #include "parts_csv.hpp"
 
-#include "csv_text.hpp"
-
 #include <planish/base/text.hpp>
 #include <planish/sheet/csv.hpp>
 

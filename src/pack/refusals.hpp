@@ -5,21 +5,14 @@
 /// The sentences with which `pack` refuses.
 namespace planish::refuse {
 
-// Materials. `file` is their list.
-constexpr Refusal no_materials{code::invalid_input, "{file}: the list of materials is empty."};
-constexpr Refusal no_columns{
-    code::invalid_input,
-    "{file}, {@line}: the first row of the materials must name the columns part (or colour) and "
-    "material, and may name density."};
-constexpr Refusal row_incomplete{
-    code::invalid_input, "{file}, {@line}: each row needs a part or a colour, and a material."};
-constexpr Refusal bad_colour{
-    code::invalid_input, "{file}, {@line}: a colour is written like #c0c0c0, not \"{colour}\"."};
-constexpr Refusal bad_density{
-    code::invalid_input,
-    "{file}, {@line}: the density must be a number above 0, in kg/dm³, not \"{density}\"."};
-
 // Parts and files.
+constexpr Refusal quantity_twice{
+    code::bad_option,
+    "{@line} of `materials` gives the quantity of {part}, and so does the list that names it.",
+    "Leave one of them out."};
+constexpr Refusal made_already{
+    code::bad_option, "`{option}` says how parts are made, but those in {folder} are finished.",
+    "Leave it out, or give the inputs of that batch."};
 constexpr Refusal piece_unread{code::cannot_read, "{folder}: {reason}", "Run the batch again."};
 constexpr Refusal zip_too_large{
     code::cannot_write,

@@ -1,7 +1,5 @@
 #include "stock.hpp"
 
-#include "csv_text.hpp"
-
 #include <planish/job/outputs.hpp>
 #include <planish/sheet/csv.hpp>
 
@@ -52,7 +50,7 @@ Result<std::string> sheet_dxf(const PartList& list, const StockSheet& sheet, con
   SheetDrawing drawing{stock.length, stock.width, {}};
   DxfOptions drawn = options;
   for (const Placed& placed : sheet.nested.placed) {
-    const PackPart& part = list.parts[static_cast<std::size_t>(placed.part)];
+    const PackPart& part = list.parts[placed.part];
     drawn.units = part.units;
     drawing.parts.push_back({&part.flat, placed.placement, part.name});
   }
@@ -67,8 +65,7 @@ std::string sheets_csv(const PartList& list, const std::vector<StockSheet>& shee
       ++copies[placed.part];
     std::vector<std::string> parts;
     for (const auto& [part, number] : copies)
-      parts.push_back(
-          fmt::format("{} ×{}", list.parts[static_cast<std::size_t>(part)].stem, number));
+      parts.push_back(fmt::format("{} ×{}", list.parts[part].stem, number));
     text += csv_row({sheet.stem, sheet.material, csv_number(sheet.thickness),
                      std::to_string(sheet.nested.placed.size()),
                      csv_number(100.0 * sheet.nested.use),

@@ -4,6 +4,7 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/nest/nest.hpp>
+#include <planish/pack/pack.hpp>
 
 #include <string>
 #include <vector>

@@ -23,8 +23,8 @@ std::size_t display_width(std::string_view text) {
 
 void Table::add(std::vector<std::string> cells) {
   PLANISH_ASSERT(cells.size() == columns_.size());
-  for (std::string& cell : cells)
-    cell = printable(cell);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    cells[c] = printable_name(cells[c], columns_[c].most);
   rows_.push_back(std::move(cells));
 }
 

@@ -62,4 +62,16 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
+std::string printable_name(std::string_view text, std::size_t most) {
+  const std::string whole = printable(text);
+  const std::vector<CodePoint> points = code_points(whole);
+  if (points.size() <= most || most == 0) return whole;
+  const std::size_t last = (most - 1) / 3, first = most - 1 - last;
+  const auto at = [&](std::size_t i) {
+    return i < points.size() ? static_cast<std::size_t>(points[i].bytes.data() - whole.data())
+                             : whole.size();
+  };
+  return whole.substr(0, at(first)) + "…" + whole.substr(at(points.size() - last));
+}
+
 }  // namespace planish::schema

@@ -42,6 +42,11 @@ FeatureId SheetBuilder::add_feature(FormedFeature feature) {
   return sheet_.features.push_back(std::move(feature));
 }
 
+void SheetBuilder::add_opening(const MeasuredOpening& opening) {
+  PLANISH_ASSERT(sheet_.has({opening.face, opening.loop, 0}));
+  sheet_.measured_openings.push_back(opening);
+}
+
 void SheetBuilder::add_label(PointLabel label) {
   PLANISH_ASSERT(sheet_.faces.has(label.face));
   sheet_.labels.push_back(std::move(label));

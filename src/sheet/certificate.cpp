@@ -230,6 +230,73 @@ Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid
   return worst;
 }
 
+/// An opening of the pattern by its number, with its box.
+struct BoxedOpening {
+  Box2 box;
+  size_t opening = 0;
+};
+
+/// The opening as written where one of the sheet's is expected; empty where none is near, which
+/// other residuals tell.
+const Contour* opening_at(const FlatPattern& pattern, const std::vector<BoxedOpening>& openings,
+                          const Box2& box) {
+  constexpr double kNear = 2.0;  // mm between the corners of boxes
+  const Contour* best = nullptr;
+  double least = kNear;
+  auto row = std::ranges::lower_bound(openings, box.lo.x() - kNear, {},
+                                      [](const BoxedOpening& one) { return one.box.lo.x(); });
+  for (; row != openings.end() && row->box.lo.x() <= box.lo.x() + kNear; ++row) {
+    const double off = (row->box.lo - box.lo).norm() + (row->box.hi - box.hi).norm();
+    if (off > least) continue;
+    least = off;
+    best = &pattern.openings[row->opening];
+  }
+  return best;
+}
+
+/// Holds each opening as written against what the solid lacks there.
+std::optional<Worst> worst_opening(const Sheet& sheet, const FlatPattern& pattern,
+                                   const Relaid& laid) {
+  if (sheet.measured_openings.empty()) return {};
+  std::vector<BoxedOpening> openings;
+  for (size_t i = 0; i < pattern.openings.size(); ++i)
+    openings.push_back({bounds(pattern.openings[i].loop), i});
+  std::ranges::sort(openings, {}, [](const BoxedOpening& one) { return one.box.lo.x(); });
+  Worst worst;
+  for (const MeasuredOpening& measured : sheet.measured_openings) {
+    const auto& borders = sheet[measured.face].loops[measured.loop];
+    const Loop image = image_of_cut(laid, measured.face, borders);
+    const Contour* written = opening_at(pattern, openings, bounds(image));
+    if (!written) continue;
+    const double cut = std::abs(signed_area(written->loop));
+    const double lacking = measured.lacking - measured.beyond;
+    const double off = std::abs(cut * sheet.thickness - lacking) /
+                       (sheet.thickness * length(written->loop));
+    const Box2 box = bounds(written->loop);
+    worst.take(std::max(off, measured.intrusion), (box.lo + box.hi) / 2);
+  }
+  return worst;
+}
+
+/// The residuals of volume and openings, of a pattern with this area at K = ½.
+Certificate measured(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
+                     double area) {
+  Certificate certificate;
+  certificate.flat_area_half = area;
+  if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
+  if (sheet.volume && sheet.forms_volume) {
+    const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
+    const double uncut = area + area_cut_in_forms(sheet, pattern, laid);
+    if (plain > 0.0) certificate.explained_ratio = uncut * sheet.thickness / plain;
+  }
+  certificate.openings = counted_openings(sheet, pattern, laid);
+  if (const auto opening = worst_opening(sheet, pattern, laid)) {
+    certificate.opening_error = opening->distance;
+    certificate.opening_error_at = opening->at;
+  }
+  return certificate;
+}
+
 }  // namespace
 
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
@@ -249,15 +316,7 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   const auto half = area_at_half(sheet, pattern, *laid, *stated, curve_tolerance);
   if (!half) return pass_on(half);
 
-  Certificate certificate;
-  const double area = certificate.flat_area_half = *half;
-  if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
-  if (sheet.volume && sheet.forms_volume) {
-    const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
-    const double uncut = area + area_cut_in_forms(sheet, pattern, *laid);
-    if (plain > 0.0) certificate.explained_ratio = uncut * sheet.thickness / plain;
-  }
-  certificate.openings = counted_openings(sheet, pattern, *laid);
+  Certificate certificate = measured(sheet, pattern, *laid, *half);
   const Worst length = worst_length(sheet, *laid, curve_tolerance);
   certificate.length_error = length.distance;
   certificate.length_error_at = length.at;

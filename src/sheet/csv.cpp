@@ -8,6 +8,7 @@
 #include <planish/sheet/csv.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace planish {
@@ -148,6 +149,20 @@ Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::strin
     text = blank_head;
   }
   return CsvReader(text, separator, name).records();
+}
+
+std::string csv_number(double value) {
+  constexpr int kDigits = 6;
+  constexpr double kLeast = 1e-9;  // in any unit: the rounding of what is 0
+  if (!std::isfinite(value)) return {};
+  const double size = std::abs(value);
+  if (size < kLeast) return "0";
+  const int before = static_cast<int>(std::floor(std::log10(size))) + 1;
+  return trimmed_number(value, std::max(0, kDigits - before));
+}
+
+std::string csv_number(const std::optional<double>& value) {
+  return value ? csv_number(*value) : std::string();
 }
 
 std::string csv_row(const std::vector<std::string>& cells) {

@@ -319,6 +319,7 @@ FlatPattern with_slits_drawn_once(FlatPattern pattern, double tolerance) {
   const auto take = [&](Contour& contour) {
     WithoutSpurs left = without_spurs(contour, tolerance);
     if (left.slits.empty() || left.contour.loop.empty()) return;
+    std::erase_if(left.slits, [](const Segment& slit) { return length(slit) < kShortestSlit; });
     pattern.slits.insert(pattern.slits.end(), left.slits.begin(), left.slits.end());
     contour = std::move(left.contour);
   };

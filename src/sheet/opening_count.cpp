@@ -207,7 +207,8 @@ OpeningCount counted_openings(const Sheet& sheet, const FlatPattern& pattern, co
   const auto contours = contours_of(topology);
   OpeningCount count;
   count.solid = sheet.genus;
-  count.pattern = static_cast<int>(pattern.openings.size()) + closed_slits(pattern);
+  count.slits = closed_slits(pattern);
+  count.pattern = static_cast<int>(pattern.openings.size()) + count.slits;
   for (const FlatFeature& feature : pattern.features)
     count.features += feature.uncut_openings;
   count.loops = handles_of(sheet, topology, static_cast<int>(contours.size()));

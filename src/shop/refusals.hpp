@@ -42,6 +42,32 @@ constexpr Refusal strain_falls{code::invalid_input,
 constexpr Refusal flat_curve{code::invalid_input,
                              "{@field} must reach a strain and a stress above 0."};
 
+// Lists of materials. `file` is the list.
+constexpr Refusal no_materials{code::invalid_input, "{file}: the list of materials is empty."};
+constexpr Refusal no_columns{
+    code::invalid_input,
+    "{file}, {@line}: the first row of the materials must name the columns part (or colour) and "
+    "material, and may name density and quantity."};
+constexpr Refusal unknown_column{code::invalid_input,
+                                 "{file}, {@line}: a list of materials has no column \"{column}\".",
+                                 "The columns are {known}: rename this one, or leave it out."};
+constexpr Refusal column_twice{code::invalid_input,
+                               "{file}, {@line}: the column {column} is there twice.",
+                               "Leave one of them out."};
+constexpr Refusal field_without_column{
+    code::invalid_input, "{file}, {@line}: \"{text}\" is in a column without a name.",
+    "Name the column in the first row, or quote a text that holds the separator."};
+constexpr Refusal row_incomplete{
+    code::invalid_input, "{file}, {@line}: each row needs a part or a colour, and a material."};
+constexpr Refusal bad_colour{
+    code::invalid_input, "{file}, {@line}: a colour is written like #c0c0c0, not \"{colour}\"."};
+constexpr Refusal bad_density{
+    code::invalid_input,
+    "{file}, {@line}: the density must be a number above 0, in kg/dm³, not \"{density}\"."};
+constexpr Refusal bad_quantity{
+    code::invalid_input,
+    "{file}, {@line}: the quantity must be a whole number from 1 to {most}, not \"{quantity}\"."};
+
 // Rates. `file` is their file.
 constexpr Refusal rates_no_object{code::invalid_input,
                                   "{file}: the rates file is not a JSON object."};

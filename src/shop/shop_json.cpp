@@ -52,13 +52,14 @@ const Words<DxfVersion>& release_words() {
 }
 
 /// The layers that may be named, by their keys.
-constexpr std::array<std::pair<const char*, std::string LayerNames::*>, 6> kLayers{
+constexpr std::array<std::pair<const char*, std::string LayerNames::*>, 7> kLayers{
     {{"outer", &LayerNames::outer},
      {"openings", &LayerNames::openings},
      {"bend_up", &LayerNames::bend_up},
      {"bend_down", &LayerNames::bend_down},
      {"bend_zone", &LayerNames::bend_zone},
-     {"features", &LayerNames::features}}};
+     {"features", &LayerNames::features},
+     {"slits", &LayerNames::slits}}};
 
 Schema gauge_schema_of_shop() {
   return object(
@@ -217,8 +218,10 @@ void read_layers(Shop& shop, const JsonPlace& place) {
       name.mistake(refuse::no_layer_name,
                    {{"name", name.text()}, {"most", kLongest}, {"forbidden", kForbidden}});
   }
+  // A shop that names its layer of openings looks for all that is cut within the part there.
+  if (place["openings"].given() && !place["slits"].given()) names.slits = names.openings;
   for (const auto& bend : {names.bend_up, names.bend_down, names.bend_zone, names.features})
-    if (bend == names.outer || bend == names.openings)
+    if (bend == names.outer || bend == names.openings || bend == names.slits)
       place.mistake(refuse::cut_and_uncut, {{"layer", bend}});
   shop.layers = names;
 }

@@ -74,9 +74,9 @@ class RunFolder : public BatchFolder {
       ASSERT_TRUE(state->journal().add(name, "key of " + name, {part}));
     }
     if (finished) {
-      ASSERT_TRUE(batch::write_results(names, *state));
+      ASSERT_TRUE(batch::write_results({.names = names}, *state));
     }
-    ASSERT_TRUE(state->record({shard, 4, work, finished, names}));
+    ASSERT_TRUE(state->record({shard, 4, work, finished, names, {}, {}}));
   }
 };
 

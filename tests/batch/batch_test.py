@@ -92,11 +92,28 @@ class Results(BatchTest):
         for row, report in zip(rows, self.reports(), strict=True):
             self.assertEqual((row["input"], row["status"]), (report["input"], report["status"]))
             if report["flat"]:
-                self.assertEqual(float(row["area"]), report["flat"]["area"])
-                self.assertEqual(float(row["thickness"]), report["sheet"]["thickness"])
+                for cell, value in ((row["area"], report["flat"]["area"]), (row["thickness"], report["sheet"]["thickness"])):
+                    self.assertAlmostEqual(float(cell), value, delta=6e-6 * value)
+                    self.assertLessEqual(len(cell.replace(".", "").lstrip("0")), 6)
         summary = self.json("out/summary.json")
         self.assertEqual((summary["parts"], summary["ok"], summary["refused"]), (4, 3, 1))
         self.assertEqual(sum(summary["reasons"].values()), 1)
+
+    def test_results_come_first_and_reasons_in_words(self):
+        self.angles(2)
+        for name in ("in/a.step", "in/b.step"):
+            self.write(name, step_files.block())
+        self.write("in/drawing.pdf", "%PDF")
+        said = self.batch("in", "-o", "out").stdout.splitlines()
+        self.assertEqual(said[0], "4 parts of 4 inputs: 2 ok, 0 with warnings, 2 refused")
+        at = said.index("refused:")
+        self.assertGreater(at, said.index("wrote out/index.html"))
+        reason = next(report["reason"]["message"] for report in self.reports() if report["reason"])
+        self.assertEqual(said[at + 1], f"  a.step and 1 more: {reason}", "one line for one reason")
+        self.assertEqual(said[at + 2:], ["passed over (1):", "  drawing.pdf: no file that planish reads"])
+        self.assertEqual(self.json("out/summary.json")["passed_over"],
+                         {"count": 1, "files": [{"file": "drawing.pdf", "reason": "no_input",
+                                                 "why": "no file that planish reads"}]})
 
     def test_identical_parts_are_found(self):
         (self.dir / "in").mkdir()

@@ -4,6 +4,10 @@
 #include <planish/batch/inputs.hpp>
 
 #include <gtest/gtest.h>
+#include <sys/fsuid.h>
+#include <unistd.h>
+
+#include <map>
 
 namespace planish::batch {
 namespace {
@@ -15,7 +19,7 @@ class Inputs : public test::BatchFolder {
     const auto inputs = inputs_of(words, folder_.string() + "-out", job::built_in());
     if (!inputs) return std::string(code_name(inputs.error().code));
     std::string names;
-    for (const Input& input : *inputs)
+    for (const Input& input : inputs->files)
       names += input.name + " ";
     return names;
   }
@@ -73,6 +77,88 @@ TEST_F(Inputs, AreNotWhereResultsGo) {
   EXPECT_EQ(into(folder_ / "out"), "output");
   EXPECT_EQ(into(folder_), "output");
   EXPECT_EQ(into(folder_.string() + "2"), "") << "beside it";
+}
+
+TEST_F(Inputs, AreWantedAsOftenAsAListSays) {
+  for (const char* name : {"a.step", "b.step", "c.step", "sub/d.step", "odd x3"})
+    write(name, "x");
+  write("sub/more.txt", "d.step x2\n");
+  write("parts.txt", "a.step x20\nb.step\t×4\nc.step\n@sub/more.txt X3\nodd x3\n");
+  const auto inputs = inputs_of({"@" + at("parts.txt")}, "/tmp/none", job::built_in());
+  ASSERT_TRUE(inputs) << inputs.error().message;
+  std::map<std::string, int> copies;
+  for (const Input& input : inputs->files)
+    copies[input.name] = input.copies;
+  EXPECT_EQ(copies,
+            (std::map<std::string, int>{
+                {"a.step", 20}, {"b.step", 4}, {"c.step", 1}, {"d.step", 6}, {"odd x3", 1}}));
+  EXPECT_EQ(inputs->files[0].said_by, at("parts.txt") + ", line 1");
+  for (const char* wrong : {"a.step x0", "a.step x2.5", "a.step x1000001"}) {
+    write("wrong.txt", std::string("c.step\n") + wrong + "\n");
+    const auto refused = inputs_of({"@" + at("wrong.txt")}, "/tmp/none", job::built_in());
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().code, code::invalid_input) << wrong;
+    EXPECT_NE(refused.error().message.find("wrong.txt, line 2"), std::string::npos) << wrong;
+  }
+}
+
+TEST_F(Inputs, AreNotCountedTwice) {
+  write("a.step", "x");
+  write("twice.txt", "a.step x2\na.step x3\n");
+  EXPECT_EQ(names_of({"@" + at("twice.txt")}), "invalid_input");
+  write("twice.txt", "a.step x2\na.step\n");
+  EXPECT_EQ(names_of({"@" + at("twice.txt")}), "invalid_input");
+  write("twice.txt", "a.step\na.step\n");
+  EXPECT_EQ(names_of({"@" + at("twice.txt")}), "a.step ");
+}
+
+TEST_F(Inputs, ToldWhatTheyAreNot) {
+  for (const char* name : {"a.step", "sub/b.igs", "drawing.pdf", ".hidden"})
+    write(name, "x");
+  write("other.json", R"({"name": 1})");
+  std::filesystem::create_symlink("nothing.step", folder_ / "gone.step");
+  std::filesystem::create_directory_symlink("sub", folder_ / "link");
+  const auto inputs = inputs_of({folder_.string()}, "/tmp/none", job::built_in());
+  ASSERT_TRUE(inputs);
+  EXPECT_EQ(inputs->files.size(), 1u);
+  EXPECT_EQ(inputs->passed_over.count, 5u);
+  std::string names;
+  for (const PassedFile& file : inputs->passed_over.files) {
+    names += file.name + " ";
+    EXPECT_EQ(file.reason, "no_input");
+    EXPECT_FALSE(file.why.empty());
+  }
+  EXPECT_EQ(names, "drawing.pdf gone.step link other.json sub/b.igs ");
+}
+
+/// Works as nobody, who may not read what is root's; for this thread alone.
+class AsNobody {
+ public:
+  AsNobody() { setfsuid(kNobody); }
+  ~AsNobody() { setfsuid(geteuid()); }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+};
+
+TEST_F(Inputs, LoseOnlyAFolderThatCannotBeRead) {
+  write("a.step", "x");
+  write("locked/b.step", "x");
+  write("open/c.step", "x");
+  std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::none);
+  {
+    const AsNobody nobody;
+    EXPECT_EQ(names_of({folder_.string()}), "a.step open/c.step ");
+    const auto inputs = inputs_of({folder_.string()}, "/tmp/none", job::built_in());
+    ASSERT_TRUE(inputs);
+    ASSERT_EQ(inputs->passed_over.files.size(), 1u);
+    EXPECT_EQ(inputs->passed_over.files[0].name, "locked");
+    EXPECT_EQ(inputs->passed_over.files[0].reason, "cannot_read");
+    EXPECT_EQ(names_of({at("locked")}), "cannot_read") << "nothing else is there";
+  }
+  std::filesystem::permissions(folder_ / "locked", std::filesystem::perms::owner_all);
 }
 
 TEST_F(Inputs, MustBeSome) {

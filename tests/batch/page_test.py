@@ -27,6 +27,7 @@ class PageOfABatch(BatchTest):
         self.write("in/copy.step", step_files.angle(leg=40.0, depth=30.0))
         self.write("in/block <b>&amp;.step", step_files.block())
         self.write("in/umlaut # ü%20.step", step_files.angle(leg=45.025, depth=31.0))
+        self.write("in/drawing.pdf", "%PDF")
         self.batch("in", "-o", "out", "-q", seconds=300)
         pictures = self.dir / "pictures"
         pictures.mkdir()
@@ -35,7 +36,10 @@ class PageOfABatch(BatchTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         seen = json.loads(done.stdout)
         self.assertEqual(seen["said"], [], "nothing on the console")
-        self.assertTrue(seen["firstStatus"].startswith("refused: "))
+        self.assertEqual(seen["firstStatus"], "ok", "results first")
+        self.assertEqual(seen["sums"], [f"{PARTS - 1} ok", "0 with warnings", "1 refused"])
+        self.assertEqual(seen["why"], "refused: not a sheet")
+        self.assertEqual(seen["passed"], "1 file or folder was passed over")
         # Pictures are loaded as one scrolls, not all at once.
         self.assertGreater(seen["first"]["pictures"], 4)
         self.assertLess(seen["first"]["rows"], 300)

@@ -20,6 +20,7 @@ TEST_F(Parts, AreThoseOfAFinishedBatchInTheirOrder) {
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].record.folder, "a");
   EXPECT_EQ(parts[0].files, folder_ / "one/parts/a");
+  EXPECT_EQ(parts[0].copies, 1);
   EXPECT_EQ(parts[0].record.shapes.size(), 1u);
   EXPECT_TRUE(parts[1].record.shapes.empty());
   EXPECT_EQ(nlohmann::json::parse(parts[1].record.report)["reason"]["code"], "overlap");

@@ -15,7 +15,13 @@ TEST_F(BatchState, KeepsARecordOfTheRun) {
   auto state = State::open(folder_);
   ASSERT_TRUE(state);
   EXPECT_TRUE(is_batch(folder_));
-  ASSERT_TRUE(state->record({{2, 5}, 17, "hash", true, {"a.step", "b \"c\".step"}}));
+  ASSERT_TRUE(state->record({{2, 5},
+                             17,
+                             "hash",
+                             true,
+                             {"a.step", "b \"c\".step"},
+                             {{"a.step", 20}},
+                             {3, {{"x.pdf", "no_input", "no part"}}}}));
   const auto record = read_record(folder_);
   ASSERT_TRUE(record) << record.error().message;
   EXPECT_EQ(record->shard.number, 2);
@@ -24,6 +30,11 @@ TEST_F(BatchState, KeepsARecordOfTheRun) {
   EXPECT_EQ(record->work, "hash");
   EXPECT_TRUE(record->finished);
   EXPECT_EQ(record->names, (std::vector<std::string>{"a.step", "b \"c\".step"}));
+  EXPECT_EQ(record->copies_of("a.step"), 20);
+  EXPECT_EQ(record->copies_of("b \"c\".step"), 1);
+  EXPECT_EQ(record->passed_over.count, 3u);
+  ASSERT_EQ(record->passed_over.files.size(), 1u);
+  EXPECT_EQ(record->passed_over.files[0].why, "no part");
   write(".planish-batch/run.json", "{}");
   EXPECT_EQ(read_record(folder_).error().code, code::cannot_read);
 }

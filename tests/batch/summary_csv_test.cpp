@@ -14,20 +14,20 @@ TEST(SummaryCsv, HasACellForEachTitle) {
   EXPECT_TRUE(csv_titles().starts_with("input,body,quantity,status,reason,message,units,"));
 }
 
-// Numbers stand as in the report, and what the report does not say is empty.
+// Numbers have up to six digits, and what the report does not say is empty.
 TEST(SummaryCsv, SaysWhatTheReportSays) {
   const PartRecord part = part_record(
       "f",
       R"({"input":"a.step","body":"b","quantity":2,"status":"warning","units":"mm",)"
       R"("material":"S235",)"
-      R"("sheet":{"thickness":2.0,"bends":3},"flat":{"size":[120.25,80.0],"area":9620.1,)"
+      R"("sheet":{"thickness":2.0000000000000004,"bends":3},)"
+      R"("flat":{"size":[120.24999999999,80.0],"area":9620.123456,)"
       R"("openings":0},)"
       R"("checks":[{"severity":"warning"},{"severity":"info"},{"severity":"error"}],)"
       R"("files":["f/a.dxf","f/a.svg"]})",
       {}, {});
-  EXPECT_EQ(
-      csv_of(part, "e"),
-      "a.step,b,2,warning,,,mm,2.0,120.25,80.0,9620.1,,,0,3,,,2,\"f/a.dxf;f/a.svg\",e,S235\n");
+  EXPECT_EQ(csv_of(part, "e"),
+            "a.step,b,2,warning,,,mm,2,120.25,80,9620.12,,,0,3,,,2,\"f/a.dxf;f/a.svg\",e,S235\n");
 }
 
 TEST(SummaryCsv, QuotesWhatWouldBeMisread) {

@@ -19,6 +19,9 @@ SolidModel with_opening() {
   return plate(2, {{{outer, outer}, {0, 2}}, {{inner, inner}, {0, 2}}});
 }
 
+/// Nothing stands out of the sheet.
+Rim no_rim(const SolidModel& model) { return {{}, std::vector<int>(model.faces.size(), -1)}; }
+
 /// The top as a flange and a chain of bend, flange and bend behind one side of its opening.
 Groups lance(const SolidModel& model) {
   Groups groups;
@@ -34,14 +37,29 @@ Groups lance(const SolidModel& model) {
 
 TEST(ClosedForms, AreNotLancesThatEndFree) {
   const SolidModel model = with_opening();
-  EXPECT_THAT(closed_forms(model, outlines_of(model), lance(model)), IsEmpty());
+  EXPECT_THAT(closed_forms(model, outlines_of(model), lance(model), no_rim(model)), IsEmpty());
 }
 
 TEST(ClosedForms, AreBridgesThatComeBackToTheirFlange) {
   const SolidModel model = with_opening();
   Groups groups = lance(model);
   groups.joints.push_back({edge_between(model, 8, 1), 3, 0, false});
-  EXPECT_THAT(closed_forms(model, outlines_of(model), groups), UnorderedElementsAre(6, 7, 8));
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)),
+              UnorderedElementsAre(6, 7, 8));
+}
+
+TEST(ClosedForms, AreClosedByADrawnFaceThatStandsOut) {
+  // The last bend ends at face 9, which comes back to the flange: the round end of a bead.
+  SolidModel model = with_opening();
+  model.faces[9].surface = DoublyCurved{"sphere"};
+  Rim rim = no_rim(model);
+  rim.part_of[9] = 0;
+  rim.parts.push_back({.faces = {9}, .first = {}, .second = {}, .within = true, .refusal = {}});
+  EXPECT_THAT(closed_forms(model, outlines_of(model), lance(model), rim), IsEmpty())
+      << "a fillet at a cut edge";
+  rim.parts[0].within = false;
+  EXPECT_THAT(closed_forms(model, outlines_of(model), lance(model), rim),
+              UnorderedElementsAre(6, 7, 8));
 }
 
 TEST(ClosedForms, LieInsideAnOpeningAndNotAtTheOutline) {
@@ -53,7 +71,7 @@ TEST(ClosedForms, LieInsideAnOpeningAndNotAtTheOutline) {
   groups.joints = {{edge_between(model, 1, 2), 0, 1, false},
                    {edge_between(model, 2, 3), 1, 2, false},
                    {edge_between(model, 3, 1), 2, 0, false}};
-  EXPECT_THAT(closed_forms(model, outlines_of(model), groups), IsEmpty());
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)), IsEmpty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "form_volume.hpp"
 #include "recognised.hpp"
 
+#include <planish/sheet/certificate.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <gtest/gtest.h>
@@ -110,14 +111,13 @@ TEST(AddFeatures, DrawTheFarOutlineOfASlantedCut) {
 TEST(AddFeatures, SayOnWhichSideTheyAre) {
   // All at (30, 30) of a sheet of 2 mm, as paths (radius, height), seen from above.
   const std::pair<std::vector<Vec2>, FormSide> forms[] = {
-      {{{8, 2}, {8, 1.2}, {0, 1.2}}, FormSide::up},      // pocket
-      {{{0, 0.8}, {8, 0.8}, {8, 0}}, FormSide::down},    // pocket below
-      {{{8, 2}, {8, 6}, {0, 6}}, FormSide::up},          // boss
-      {{{0, -4}, {8, -4}, {8, 0}}, FormSide::down},      // boss below
-      {{{4, 2}, {2.5, 0.5}, {2.5, 0}}, FormSide::up},    // countersink
-      {{{2.5, 2}, {2.5, 1.5}, {4, 0}}, FormSide::down},  // from below
-      {{{4, 2}, {3, 1}, {4, 0}}, FormSide::both},        // from both sides
-      {{{5, 2}, {3, 1}, {4, 0}}, FormSide::up},          // deeper from above
+      {{{8, 2}, {8, 1.2}, {0, 1.2}}, FormSide::up},                              // pocket
+      {{{0, 0.8}, {8, 0.8}, {8, 0}}, FormSide::down},                            // pocket below
+      {{{8, 2}, {8, 6}, {0, 6}}, FormSide::up},                                  // boss
+      {{{0, -4}, {8, -4}, {8, 0}}, FormSide::down},                              // boss below
+      {{{4, 2}, {2.5, 0.5}, {2.5, 0}}, FormSide::up},                            // countersink
+      {{{2.5, 2}, {2.5, 1.5}, {4, 0}}, FormSide::down},                          // from below
+      {{{4, 2}, {3, 1}, {4, 0}}, FormSide::both},                                // from both sides
       {{{20, 2}, {16, 5}, {5, 5}, {5, 3}, {14.5, 3}, {18.5, 0}}, FormSide::up},  // emboss, hole
       {{{18.5, 2}, {14.5, -1}, {5, -1}, {5, -3}, {16, -3}, {20, 0}}, FormSide::down},
       {{{5, 2}, {5, -3}, {6, -3}, {6, 0}}, FormSide::down}};  // extruded hole
@@ -130,6 +130,72 @@ TEST(AddFeatures, SayOnWhichSideTheyAre) {
           << path.size() << " points from (" << path.front().transpose() << "), reference "
           << reference;
     }
+}
+
+TEST(AddFeatures, DrawUnevenCountersinksOnBothSides) {
+  for (const int reference : {kTop, kBottom}) {
+    const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {3, 1}, {4, 0}}}}),
+                                 reference);
+    ASSERT_EQ(sheet.features.size(), 2u);
+    const FormedFeature &up = sheet.features.front(), &down = sheet.features.back();
+    EXPECT_EQ(side_name(up.side), "up");
+    EXPECT_EQ(side_name(down.side), "down");
+    EXPECT_NEAR(loop_area(up.outlines.at(0)), pi * (reference == kTop ? 25 : 16), 1e-8);
+    EXPECT_NEAR(loop_area(down.outlines.at(0)), pi * (reference == kTop ? 16 : 25), 1e-8);
+    EXPECT_NEAR(opening_area(sheet), pi * 9, 1e-8);
+  }
+}
+
+TEST(AddFeatures, CutToTheBoreBetweenTwoCounterbores) {
+  const Sheet sheet = sheet_of(
+      plate(2, {100, 60},
+            {{{30, 30}, {{8, 2}, {8, 1.3}, {2.5, 1.3}, {2.5, 0.7}, {8, 0.7}, {8, 0}}}}),
+      kTop);
+  EXPECT_NEAR(opening_area(sheet), pi * 6.25, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), -pi * (64 - 6.25) * 1.4, 1e-7);
+  EXPECT_NEAR(sheet.faces.front().loops.back().front().edge_depth, 0.7, 1e-12);
+}
+
+TEST(AddFeatures, MeasureWhatTheSolidLacksAtAnOpening) {
+  const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {2.5, 0.5}, {2.5, 0}}}}),
+                               kTop);
+  ASSERT_EQ(sheet.measured_openings.size(), 1u);
+  const MeasuredOpening& opening = sheet.measured_openings.front();
+  const double ring = pi / 3 * 1.5 * (16 + 10 + 6.25) - pi * 6.25 * 1.5;
+  EXPECT_NEAR(opening.lacking, pi * 6.25 * 2 + ring, 1e-8);
+  EXPECT_NEAR(opening.beyond, ring, 1e-8);
+  EXPECT_NEAR(opening.intrusion, 0.0, 1e-9);
+}
+
+TEST(AddFeatures, NoteAGrooveWithinTheSheet) {
+  const Sheet sheet = sheet_of(
+      plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {4, 1.5}, {6, 1.5}, {6, 0.5}, {4, 0.5}, {4, 0}}}}),
+      kTop);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "pocket");
+  EXPECT_EQ(sheet.features.front().along.size(), 1u) << "it has a place";
+  EXPECT_NEAR(opening_area(sheet), pi * 16, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), -pi * (36 - 16), 1e-8);
+}
+
+/// A hole of a pattern made larger or smaller all round.
+FlatPattern with_wrong_hole(FlatPattern flat, double by) {
+  std::get<Arc>(flat.openings.front().loop.front()).radius += by;
+  return flat;
+}
+
+TEST(Certificate, NoticesAWrongHoleInALargeSheet) {
+  const SolidModel model = plate(2, {2000, 1000}, {{{300, 300}, {{4, 2}, {2.5, 0.5}, {2.5, 0}}}});
+  const Sheet sheet = sheet_of(model, kTop);
+  const auto flat = flatten(sheet);
+  ASSERT_TRUE(flat);
+  EXPECT_NEAR(certify(sheet, *flat, {})->opening_error.value(), 0.0, 1e-9);
+  for (const double by : {-0.1, 0.1}) {
+    const auto certificate = certify(sheet, with_wrong_hole(*flat, by), {});
+    EXPECT_NEAR(certificate->opening_error.value(), 0.1, 3e-3);
+    EXPECT_NEAR(*certificate->explained_ratio, 1.0, 1e-6) << "the volume does not show it";
+    EXPECT_NEAR((certificate->opening_error_at - Vec2(300, 300)).norm(), 0.0, 1e-6);
+  }
 }
 
 TEST(AddFeatures, DrawBossesOnBothSkinsApart) {
@@ -145,6 +211,17 @@ TEST(AddFeatures, DrawBossesOnBothSkinsApart) {
     }
 }
 
+TEST(AddFeatures, CutAPlateAsWideAsTheTongueAlongItsRim) {
+  const auto skin = rectangle_at({2, 2}, {98, 58}), tongue = rectangle_at({0, 0}, {100, 60});
+  const Sheet sheet = sheet_of(
+      plate(2, {{{skin, skin, tongue, tongue, skin, skin}, {0, 0.6, 0.6, 1.4, 1.4, 2}}}), kTop);
+  EXPECT_NEAR(loop_area(sheet.faces.front().loops.front()), 6000.0, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), -(6000.0 - 96 * 56) * 1.2, 1e-7);
+  ASSERT_EQ(sheet.features.size(), 2u) << "a step on either side";
+  for (const FormedFeature& feature : sheet.features)
+    EXPECT_NEAR(loop_area(feature.outlines.at(0)), 96 * 56, 1e-8);
+}
+
 TEST(AddFeatures, DrawTheSkinInsideAChamferedRim) {
   const auto outer = rectangle_at({0, 0}, {100, 60});
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});
@@ -153,7 +230,9 @@ TEST(AddFeatures, DrawTheSkinInsideAChamferedRim) {
   EXPECT_EQ(sheet.features.front().kind, "chamfer");
   EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), 99 * 59, 1e-8);
   EXPECT_NEAR(loop_area(sheet.faces.front().loops.front()), 6000.0, 1e-8);
-  EXPECT_FALSE(sheet.forms_volume) << "not measured";
+  // A pyramid's frustum stands for the upper 0.5 mm.
+  const double frustum = 0.5 / 3 * (6000 + 99 * 59 + std::sqrt(6000.0 * 99 * 59));
+  EXPECT_NEAR(sheet.forms_volume.value(), frustum - 6000 * 0.5, 0.01);
 }
 
 }  // namespace

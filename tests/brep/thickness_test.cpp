@@ -44,14 +44,34 @@ TEST(LikelyThicknesses, OfAChannelAreMeasuredToTheNearestFace) {
   EXPECT_THAT(thicknesses(channel), ElementsAre(DoubleNear(2.0, 1e-9)));
 }
 
+TEST(LikelyThicknesses, AreNotMeasuredToTheLedgesOfCounterbores) {
+  // From below, and within the sheet: ledges that face down lie nearer to the top than the bottom.
+  const SolidModel bored = plate(
+      2, {100, 60},
+      {{{30, 30}, {{4, 2}, {4, 1.2}, {8, 1.2}, {8, 0}}},
+       {{70, 30}, {{4, 2}, {4, 1.5}, {8, 1.5}, {8, 0.5}, {4, 0.5}, {4, 0}}}});
+  EXPECT_THAT(thicknesses(bored), ElementsAre(DoubleNear(2.0, 1e-9)));
+  EXPECT_NEAR(plate_thickness(bored, outlines_of(bored)).value(), 2.0, 1e-9);
+}
+
 TEST(LikelyThicknesses, AreOrderedByTheAreaThatAgrees) {
-  // Bottom and left top vote for 2 mm with 60 × 200 mm² each, the right top for 5 mm with 40 × 200.
+  // Bottom and tops vote for 2 mm with 60 × 200 mm² each, for 5 mm with 40 × 200.
   EXPECT_THAT(thicknesses(stepped(2, 5)), ElementsAre(DoubleNear(2, 1e-9), DoubleNear(5, 1e-9)));
 }
 
 TEST(LikelyThicknesses, ThatNearlyAgreeAreOneMean) {
-  const double mean = (2.0 * (60 + 60) + 2.02 * 40) / 160;
+  const double mean = (2.0 * 60 + 2.02 * 40) / 100;
   EXPECT_THAT(thicknesses(stepped(2, 2.02)), ElementsAre(DoubleNear(mean, 1e-9)));
+}
+
+TEST(LikelyThicknesses, AreThoseOfTheSheetAroundShallowRecesses) {
+  // A groove of 30 mm hides as much of the bottom from the top, and no more.
+  const SolidModel grooved = prism(
+      {{Segment{{0, 0}, {40, 0}}, Segment{{40, 0}, {40, 0.3}}, Segment{{40, 0.3}, {70, 0.3}},
+        Segment{{70, 0.3}, {70, 0}}, Segment{{70, 0}, {100, 0}}, Segment{{100, 0}, {100, 2}},
+        Segment{{100, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
+      200);
+  EXPECT_THAT(thicknesses(grooved), ElementsAre(DoubleNear(2, 1e-9), DoubleNear(1.7, 1e-9)));
 }
 
 TEST(LikelyThicknesses, AreUnknownWhereNoFacesAreOpposite) {

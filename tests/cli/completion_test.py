@@ -28,7 +28,7 @@ CASES = [
     ("unfold --root ", {"largest"}, {"FACE"}),
     ("unfold --format ", {"dxf", "svg", "step", "pdf"}, {"stl"}),
     ("batch --format ", {"dxf", "stl", "json"}, set()),
-    ("unfold ", {"bracket.step", "OLD.STP", "shape.brep", "folder/"}, {"plates.json", "table.csv"}),
+    ("unfold ", {"bracket.step", "OLD.STP", "shape.brep", "sent.step.gz", "folder/"}, {"plates.json", "table.csv"}),
     ("connect ", {"plates.json", "folder/"}, {"bracket.step"}),
     ("studio ", {"plates.json", "bracket.step"}, {"table.csv"}),
     ("unfold --k-table ", {"table.csv"}, {"bracket.step", "plates.json"}),
@@ -76,7 +76,7 @@ class Terminal:
 class Completion(CliTest):
     def setUp(self):
         super().setUp()
-        for name in ("bracket.step", "OLD.STP", "shape.brep", "plates.json", "table.csv", "my part.step"):
+        for name in ("bracket.step", "OLD.STP", "shape.brep", "sent.step.gz", "plates.json", "table.csv", "my part.step"):
             self.write(name, "")
         (self.dir / "folder").mkdir()
         scripts = tempfile.TemporaryDirectory(prefix="planish-shell-")

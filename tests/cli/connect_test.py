@@ -201,9 +201,15 @@ def through_the_bend():
 class ThroughItself(CliTest):
     def test_plate_through_a_bend_is_an_error_with_both_parts_and_the_depth(self):
         self.write("plates.json", json.dumps(through_the_bend()))
-        out, _ = self.run_cli("connect", "plates.json", "--json", "report.json", "--no-rules")
+        said = self.refused("connect", "plates.json", "--json", "report.json", "--no-rules", status=4)
+        self.assertIn("--write-anyway", said)
+        self.assertEqual(self.names(), ["plates.json", "report.json"])
         report = self.json("report.json")
-        self.assertEqual(report["status"], "warning")
+        self.assertEqual((report["status"], report["reason"]["code"]), ("refused", "self_intersection"))
+        out, _ = self.run_cli("connect", "plates.json", "--json", "report.json", "--no-rules", "--write-anyway")
+        self.assertEqual(self.names(), ["plates.dxf", "plates.json", "plates.step", "report.json"])
+        report = self.json("report.json")
+        self.assertEqual((report["status"], report["reason"]), ("warning", None))
         found, behind = report["checks"]
         self.assertEqual(behind["code"], "round_the_back")
         self.assertEqual((found["code"], found["severity"]), ("self_intersection", "error"))
@@ -214,10 +220,10 @@ class ThroughItself(CliTest):
 
     def test_its_solid_says_the_same(self):
         self.write("plates.json", json.dumps(through_the_bend()))
-        self.run_cli("connect", "plates.json", "-o", "part.step", "--no-rules", "--quiet")
-        self.run_cli("unfold", "part.step", "--check", "--json", "report.json", "--no-rules")
+        self.run_cli("connect", "plates.json", "-o", "part.step", "--no-rules", "--quiet", "--write-anyway")
+        self.refused("unfold", "part.step", "--check", "--json", "report.json", "--no-rules", status=4)
         report = self.json("report.json")
-        self.assertEqual(report["status"], "warning")
+        self.assertEqual(report["status"], "refused")
         self.assertEqual([c["code"] for c in report["checks"]], ["self_intersection"])
 
     def test_plate_that_ends_before_the_bend_is_accepted(self):

@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 """Inputs that cannot be read: exit status 3, the reason in one sentence and in the JSON report."""
 
+import gzip
 import os
 import pathlib
 import signal
 import subprocess
 import sys
 import unittest
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import step_files  # noqa: E402
@@ -88,6 +90,63 @@ class UnreadableInput(CliTest):
         self.angle()
         self.unreadable("no_such_face", "part.step", "--root", "999", status=2)
         self.unreadable("no_such_face", "part.step", "--up", "999", status=2)
+
+
+class OtherForms(CliTest):
+    """What a mailbox does to a STEP file."""
+
+    def pattern(self, name):
+        self.run_cli("unfold", name, "-q", "-o", "out.dxf")
+        return (self.dir / "out.dxf").read_bytes()
+
+    def test_packed_files_and_byte_order_marks_are_read(self):
+        text = step_files.angle().encode()
+        self.write("part.step", text)
+        expected = self.pattern("part.step")
+        self.write("part.step.gz", gzip.compress(text))
+        self.write("part.stpz", gzip.compress(text))
+        self.write("mark.step", b"\xef\xbb\xbf" + text)
+        with zipfile.ZipFile(self.dir / "part.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("sent/readme.txt", "Please cut.")
+            archive.writestr("sent/part.stp", text)
+        for name in ("part.step.gz", "part.stpz", "mark.step", "part.zip"):
+            with self.subTest(name):
+                self.assertEqual(self.pattern(name), expected)
+                self.assertIn("1 body", self.run_cli("info", name)[0])
+        self.run_cli("unfold", "-", "-q", "-o", "out.dxf", stdin=gzip.compress(text))
+        for name in ("part.step", "out.dxf"):
+            (self.dir / name).unlink()
+        self.run_cli("unfold", "part.step.gz", "-q")
+        self.assertIn("part.dxf", self.names())
+
+    def test_an_archive_that_is_no_part_says_why(self):
+        text = step_files.angle().encode()
+        with zipfile.ZipFile(self.dir / "two.zip", "w") as archive:
+            archive.writestr("a.step", text)
+            archive.writestr("b.step", text)
+        said = self.refused("unfold", "two.zip", "-o", "out.dxf", status=3)
+        self.assertIn("an archive of 2 STEP files", said)
+        self.write("short.step.gz", gzip.compress(text)[:-100])
+        self.assertIn("[truncated_file]", self.refused("unfold", "short.step.gz", "-o", "out.dxf", status=3))
+
+    def test_a_size_that_no_shop_has_is_asked_about(self):
+        self.write("metres.step", step_files.angle().replace("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT($,.METRE.)"))
+        out, _ = self.run_cli("unfold", "metres.step", "-o", "out.dxf", "--json", "r.json")
+        self.assertIn("the sheet is 2000 mm thick", out)
+        report = self.json("r.json")
+        self.assertEqual(report["status"], "warning")
+        self.assertEqual(report["checks"][0]["code"], "unlikely_size")
+        self.assertAlmostEqual(report["checks"][0]["numbers"]["thickness"]["value"], 2000, places=6)
+
+    def test_a_surface_beside_a_solid_is_mentioned(self):
+        self.write("part.step", step_files.angle_beside_a_skin())
+        out, _ = self.run_cli("unfold", "part.step", "--json", "r.json")
+        said = "The file also holds 1 surface body, not part of a solid: left out."
+        self.assertIn(f"note: {said}", out)
+        self.assertEqual(self.json("r.json")["notes"], [said])
+        out, _ = self.run_cli("unfold", "part.step", "--all", "-o", "flat/", "--json", "s.json")
+        self.assertIn(f"note: {said}", out)
+        self.assertEqual(self.json("s.json")["surface_bodies"], 1)
 
 
 class UnwritableOutput(CliTest):

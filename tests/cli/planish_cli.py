@@ -59,7 +59,7 @@ class CliTest(unittest.TestCase):
 
 def leftovers(folder):
     """Whatever a writer may leave beside its target."""
-    wanted = {".step", ".stp", ".brep", ".stl", ".obj", ".dxf", ".svg", ".json", ".csv", ".txt", ".pdf"}
+    wanted = {".step", ".stp", ".stpz", ".gz", ".zip", ".brep", ".stl", ".obj", ".dxf", ".svg", ".json", ".csv", ".txt", ".pdf"}
     return [str(p) for p in folder.rglob("*") if p.is_file() and p.suffix.lower() not in wanted]
 
 

@@ -188,7 +188,7 @@ class Tables(SchemaTest):
     def test_messages_spell_options_as_the_command_line_does(self):
         self.angle()
         sentence = self.refused("unfold", "part.step", "--k", "0.4", "--k-table", "t.csv", status=2)
-        self.assertIn("--k, --k-table, --din6935 and --material", sentence)
+        self.assertIn("--k and --k-table each say where K comes from", sentence)
         self.assertNotIn("`", sentence)
 
 

@@ -122,13 +122,14 @@ class Forms(SlitTest):
             for code, value in ((code.strip(), value.strip()) for code, value in pairs):
                 if code == "0":
                     kind = value
-                if code == "8" and value == "INTERIOR_PROFILES":
+                if code == "8" and value in ("INTERIOR_PROFILES", "SLITS"):
                     count[kind] = count.get(kind, 0) + 1
+                    self.assertEqual(value == "SLITS", kind == "LINE")
             return report["flat"], count
 
         # Five slits through both halves, 928 long.
         flat, entities = cut()
-        self.assertEqual(entities, {"LINE": 5})
+        self.assertEqual((flat["slits"], entities), (5, {"LINE": 5}))
         self.assertAlmostEqual(flat["cutting"]["inner"], 5 * 928, places=6)
         self.assertAlmostEqual(flat["area"], 360 * 1768, places=6)
         flat, entities = cut(kerf=3)
@@ -287,7 +288,8 @@ class Refusals(SlitTest):
         for strip in spec["sheet"]["strips"]:
             strip["end"] = 6000
         spec["ends"][2]["position"], spec["ends"][3]["position"] = [2839, 1904, 2231], [2377, 2409, 792]
-        report = self.report(spec)
+        self.assertIn("[self_intersection]", self.sentence(spec))
+        report = self.report(spec, "--write-anyway")
         found = [check for check in report["checks"] if check["code"] == "self_intersection"]
         self.assertEqual([check["severity"] for check in found], ["error"])
         self.assertIn("strip 3 and strip 5 run through each other when folded, 9 mm deep", found[0]["message"])
@@ -350,7 +352,7 @@ class Refusals(SlitTest):
 
     def test_scans_as_other_programs_write_them(self):
         def distances(name):
-            return [s["scan_distance"] for s in self.report(chair(scan=[{"strip": 0, "points": name}]), "--check")["slit"]["strips"]]
+            return [s["scan_distance"] for s in self.report(chair(scan=[{"strip": 0, "points": name}]), "--check", "--write-anyway")["slit"]["strips"]]
         self.write("points.txt", "300.5 450.25 30\n200.5 480.25 30\n")
         self.write("commas.txt", "\ufeff300,5 450,25 30,0\n200,5\t480,25;30,0\n")
         self.assertEqual(distances("points.txt"), distances("commas.txt"))

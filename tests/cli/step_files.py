@@ -376,6 +376,15 @@ def surface_only():
     return file.text()
 
 
+def angle_beside_a_skin():
+    """An angle, and a shell that belongs to no solid."""
+    file = StepFile()
+    file.product("angle", file.prism(*angle_profile(50.0, 2.0, 2.0), 60.0))
+    file.product("skin", file.prism(*rectangle_profile(30.0, 20.0), 10.0, at=(100, 0, 0)),
+                 entity="SHELL_BASED_SURFACE_MODEL")
+    return file.text()
+
+
 def two_angles_and_a_block():
     """Two identical angles, one other angle and a block: three different bodies, four pieces."""
     file = StepFile()

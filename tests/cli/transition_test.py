@@ -92,7 +92,9 @@ class Nets(TransitionTest):
                 pieces = net.get("pieces", [net])
                 for number, piece in enumerate(pieces, 1):
                     solid = "part.step" if len(pieces) == 1 else f"part-{number}.step"
-                    self.run_cli("unfold", solid, "--k", "0.5", "--json", "again.json", "-o", "again.dxf")
+                    # Square edges that meet in a fold of the seam are an error of a part whose seam nobody names.
+                    anyway = ["--write-anyway"] * any(check["code"] == "seam_edges" for check in piece["checks"])
+                    self.run_cli("unfold", solid, "--k", "0.5", "--json", "again.json", "-o", "again.dxf", *anyway)
                     again = self.json("again.json")
                     self.assertIn(again["status"], ("ok", "warning"))
                     self.assertAlmostEqual(piece["verification"]["explained_ratio"], 1.0, places=6)

@@ -77,6 +77,27 @@ TEST(Breach, KeepsWhatItsSentenceIsMadeOf) {
   EXPECT_EQ(place.numbers[1].quantity, (Quantity{2.0, unit::mm}));
 }
 
+TEST(Breach, AsksForItsLimitOnlyWhereItWarns) {
+  const Facts facts{{"measured", 3.99, unit::mm}, {"wanted", 6.0, unit::mm}, {"rule", "2 T"}};
+  const auto said = [&](Severity severity, const Facts& of) {
+    return breach(severity, "it is {measured}; {limit}", of, {}).message;
+  };
+  EXPECT_EQ(said(Severity::warning, facts), "it is 3.99 mm; at least 6 mm (2 T) is needed");
+  EXPECT_EQ(said(Severity::info, facts), "it is 3.99 mm; the rule of thumb is 6 mm (2 T)");
+  const Facts bare(facts.begin(), facts.begin() + 2);
+  EXPECT_EQ(said(Severity::warning, bare), "it is 3.99 mm; at least 6 mm is needed");
+  EXPECT_EQ(said(Severity::info, bare), "it is 3.99 mm; the rule of thumb is 6 mm");
+}
+
+TEST(Grouped, CallsInformationUnusualAndNotWrong) {
+  const auto many = [](Severity severity) {
+    const Observation one{"opening_to_bend", breach(severity, "near", {}, {}), -1.0};
+    return grouped({one, one}).front().message;
+  };
+  EXPECT_EQ(many(Severity::warning), "2 openings are too close to bends; the worst: near");
+  EXPECT_EQ(many(Severity::info), "2 openings are closer to bends than usual; the worst: near");
+}
+
 TEST(Grouped, HasThePlacesAndNumbersOfTheWorst) {
   const auto one = [](const char* bend, double measured) {
     return Observation{"bend_relief",

@@ -112,7 +112,7 @@ TEST(CheckRules, AsksForEightTenthsBetweenOpeningsOfThinSheet) {
   const Finding found = apart(0.79, rules_for(Process::laser)).at(0);
   EXPECT_EQ(found.severity, Severity::info);
   EXPECT_THAT(found.message, HasSubstr("0.79 mm from"));
-  EXPECT_THAT(found.message, HasSubstr("at least 0.8 mm is needed"));
+  EXPECT_THAT(found.message, HasSubstr("the rule of thumb is 0.8 mm"));
   EXPECT_EQ(apart(0.39, rules_for(Process::laser)).at(0).severity, Severity::warning);
   EXPECT_THAT(apart(0.9, rules_for(Process::punch)).at(0).message, HasSubstr("1 mm (2 T)"));
 }

@@ -118,13 +118,36 @@ TEST(Dxf, BlanksAlongAnAxisAreTurnedWithoutRounding) {
             dxf(upright({0, 0}, {500.25, 125})));
 }
 
-TEST(Dxf, CutsSlitsOnceAsLinesOnTheLayerOfOpenings) {
+struct ProfileRow {
+  LayerProfile profile;
+  LayerNames names;
+};
+
+// shop-floor.md#layer-sets.
+const std::vector<ProfileRow> kProfiles{
+    {LayerProfile::standard,
+     {"OUTER_PROFILE", "INTERIOR_PROFILES", "BEND_UP", "BEND_DOWN", "BEND_TANGENT", "", "SLITS"}},
+    {LayerProfile::inventor,
+     {"IV_OUTER_PROFILE", "IV_INTERIOR_PROFILES", "IV_BEND", "IV_BEND_DOWN", "IV_TANGENT", "",
+      "SLITS"}},
+    {LayerProfile::onshape,
+     {"SHEETMETAL_CUT_LINES", "SHEETMETAL_CUT_LINES", "SHEETMETAL_BEND_LINES_UP",
+      "SHEETMETAL_BEND_LINES_DOWN", "SHEETMETAL_BEND_TANGENT_LI", "", "SHEETMETAL_CUT_LINES"}},
+    {LayerProfile::solid_edge,
+     {"OUTER_LOOP", "INTERIOR_LOOPS", "UP_CENTERLINES", "DOWN_CENTERLINES", "", "", "SLITS"}},
+};
+
+TEST(Dxf, CutsSlitsOnceAsLinesOnALayerOfTheirOwn) {
   FlatPattern pattern = bracket();
   pattern.slits = {Segment{{70, 60}, {140, 60}}, Segment{{70, 80}, {200, 80}}};
   EXPECT_THAT(kinds_and_layers(dxf(pattern)),
-              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE INTERIOR_PROFILES",
-                          "LINE INTERIOR_PROFILES", "CIRCLE INTERIOR_PROFILES",
-                          "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
+              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE SLITS", "LINE SLITS",
+                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES",
+                          "LWPOLYLINE OUTER_PROFILE"));
+  for (const auto& [profile, names] : kProfiles) {
+    const Reader read(dxf(pattern, {.profile = profile}));
+    EXPECT_EQ(read.layers.at(names.slits), names.slits == names.outer ? 7 : 6);
+  }
   std::get<Segment>(pattern.slits.front()).a.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(dxf_text(pattern));
 }
@@ -133,9 +156,9 @@ TEST(Dxf, CutsCurvedSlitsAsArcs) {
   FlatPattern pattern = bracket();
   pattern.slits = {Arc{{100, 60}, 10.0, 0.0, 1.5 * std::numbers::pi}};
   EXPECT_THAT(kinds_and_layers(dxf(pattern)),
-              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "ARC INTERIOR_PROFILES",
-                          "ARC INTERIOR_PROFILES", "CIRCLE INTERIOR_PROFILES",
-                          "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
+              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "ARC SLITS", "ARC SLITS",
+                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES",
+                          "LWPOLYLINE OUTER_PROFILE"));
 }
 
 TEST(Dxf, KeepsCirclesAndClosesPolylinesWithBulges) {
@@ -196,24 +219,6 @@ TEST(Dxf, MarksBendLinesByTicksAtTheirEnds) {
   }
   EXPECT_THAT(y, ElementsAre(0, 4, 96, 100, 50, 52, 54, 56));
 }
-
-struct ProfileRow {
-  LayerProfile profile;
-  LayerNames names;
-};
-
-// shop-floor.md#layer-sets.
-const std::vector<ProfileRow> kProfiles{
-    {LayerProfile::standard,
-     {"OUTER_PROFILE", "INTERIOR_PROFILES", "BEND_UP", "BEND_DOWN", "BEND_TANGENT", ""}},
-    {LayerProfile::inventor,
-     {"IV_OUTER_PROFILE", "IV_INTERIOR_PROFILES", "IV_BEND", "IV_BEND_DOWN", "IV_TANGENT", ""}},
-    {LayerProfile::onshape,
-     {"SHEETMETAL_CUT_LINES", "SHEETMETAL_CUT_LINES", "SHEETMETAL_BEND_LINES_UP",
-      "SHEETMETAL_BEND_LINES_DOWN", "SHEETMETAL_BEND_TANGENT_LI", ""}},
-    {LayerProfile::solid_edge,
-     {"OUTER_LOOP", "INTERIOR_LOOPS", "UP_CENTERLINES", "DOWN_CENTERLINES", "", ""}},
-};
 
 TEST(Dxf, NamesTheLayersOfEachProfile) {
   for (const auto& [profile, names] : kProfiles) {

@@ -17,7 +17,7 @@ TEST(LayerNames, AreFitForR12) {
                              LayerProfile::solid_edge}) {
     const LayerNames names = layer_names(profile);
     for (const std::string& name : {names.outer, names.openings, names.bend_up, names.bend_down,
-                                    names.bend_zone, names.features}) {
+                                    names.bend_zone, names.features, names.slits}) {
       EXPECT_LE(name.size(), 31u) << name;
       EXPECT_EQ(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"), std::string::npos)
           << name;

@@ -17,6 +17,7 @@ TEST(CheckOptions, SetWhatTheyAreNamedFor) {
        {"no_rules", "true", [](auto& r) { return !r.rules.enabled; }},
        {"no_rules", "false", [](auto& r) { return r.rules.enabled; }},
        {"write_overlapping", "true", [](auto& r) { return r.write_overlapping; }},
+       {"write_anyway", "true", [](auto& r) { return r.write_anyway; }},
        {"density", "7.85", [](auto& r) { return r.density == 7.85; }}});
 }
 

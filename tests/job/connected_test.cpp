@@ -95,6 +95,10 @@ TEST(Connected, RefusesAPatternThatCoversItselfUnlessToldNotTo) {
   EXPECT_EQ(error->code, code::overlap);
   EXPECT_EQ(report.summary.flanges, 3);
   checks.write_overlapping = true;
+  const auto other = finish(report, connection, ConstantK{}, checks, {});
+  ASSERT_TRUE(other.has_value()) << "the folded walls run through each other too";
+  EXPECT_EQ(other->code.name, "self_intersection");
+  checks.write_anyway = true;
   EXPECT_FALSE(finish(report, connection, ConstantK{}, checks, {}).has_value());
   EXPECT_TRUE(report.has_warnings());
 }

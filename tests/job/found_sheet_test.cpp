@@ -29,7 +29,7 @@ TEST(FoundSheet, IsCutOpenAlongTheEdgesThatItsRefusalNames) {
   for (const Place& place : closed.error().places)
     if (place.kind == PlaceKind::edge) rips.push_back(std::get<int>(place.id));
   ASSERT_FALSE(rips.empty());
-  EXPECT_TRUE(found_sheet(*body, rips)) << "they do open it";
+  EXPECT_TRUE(found_sheet(*body, {.rip_edges = rips})) << "they do open it";
 }
 
 TEST(FoundSheet, LooksForNoRipsOnceItIsCancelled) {

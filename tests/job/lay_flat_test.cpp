@@ -146,6 +146,10 @@ TEST(LayFlat, MendsASmallOverlapAndRefusesALargeOne) {
   report = laid(walls_that_meet(20.0), checks, {}, &error);
   EXPECT_FALSE(error);
   EXPECT_TRUE(report.has_warnings());
+  checks.write_overlapping = false;
+  checks.write_anyway = true;
+  laid(walls_that_meet(20.0), checks, {}, &error);
+  EXPECT_FALSE(error);
 }
 
 TEST(LayFlat, ChecksTheRulesUnlessToldNotTo) {

@@ -106,6 +106,8 @@ TEST(OptionValues, ContradictOneAnotherInOnePlace) {
   EXPECT_EQ(clash({{"rules", "r.json"}, {"no_rules", "true"}}), "no_rules");
   EXPECT_EQ(clash({{"r12", "true"}, {"splines", "keep"}}), "splines");
   EXPECT_EQ(clash({{"r12", "true"}, {"splines", "arcs"}}), "");
+  EXPECT_EQ(clash({{"tangent_lines", "true"}, {"profile", "solidedge"}}), "tangent_lines");
+  EXPECT_EQ(clash({{"tangent_lines", "true"}, {"profile", "onshape"}}), "");
   EXPECT_EQ(clash({{"splines", "keep"}}), "");
   EXPECT_EQ(clash({{"tick_length", "3"}}), "tick_length");
   EXPECT_EQ(clash({{"tick_length", "3"}, {"bend_marks", "lines"}}), "tick_length");
@@ -162,10 +164,15 @@ TEST(OptionValues, TakeMaterialsByNameBesideAShop) {
   EXPECT_FALSE(entered("BRASS", true)->allowance);
   EXPECT_EQ(entered("wood", true).error().where, "material");
   EXPECT_EQ(entered("wood", false).error().where, "material");
-  const std::string file = file_beside(
-      "material.json",
-      R"({"name": "M", "rows": [{"thickness": 1, "inside_radius": 1, "k": 0.3}]})");
+  constexpr auto kCurves = R"("tension": {"power_law": {"strength": 500, "exponent": 0.2}}})";
+  const std::string other = file_beside("other.json", std::string(R"({"name": "M", )") + kCurves);
+  EXPECT_EQ(entered(other, true).error().where, "material") << "the shop has no M";
+  const std::string file = file_beside("material.json",
+                                       std::string(R"({"name": "brass", )") + kCurves);
   const auto of_file = entered(file, true);
+  ASSERT_TRUE(of_file) << of_file.error().message;
+  EXPECT_EQ(of_file->shop->material, 1);
+  EXPECT_TRUE(of_file->allowance) << "K from the file";
   EXPECT_EQ(entered(file, false).error().where, "material") << "no file is read";
   const auto two = entered(file, true, 0.4);
   ASSERT_FALSE(two);

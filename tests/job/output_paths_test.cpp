@@ -51,6 +51,12 @@ TEST_F(OutputPaths, AreAllDifferent) {
             code::bad_option);
 }
 
+TEST_F(OutputPaths, AreNamedAfterWhatIsPacked) {
+  for (const char* input : {"a/part.step", "part.STEP.GZ", "part.stp.zip", "part.zip", "part.stpZ"})
+    EXPECT_EQ(stem_of_input(input), "part") << input;
+  EXPECT_EQ(stem_of_input("part.v2.json"), "part.v2");
+}
+
 TEST_F(OutputPaths, HaveANumberForEachOfSeveralPieces) {
   EXPECT_EQ(name_of_piece("out/net.dxf", 0, 1), "out/net.dxf");
   EXPECT_EQ(name_of_piece("out/net.dxf", 0, 2), "out/net-1.dxf");

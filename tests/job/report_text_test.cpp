@@ -26,6 +26,19 @@ TEST(ReportText, HasThicknessBlankBendsAndCertificate) {
   EXPECT_THAT(text, Not(HasSubstr("findings")));
 }
 
+TEST(ReportText, SaysWhatIsASlitAndWhatIsOnlyOutlined) {
+  UnfoldReport report = sample_report();
+  report.flat.slits = {Segment{{60, 10}, {60, 20}}, Segment{{80, 10}, {80, 20}}};
+  report.flat.features = {{"formed", FormSide::up, {}}, {"formed", FormSide::up, {}}};
+  report.certificate.openings = {.solid = 2, .pattern = 2, .slits = 1, .missing = {}};
+  std::string text = report_text(report);
+  EXPECT_THAT(text, HasSubstr(" outer + 51.416 mm in 1 opening and 2 slits\n"
+                              "outlined, not cut: 2 formed features up\n"));
+  EXPECT_THAT(text, HasSubstr("openings 2 of 2 (1 is a slit)\n"));
+  report.flat.openings.clear();
+  EXPECT_THAT(report_text(report), HasSubstr(" outer + 20.000 mm in 2 slits\n"));
+}
+
 TEST(ReportText, LinesTheBendTableUp) {
   const std::string text = report_text(sample_report());
   EXPECT_THAT(text,

@@ -35,7 +35,7 @@ const std::vector<ClosedPart> kClosedParts{
     {"sharp012_FreeCAD-librar_SAE380-80-2", 0, "No rips along its edges"},
     {"cc001_FreeCAD-librar_cup", 0, "curved in two directions"},
     {"tube028_zynthian-hw_RS-234", 0, "curved in two directions"},
-    {"cc004", 0, "one skin only"},
+    {"cc004", 0, "beyond the sheet"},
     {"neg008", 0, "one skin only"},
     {"neg028", 0, "curved in two directions"},
     {"neg056", 0, "curved in two directions"},

@@ -127,14 +127,18 @@ class UnfoldedSolid : public ::testing::Test {
   fs::path path_;
 };
 
-TEST_F(UnfoldedSolid, ThatRunsThroughItselfIsNeverOk) {
+TEST_F(UnfoldedSolid, ThatRunsThroughItselfIsRefusedUnlessToldNotTo) {
   std::ofstream(path_) << step_of(folded_through_itself());
   Request request;
   request.input = path_;
   request.rules.enabled = false;
+  const auto refused = unfold(request);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code.name, "self_intersection");
+  request.write_anyway = true;
   const auto report = unfold(request);
   ASSERT_TRUE(report) << report.error().message;
-  EXPECT_NE(report->status(), Status::ok);
+  EXPECT_EQ(report->status(), Status::warning);
   ASSERT_EQ(report->findings.size(), 1u);
   EXPECT_EQ(report->findings[0].code, "self_intersection");
   EXPECT_THAT(report->findings[0].message, HasSubstr("1.2 mm deep"));

@@ -16,6 +16,7 @@ TEST(SheetOptions, SetWhatTheyAreNamedFor) {
         }},
        {"root", "12", [](auto& r) { return r.root == "12"; }},
        {"up", "other", [](auto& r) { return r.up == "other"; }},
+       {"thickness", "1.5", [](auto& r) { return r.thickness == 1.5; }},
        {"rip_edges", "21,56",
         [](auto& r) {
           return r.rip_edges == std::vector<int>{21, 56};

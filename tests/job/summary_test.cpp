@@ -83,7 +83,7 @@ TEST(SummaryCsv, ConvertsToTheUnitsOfTheReport) {
   report.units = LengthUnit::inch;
   const auto rows = rows_of(summary_csv({report}));
   EXPECT_EQ(cell(rows, 1, "units"), "inch");
-  EXPECT_DOUBLE_EQ(std::stod(cell(rows, 1, "length")), 100.0 / 25.4);
+  EXPECT_NEAR(std::stod(cell(rows, 1, "length")), 100.0 / 25.4, 5e-6);
   EXPECT_DOUBLE_EQ(std::stod(cell(rows, 1, "volume_ratio")), 1.0);
 }
 

@@ -1,5 +1,7 @@
 #include "taken_shop.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <gtest/gtest.h>
 
 namespace planish::job {
@@ -70,7 +72,7 @@ TEST(TakenShop, FindsMaterialsInUpperAndLowerCase) {
   EXPECT_EQ(request.shop->material, 0);
   EXPECT_TRUE(take_material(request, "BRASS"));
   EXPECT_EQ(request.shop->material, 1);
-  EXPECT_EQ(request.density, 7.8) << "brass says none";
+  EXPECT_FALSE(request.density) << "brass says none, and steel's is not its own";
   // Letters alone have two cases: '{' is no '['.
   request.shop->shop.materials[0].name = "a[";
   EXPECT_FALSE(take_material(request, "a{"));
@@ -92,6 +94,79 @@ TEST(TakenShop, GivesWayToOptions) {
   EXPECT_TRUE(take_material(request, "steel"));
   EXPECT_EQ(request.density, 7.8);
   EXPECT_EQ(request.bending.plan.tensile_strength, 2.0);
+}
+
+/// A request with a shop of two metals and a list.
+Request listed(const std::string& rows) {
+  Request request;
+  request.input = "in/Bracket.step";
+  take_shop(request, two_metals());
+  request.materials = PartMaterials::parse("part;material;density;quantity\n" + rows, "m.csv")
+                          .value();
+  return request;
+}
+
+TEST(TakenShop, TakesTheMaterialThatAListSaysOfThePart) {
+  const Request request = listed("leg*;Brass;8.5;20\nbracket;STEEL;;\n");
+  Report leg;
+  leg.body = "Leg 1";
+  leg.quantity = 4;
+  leg.material = "oak";
+  leg.density = 0.7;
+  const auto mine = request_of_part(request, leg);
+  ASSERT_TRUE(mine) << mine.error().message;
+  EXPECT_EQ(mine->shop->chosen().name, "brass");
+  EXPECT_EQ(leg.material, "brass") << "as the shop spells it";
+  EXPECT_EQ(leg.quantity, 20);
+  EXPECT_EQ(mine->density, 8.5);
+  EXPECT_FALSE(leg.density) << "that of the file is oak's";
+  Report seat;
+  seat.body = "seat";
+  ASSERT_TRUE(request_of_part(request, seat)) << "called as its file";
+  EXPECT_EQ(seat.material, "Steel");
+  EXPECT_EQ(seat.quantity, 1);
+  ASSERT_TRUE(request_of_part(listed("bracket.step;brass;;\n"), seat));
+  EXPECT_EQ(seat.material, "brass") << "called as its file, suffix and all";
+}
+
+TEST(TakenShop, TakesTheMaterialForAllWhereAListSaysNothing) {
+  Request request = listed("leg;brass;;\n");
+  Report seat;
+  seat.material = "Steel";
+  EXPECT_EQ(request_of_part(request, seat)->shop->material, 0) << "as its file says";
+  seat.material.clear();
+  EXPECT_EQ(request_of_part(request, seat).error().code, code::bad_option);
+  ASSERT_TRUE(take_material(request, "steel"));
+  request.material = "Steel";
+  EXPECT_EQ(request_of_part(request, seat)->shop->material, 0);
+  EXPECT_EQ(seat.material, "Steel");
+  Report leg;
+  leg.body = "leg";
+  EXPECT_EQ(request_of_part(request, leg)->shop->material, 1);
+}
+
+TEST(TakenShop, KeepsTheCurvesOfAMaterialToItsParts) {
+  Request request;
+  request.materials = PartMaterials::parse("part,material\nleg,brass\nseat,dc04\n", "m.csv")
+                          .value();
+  request.allowance = MaterialCurves{"DC04", {}, {}};
+  request.material = "DC04";
+  for (const auto& [body, curves] : {std::pair{"leg", false}, {"seat", true}, {"back", true}}) {
+    Report part;
+    part.body = body;
+    EXPECT_EQ(request_of_part(request, part)->allowance.has_value(), curves) << body;
+    EXPECT_EQ(lower_case(part.material), curves ? "dc04" : "brass") << body;
+  }
+}
+
+TEST(TakenShop, RefusesAListWithWhatItDoesNotStock) {
+  EXPECT_FALSE(unstocked(listed("leg;brass;;\n")));
+  const auto wrong = unstocked(listed("leg;brass;;\nseat;oak;;\n"));
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->code, code::bad_option);
+  EXPECT_EQ(wrong->where, "materials");
+  EXPECT_NE(wrong->message.find("m.csv, line 3"), std::string::npos) << wrong->message;
+  EXPECT_NE(wrong->message.find("oak"), std::string::npos);
 }
 
 TEST(TakenShop, AsksForAMaterialWhereThereAreSeveral) {

@@ -107,7 +107,7 @@ TEST(TransitionJob, TakesKFromTheCommandThenTheFileThenTheDefault) {
   const auto ruled = transition_between(file, request);
   ASSERT_FALSE(ruled);
   EXPECT_EQ(ruled.error().code, code::bad_option);
-  EXPECT_EQ(ruled.error().where, "k");
+  EXPECT_EQ(ruled.error().where, "din6935");
 }
 
 TEST(TransitionJob, IsRefusedWithItsPlaceInTheFile) {

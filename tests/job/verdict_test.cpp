@@ -79,18 +79,62 @@ TEST(Verdict, NotesPilotHolesAndWhatIsNotCut) {
   }
 }
 
-TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
-  Certificate certificate = perfect();
-  certificate.volume_ratio = 1.004;
+FlatPattern countersunk() {
   FlatPattern flat = test::sample_pattern();
   flat.features = {{"countersink", FormSide::up, {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
-  const auto found = doubts(certificate, flat, kVolume, {});
+  return flat;
+}
+
+TEST(Verdict, SaysNothingOfAVolumeThatMeasuredFeaturesExplain) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  EXPECT_TRUE(doubts(certificate, countersunk(), kVolume, {}).empty());
+}
+
+TEST(Verdict, TakesFeaturesThatAreNotMeasuredAsTheCauseOfAVolumeThatDiffers) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  certificate.explained_ratio = kNotANumber;
+  const auto found = doubts(certificate, countersunk(), kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "volume_identity");
+  EXPECT_EQ(found[0].severity, Severity::warning);
   EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink up, which"));
-  EXPECT_EQ(found[0].at.size(), 1u);
-  EXPECT_THAT(found[0].message, HasSubstr("without them it is 1"));
+  ASSERT_EQ(found[0].at.size(), 1u);
+  EXPECT_NEAR((found[0].at[0] - Vec2(20, 30)).norm(), 0.0, 1e-2);
   EXPECT_THAT(found[0].message, Not(HasSubstr("missed")));
+}
+
+TEST(Verdict, ShowsAChamferAtAnEdge) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  certificate.explained_ratio = kNotANumber;
+  FlatPattern flat = test::sample_pattern();
+  flat.features = {
+      {"chamfer", FormSide::up, {{Segment{{1, 1}, {99, 1}}, Segment{{99, 1}, {1, 1}}}}}};
+  EXPECT_EQ(doubts(certificate, flat, kVolume, {}).at(0).at, std::vector<Vec2>{Vec2(50, 1)});
+}
+
+TEST(Verdict, TellsWhereAVolumeIsNotMissed) {
+  Certificate certificate = perfect();
+  certificate.explained_ratio = certificate.volume_ratio = 1.004;
+  certificate.opening_error = 1e-9;
+  const auto found = doubts(certificate, test::sample_pattern(), kVolume, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].message, HasSubstr("along the outer contour or in a bend"));
+}
+
+TEST(Verdict, ShowsAnOpeningThatIsNotWhatTheSolidLacks) {
+  Certificate certificate = perfect();
+  certificate.opening_error = 0.1;
+  certificate.opening_error_at = {7, 8};
+  const auto found = doubts_of(certificate);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "opening_size");
+  EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
+  EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
+  certificate.opening_error = 0.6;
+  EXPECT_EQ(disbelief(certificate, kVolume, {})->code, code::pattern_wrong);
 }
 
 TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
@@ -101,6 +145,11 @@ TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
   const auto found = doubts(certificate, flat, kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("a missed feature"));
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  certificate.volume_ratio = 1.004;
+  certificate.explained_ratio = kNotANumber;
+  EXPECT_EQ(doubts(certificate, flat, kVolume, {}).at(0).severity, Severity::warning)
+      << "forms that could not be measured explain nothing";
 }
 
 TEST(Verdict, AllowsMoreWhereFormsCouldNotBeMeasured) {
@@ -155,6 +204,49 @@ TEST(Verdict, MakesOneRefusalOfSeveralOverlaps) {
   EXPECT_EQ(refusal->code, code::overlap);
   EXPECT_THAT(refusal->message, HasSubstr("12.5 mm² are covered twice, and at 2 more places"));
   EXPECT_THAT(refusal->where, HasSubstr("(1, 2)"));
+}
+
+TEST(Verdict, AsksAboutASizeThatNoShopHas) {
+  for (const auto& [thickness, length] :
+       {std::pair{0.02, 3.0}, {0.5, 30.0}, {3.0, 12000.0}, {300.0, 8000.0}})
+    EXPECT_FALSE(size_doubt(thickness, length)) << thickness;
+  // Metres for millimetres, and the other way round.
+  for (const auto& [thickness, length] :
+       {std::pair{2000.0, 86094.0}, {0.002, 0.086}, {500.0, 2000.0}, {20.0, 40000.0}}) {
+    const auto doubt = size_doubt(thickness, length);
+    ASSERT_TRUE(doubt) << thickness;
+    EXPECT_EQ(doubt->code, "unlikely_size");
+    EXPECT_EQ(doubt->severity, Severity::warning);
+    ASSERT_EQ(doubt->numbers.size(), 2u);
+    EXPECT_EQ(doubt->numbers[0].quantity.value, thickness);
+  }
+}
+
+TEST(Verdict, RefusesAnErrorUnderItsOwnCodeUnlessItIsWrittenAnyway) {
+  const Finding lost{"lost_opening", Severity::error, "the solid has 8 openings, one is lost", {}};
+  const Finding extra{"extra_opening", Severity::error, "the pattern has one too many", {}};
+  const Finding through{
+      "self_intersection", Severity::error, "flange 3 runs through itself", {{5, 6}}};
+  const Finding covers{"overlap", Severity::error, "3 mm² are covered twice", {{1, 2}}};
+  const Finding low{"flange_height", Severity::warning, "bend B1 leaves 2 mm", {{7, 8}}};
+  EXPECT_FALSE(error_refusal({}, {}));
+  EXPECT_FALSE(error_refusal({low, covers}, {}))
+      << "a warning writes; an overlap refuses by itself";
+  for (const Finding& finding : {lost, extra, through}) {
+    const auto refusal = error_refusal({low, finding}, {});
+    ASSERT_TRUE(refusal) << finding.code;
+    EXPECT_EQ(refusal->code.name, finding.code);
+    EXPECT_EQ(refusal->code.status, ExitStatus::refused);
+    ASSERT_EQ(refusal->remedies.size(), 1u);
+    EXPECT_EQ(refusal->remedies[0].option, "write_anyway");
+  }
+  const auto both = error_refusal({lost, low, through}, {});
+  ASSERT_TRUE(both);
+  EXPECT_THAT(both->message, HasSubstr("The solid has 8 openings, one is lost, and 1 more error is "
+                                       "found. Set `write_anyway`"));
+  PatternChecks checks;
+  checks.write_anyway = true;
+  EXPECT_FALSE(error_refusal({covers, lost, through}, checks));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(Stock, IsListedAsCsv) {
   EXPECT_EQ((*table)[0].fields,
             (std::vector<std::string>{"file", "material", "thickness", "pieces", "use", "parts"}));
   EXPECT_EQ((*table)[1].fields, (std::vector<std::string>{"sheet_S235_2mm_1", "S235", "2", "3",
-                                                          "42.857", "a_x2 ×2; b_x1 ×1"}));
+                                                          "42.8571", "a_x2 ×2; b_x1 ×1"}));
 }
 
 TEST(Stock, IsDrawnWithItsParts) {

@@ -274,6 +274,10 @@ class Errors(PythonTest):
         with self.assertRaises(planish.InvalidInput) as caught:
             planish.unfold(BRACKET, bend_k={"B9": 0.4})
         self.assertIn("B9", caught.exception.message)
+        with self.assertRaises(planish.InvalidInput) as caught:
+            planish.unfold(BRACKET, k=0.4, din6935=True)
+        self.assertEqual(caught.exception.where, "din6935")
+        self.assertIn("`k` and `din6935` each say where K comes from", caught.exception.message)
         with self.assertRaises(planish.InvalidInput):
             planish.unfold(b"solid cube")
         with self.assertRaises(planish.InvalidInput):

@@ -24,6 +24,16 @@ TEST(Table, AlignsColumnsToTheSideTheyAreFor) {
             "> bracket  1000.5\n");
 }
 
+TEST(Table, LeavesOutTheMiddleOfLongNames) {
+  Table table({{"part", Align::left, 9}, {"of"}});
+  table.add({std::string(3000, 'a') + "é2", "steel"});
+  table.add({"bracket-1", "brass"});
+  EXPECT_EQ(table.text(),
+            "part       of\n"
+            "aaaaaa…é2  steel\n"
+            "bracket-1  brass\n");
+}
+
 TEST(Table, CountsCodePointsAndNotBytes) {
   EXPECT_EQ(display_width("90.0°"), 5u);
   EXPECT_EQ(display_width("träger – €𝄞"), 11u);

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 namespace planish::test {
 namespace {
 
@@ -79,6 +81,31 @@ RC_GTEST_PROP(CsvRow, IsReadBackAsItWas, ()) {
   const auto found = records(csv_row(cells));
   RC_ASSERT(found.size() == 1U);
   RC_ASSERT(found.front().fields == cells);
+}
+
+TEST(CsvNumber, HasUpToSixDigitsAndNoExponent) {
+  EXPECT_EQ(csv_number(2.0000000000000004), "2");
+  EXPECT_EQ(csv_number(0.5), "0.5");
+  EXPECT_EQ(csv_number(1000.0), "1000");
+  EXPECT_EQ(csv_number(151.59582910), "151.596");
+  EXPECT_EQ(csv_number(0.00430288302), "0.00430288");
+  EXPECT_EQ(csv_number(234667.83), "234668");
+  EXPECT_EQ(csv_number(12345678.9), "12345679") << "whole numbers keep their digits";
+  EXPECT_EQ(csv_number(999999.7), "1000000");
+  EXPECT_EQ(csv_number(-1.25), "-1.25");
+  EXPECT_EQ(csv_number(0.0), "0");
+  EXPECT_EQ(csv_number(-1.4e-14), "0") << "no minus before it";
+  EXPECT_EQ(csv_number(std::nan("")), "");
+  EXPECT_EQ(csv_number(std::optional<double>()), "");
+  EXPECT_EQ(csv_number(std::optional(0.1)), "0.1");
+}
+
+RC_GTEST_PROP(CsvNumber, IsReadBackToSixDigits, (int thousandths)) {
+  const double value = thousandths / 1000.0;
+  const std::string text = csv_number(value);
+  RC_ASSERT(std::abs(std::stod(text) - value) <= 0.51e-5 * std::abs(value));
+  RC_ASSERT(text.find('e') == std::string::npos);
+  RC_ASSERT(text.find('.') == std::string::npos || text.back() != '0');
 }
 
 }  // namespace

@@ -303,6 +303,16 @@ TEST(Cutout, AtTheEndOfASlitHasItsArea) {
     }
 }
 
+TEST(Cutout, LeavesOutSlitsThatNoLaserCuts) {
+  for (const double deep : {0.04, 0.06, 0.11, 0.3}) {
+    const FlatPattern drawn = with_slits_drawn_once(
+        pattern_of({{0, 0}, {100, 0}, {100, 60}, {30, 60}, {30, 60 - deep}, {30, 60}, {0, 60}}));
+    EXPECT_EQ(drawn.slits.size(), deep > 0.1 ? 1u : 0u) << deep;
+    EXPECT_NEAR(drawn.area, 6000, 1e-9);
+    EXPECT_NEAR(length(drawn.outer.loop), 320, 1e-9) << "gone from the outline";
+  }
+}
+
 TEST(Cutout, KeepsACornerSharp) {
   for (int corner = 0; corner < 4; ++corner) {
     Cutout cutout = rectangle_at({60, 30}, {5, 2}, 1.5);

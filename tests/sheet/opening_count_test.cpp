@@ -54,6 +54,7 @@ TEST(CountedOpenings, AreThoseOfThePatternAndOfItsForms) {
   EXPECT_EQ(pattern.slits.size(), 2u);
   const OpeningCount count = counted(sheet, pattern);
   EXPECT_EQ(count.pattern, 5) << "slits that touch are one";
+  EXPECT_EQ(count.slits, 1);
   EXPECT_EQ(count.lost(), 0);
   EXPECT_TRUE(count.missing.empty());
 }

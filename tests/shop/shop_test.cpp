@@ -97,6 +97,7 @@ TEST(ParseShop, ReadsTheExample) {
   EXPECT_NEAR(shop.materials[0].gauges[2].k_factor, ((8.0 - 3.84) / (pi / 2.0) - 2.0) / 2.0, 1e-12);
   ASSERT_TRUE(shop.layers);
   EXPECT_EQ(shop.layers->outer, "CUT");
+  EXPECT_EQ(shop.layers->slits, shop.layers->openings) << "all that is cut within the part";
   EXPECT_EQ(shop.layers->bend_zone, layer_names(LayerProfile::standard).bend_zone);
 }
 

@@ -235,6 +235,21 @@ class Rubbish(StudioTest):
         self.assert_problem(self.studio.post(document, "files/dxf"), "not_a_sheet")
         self.assertEqual(self.studio.post(document, "files/json").json()["status"], "refused")
 
+    def test_files_of_what_has_an_error_are_there_for_the_asking(self):
+        # A plate that comes back through the bend between the two others.
+        plates = [[[0, 0, 0], [200, 0, 0], [200, 100, 0], [0, 100, 0]],
+                  [[0, 120, 20], [200, 120, 20], [200, 120, 120], [0, 120, 120]],
+                  [[50, 72.4, 109.9], [150, 72.4, 109.9], [150, 118.1, -1.1], [50, 118.1, -1.1]]]
+        spec = {"thickness": 4, "plates": [{"id": name, "outline": outline} for name, outline in zip("ABC", plates)],
+                "bends": [{"between": ["A", "B"], "inside_radius": 12}, {"between": ["B", "C"]}]}
+        document = self.studio.open("through.json", json.dumps(spec)).json()["id"]
+        shape = self.studio.shape(document, "result", spec)
+        self.assertEqual(shape.report["status"], "refused")
+        self.assertGreater(len(shape.arrays["points"]), 0)  # it is seen all the same
+        error = self.assert_problem(self.studio.post(document, "files/dxf", spec), "self_intersection")
+        self.assertEqual(error["remedy"]["option"], "--write-anyway")
+        self.assertTrue(self.studio.post(document, "files/dxf", spec, write_anyway=True).is_good)
+
     def test_documents_that_are_not_there(self):
         for document in ("d99", "d", "x", "d-1", "d1x", "1"):
             for method, what in (("POST", "draft"), ("POST", "result"), ("POST", "open"), ("POST", "files/dxf"), ("POST", "cancel"), ("GET", "progress"), ("PUT", "attachments/a.xyz")):

@@ -224,6 +224,7 @@ class Shapes(StudioTest):
             grown = math.radians(after["angle"]) * 0.1 * plain.report["sheet"]["thickness"] if after["id"] == "B2" else 0.0
             self.assertAlmostEqual(after["allowance"] - before["allowance"], grown, delta=1e-9)
         self.assert_problem(self.studio.post(document, "draft", bend_k={"B99": 0.5}), "bad_option")
+        self.assert_problem(self.studio.post(document, "draft", k=0.4, din6935=True), "bad_option")
         self.assertIsNotNone(self.studio.shape(document, "result", bend_k={"B1": 0.3}).report["verification"])
 
     def test_what_is_refused_is_still_seen(self):

@@ -49,7 +49,7 @@ LIBRARIES = {
     "libnest2d/libnest2d.hpp": {"nest"},
     "polyclipping/clipper.hpp": {"nest"},
     "nlohmann/json.hpp": {"io", "schema", "shop", "drawing", "job", "batch", "serve", "pack"},
-    "zlib.h": {"pack"},
+    "zlib.h": {"brep", "pack"},
     "gp_Pnt.hxx": {"brep"},
     "coin/Cbc_C_Interface.h": set(),
     "CLI/CLI.hpp": set(),

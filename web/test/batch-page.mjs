@@ -38,8 +38,11 @@ await page.waitForTimeout(700);
 seen.scrolled = await loaded();
 await page.screenshot({ path: `${pictures}/scrolled.png` });
 
-await page.selectOption('#status', 'refused');
+seen.sums = await page.evaluate(() => [...document.querySelectorAll('#sums button')].map((one) => one.textContent));
+seen.passed = await page.textContent('#passed-count');
+await page.click('#sums button.refused');
 seen.refused = await count();
+seen.why = await page.textContent('#rows tr .status');
 await page.selectOption('#status', 'ok');
 seen.ok = await count();
 await page.selectOption('#status', '');

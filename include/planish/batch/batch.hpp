@@ -32,12 +32,23 @@ struct BatchProgress {
   double seconds = 0.0;           ///< of this run
 };
 
+/// Parts that were refused for the same reason.
+struct RefusedFor {
+  std::string code, message;
+  std::string first;  ///< one of them
+  std::size_t count = 1;
+};
+/// Counts one more part.
+void count_refused(std::vector<RefusedFor>& all, const RefusedFor& one);
+
 struct BatchResult {
   std::size_t inputs = 0;   ///< of this shard
   std::size_t resumed = 0;  ///< inputs that an earlier run had done
   std::size_t left = 0;     ///< inputs of earlier runs that are asked for no more; their files stay
   std::size_t parts = 0, ok = 0, warnings = 0, refused = 0;
-  std::size_t distinct = 0;   ///< parts made, identical ones counted once
+  std::size_t distinct = 0;             ///< parts made, identical ones counted once
+  std::vector<RefusedFor> refused_for;  ///< in the order of the parts
+  PassedOver passed_over;
   std::filesystem::path out;  ///< the folder that was written
 };
 
@@ -54,9 +65,10 @@ int run_batch_worker(const std::string& parent, std::uint64_t memory,
 /// or takes too long costs that input; the others go on. What an earlier run did with the same
 /// content, options and version of the program is kept. The result does not depend on the number of
 /// workers or on what was done before. Requires a program that calls `run_batch_worker` for the
-/// arguments "batch-worker MEMORY PARENT". Errors: `cannot_read`, `cannot_write`, `cancelled` (what
-/// is done is kept), `internal` (no process can be started).
-Result<BatchResult> run_batch(const std::vector<Input>& inputs, const std::filesystem::path& out,
+/// arguments "batch-worker MEMORY PARENT". Errors: those of the options, also where no part can be
+/// made with them, before any work; `cannot_read`, `cannot_write`, `cancelled` (what is done is
+/// kept), `internal` (no process can be started).
+Result<BatchResult> run_batch(const Inputs& inputs, const std::filesystem::path& out,
                               const BatchOptions& options, const job::Catalogue& catalogue,
                               const std::function<void(const BatchProgress&)>& report,
                               const std::function<bool()>& cancelled);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/batch/inputs.hpp>
 #include <planish/batch/part_record.hpp>
 
 #include <filesystem>
@@ -18,10 +19,14 @@ std::string view_name(std::size_t piece);
 struct BatchPart {
   PartRecord record;
   std::filesystem::path files;  ///< the folder where its files are
+  int copies = 1;               ///< of its input that are wanted
 };
 
 /// Whether a folder holds the results of a batch.
 bool is_batch(const std::filesystem::path& out);
+
+/// What a finished batch passed over. Errors: those of `for_each_part`.
+Result<PassedOver> passed_over_by(const std::filesystem::path& out);
 
 /// Goes through the parts of a finished batch, in the byte order of their inputs, until `take`
 /// gives an error. Errors: `cannot_read` (also of a batch that is not finished), those of `take`.

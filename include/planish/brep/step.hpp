@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,9 @@ struct StepFile {
 };
 
 /// Reads a STEP file (AP203, AP214, AP242), or a shape in the kernel's own form (.brep, text or
-/// binary; lengths are mm). Identical bodies are merged (`quantity`); mirror images
-/// are not identical. Errors: `cannot_read`, `empty_file`, `not_step`, `truncated_file`,
-/// `shell_not_solid`, `no_solid`, `cancelled`.
+/// binary; lengths are mm), also packed: by gzip, or alone in a ZIP archive. Identical bodies are
+/// merged (`quantity`); mirror images are not identical. Errors: `cannot_read`, `empty_file`,
+/// `not_step`, `truncated_file`, `invalid_input`, `shell_not_solid`, `no_solid`, `cancelled`.
 Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress = {});
 /// The same from memory; `name` is used in messages.
 Result<StepFile> read_step_text(const std::string& text, const std::string& name,
@@ -60,6 +61,8 @@ struct RecognizeOptions {
                                     ///< as one
   double thickness_tolerance = 0.02;  ///< of the thickness: spread allowed between skins
   std::vector<int> rip_edges = {};    ///< along which the sheet is cut open (sheet/rip.hpp)
+  /// Only a sheet of this thickness (mm) is looked for, though it may be as narrow as a bar.
+  std::optional<double> thickness = {};
   /// What a closed sheet must pass, besides, for a refusal to name the rips that open it.
   SheetCheck passes = {};
 };

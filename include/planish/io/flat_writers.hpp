@@ -18,9 +18,10 @@ enum class BendMarks { lines, ticks };
 
 /// Layer names of a profile. `bend_zone` is empty where the profile has none. Inventor names a
 /// layer for formed features; the other profiles get a similar one, with neither BEND nor TANGENT
-/// in its name, because readers look for these words.
+/// in its name, because readers look for these words. Slits are lines that nothing closes: they
+/// have a layer of their own, but where all that is cut is on one.
 struct LayerNames {
-  std::string outer, openings, bend_up, bend_down, bend_zone, features;
+  std::string outer, openings, bend_up, bend_down, bend_zone, features, slits;
 };
 LayerNames layer_names(LayerProfile profile);
 
@@ -45,14 +46,14 @@ struct DxfOptions {
 /// per contour; bend lines with layer, colour and linetype; units in the header.
 ///
 /// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE
-/// each, on the layer of openings), openings, outer contour. With `keep`, a contour that holds a
+/// or ARC each), openings, outer contour. With `keep`, a contour that holds a
 /// spline is a chain of LINE, ARC and SPLINE whose ends meet within 1e-9 of the unit; all others,
 /// and all with `arcs`, are closed polylines with arcs of at most half a turn. Reals are written so
 /// that they read back as the same double; the enclosed area is that of the pattern, except where
 /// splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
-/// bend up 5, bend down 1, bend zone 8, formed features 3. With `bend_text` a TEXT at each bend
-/// comes first, on the layer TEXT, colour 8, as high as its bend line has room for, at most 3 mm.
-/// With `turn_to_blank` the pattern is laid by `laid_by_blank`.
+/// slits 6, bend up 5, bend down 1, bend zone 8, formed features 3. With `bend_text` a TEXT at each
+/// bend comes first, on the layer TEXT, colour 8, as high as its bend line has room for, at most 3
+/// mm. With `turn_to_blank` the pattern is laid by `laid_by_blank`.
 ///
 /// Errors: `bad_option` (arc_tolerance or tick_length is not positive), `internal` (a contour is
 /// empty, has no extent or is not finite).

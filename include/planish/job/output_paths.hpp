@@ -3,6 +3,7 @@
 #include <planish/base/result.hpp>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace planish::job {
@@ -17,6 +18,9 @@ Result<void> folder_exists(const std::filesystem::path& file);
 
 /// `bad_option` for two outputs with one name, of which only the last would remain.
 Result<void> all_different(const std::vector<std::filesystem::path>& outputs);
+
+/// What files made of an input are called: "part" for part.step, part.step.gz and part.stp.zip.
+std::string stem_of_input(const std::filesystem::path& input);
 
 /// net.dxf; for several pieces net-1.dxf, net-2.dxf, …; `piece` counts from 0.
 std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece, int pieces);

@@ -32,9 +32,11 @@ std::string_view status_name(Status status);
 /// contour is not empty) then hold what was known. Lengths are mm; `units` is for the reports.
 struct Report {
   std::string input;
-  std::string body;  ///< name of the part: of the body in its file, or of its input file
-  std::string material, colour;   ///< "S235", "#rrggbb" as its file says; empty: it does not say
-  std::optional<double> density;  ///< kg/dm³, likewise
+  std::string body;      ///< name of the part: of the body in its file, or of its input file
+  std::string material;  ///< "S235", as it was chosen, or its file says; empty: neither
+  std::string colour;    ///< "#rrggbb" as its file says; empty: it does not say
+  std::optional<double> density;  ///< kg/dm³, likewise, of that material
+  int quantity = 1;               ///< pieces: in its file, or wanted
   std::optional<Error> refusal;   ///< empty in what an `Outcome` holds
   SheetSummary summary;
   Sheet sheet;  ///< the faces and bends that `flat` refers to; no faces if it was not known

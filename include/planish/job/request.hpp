@@ -6,6 +6,7 @@
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/option_value.hpp>
 #include <planish/sheet/layout.hpp>
+#include <planish/shop/part_materials.hpp>
 #include <planish/shop/shop.hpp>
 
 #include <filesystem>
@@ -28,6 +29,8 @@ struct CertificateBounds {
   double length_refusal = 0.5;       ///< mm
   double refold_warning = 0.02;      ///< mm; twice that, since two borders meet in a corner
   double refold_refusal = 0.5;       ///< mm
+  double opening_warning = 0.01;     ///< mm all round
+  double opening_refusal = 0.5;      ///< mm all round
 };
 
 /// How much of a request is computed. `draft`: only the sheet and its flat pattern, for display
@@ -50,6 +53,7 @@ struct PatternChecks {
   Effort effort = Effort::full;
   Rules rules;
   bool write_overlapping = false;  ///< write the pattern although it covers itself
+  bool write_anyway = false;       ///< write it whatever error was found in it
   CertificateBounds bounds;
   std::optional<double> density;  ///< kg/dm³; gives the mass
   Bending bending;
@@ -76,13 +80,16 @@ struct JoinOptions {
 /// A request to a maker, as data. `options()` has an entry for each member except `input` and
 /// `own`; a maker uses those that its own entry lists.
 struct Request : PatternChecks {
-  std::filesystem::path input;             ///< "-" reads standard input
-  std::string body;                        ///< number (1-based) or name; empty: the only body
-  std::optional<AllowanceRule> allowance;  ///< empty: the file's, or else the default
+  std::filesystem::path input;                   ///< "-" reads standard input
+  std::string body;                              ///< number (1-based) or name; empty: the only body
+  std::optional<AllowanceRule> allowance;        ///< empty: the file's, or else the default
+  std::optional<shop::PartMaterials> materials;  ///< the material of each part that has a row
+  std::string material;  ///< name of that of all others: of a file or the shop's; empty: not said
   std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends by id ("B1");
                                                        ///< overrides `allowance`
   std::string root = "largest";                        ///< "largest" or a face number
   std::vector<int> rip_edges;                          ///< of the solid, along which it is cut open
+  std::optional<double> thickness;  ///< of the sheet in the solid, mm; empty: the likeliest
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of the face to face up
   ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
   ReliefOptions relief;

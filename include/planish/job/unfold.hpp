@@ -13,6 +13,7 @@
 namespace planish {
 class Body;
 struct Recognized;
+struct StepFile;
 }  // namespace planish
 
 namespace planish::job {
@@ -21,7 +22,7 @@ namespace planish::job {
 struct UnfoldReport : Report {
   int number = 1;          ///< the body's number in its file, as in `planish info`
   int bodies_in_file = 1;  ///< distinct bodies
-  int quantity = 1;
+  int surface_bodies = 0;  ///< shells in the file that belong to no solid: they are left out
 };
 
 /// Unfolds one body. The error shows a report if the body has no flat pattern; it shows none if the
@@ -54,6 +55,10 @@ Outcome<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognize
 
 /// The report of a request that ended with an error, so that scripts find the reason in one place.
 UnfoldReport failed_unfold(const Request& request, const Error& error);
+
+/// Says where in its file the body is, from 0, and what else is there: a note, where there is one
+/// body.
+void place_in_file(UnfoldReport& report, const StepFile& file, int body);
 
 class Made;
 /// The report as a source of artifacts; without the mesh of its body.

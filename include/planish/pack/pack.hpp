@@ -24,24 +24,26 @@ struct Stock {
 };
 
 struct PackOptions {
-  std::string options = "{}";  ///< JSON object, as in requests: how parts are made and written
+  /// JSON object, as in requests: how parts are made and written, and the list of their materials.
+  std::string options = "{}";
   int workers = 1;
-  process::Limits limits;                   ///< as of a batch
-  bool plan = true;                         ///< find out whether a press brake can bend each part
-  std::optional<GivenFile> materials = {};  ///< CSV: names of parts, their material and density
-  std::optional<GivenFile> rates = {};      ///< JSON: what the shop asks for work and material
-  std::optional<Stock> stock = {};          ///< lay the parts of each group on sheets
-  bool drawings = true;                     ///< a PDF of each part, and the cover
-  bool zip = false;                         ///< the pack once more as one file
+  process::Limits limits;               ///< as of a batch
+  bool plan = true;                     ///< find out whether a press brake can bend each part
+  std::optional<GivenFile> rates = {};  ///< JSON: what the shop asks for work and material
+  std::optional<Stock> stock = {};      ///< lay the parts of each group on sheets
+  bool drawings = true;                 ///< a PDF of each part, and the cover
+  bool zip = false;                     ///< the pack once more as one file
 };
 
 struct PackResult {
-  std::size_t parts = 0;                     ///< distinct ones
-  std::size_t pieces = 0;                    ///< of all parts together, by their quantities
-  std::size_t groups = 0;                    ///< of one material and thickness
-  std::size_t refused = 0;                   ///< bodies
-  std::size_t sheets = 0;                    ///< of stock that are needed
-  std::vector<std::string> notes;            ///< of what could not be done, one sentence each
+  std::size_t parts = 0;           ///< distinct ones
+  std::size_t pieces = 0;          ///< of all parts together, by their quantities
+  std::size_t groups = 0;          ///< of one material and thickness
+  std::size_t refused = 0;         ///< bodies
+  std::size_t sheets = 0;          ///< of stock that are needed
+  std::vector<std::string> notes;  ///< of what could not be done, one sentence each
+  std::vector<batch::RefusedFor> refused_for;
+  batch::PassedOver passed_over;
   std::vector<std::filesystem::path> files;  ///< written, below the folder
 };
 

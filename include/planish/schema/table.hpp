@@ -13,6 +13,7 @@ class Table {
   struct Column {
     std::string title;
     Align align = Align::left;
+    std::size_t most = 0;  ///< characters of a cell, a name (`printable_name`); 0: any number
   };
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}

@@ -29,6 +29,7 @@ class SheetBuilder {
             double mitre_volume = 0.0);
   /// Adds a feature; mark the borders beyond which it lies with its id.
   FeatureId add_feature(FormedFeature feature);
+  void add_opening(const MeasuredOpening& opening);
   void add_label(PointLabel label);
 
   Face& operator[](FaceId id) { return sheet_.faces[id]; }

@@ -12,6 +12,7 @@ namespace planish {
 struct OpeningCount {
   std::optional<int> solid;  ///< genus of the solid; none: there is no solid, or it is not known
   int pattern = 0;           ///< openings as written, and slits with both ends in the material
+  int slits = 0;             ///< of these, slits
   int features = 0;  ///< within formed features, where the pattern lists but does not cut them
   int loops = 0;     ///< handles of the sheet itself: joints that close and lie flat
   /// Where openings were looked for and not found among what is written.
@@ -42,6 +43,11 @@ struct Certificate {
   std::optional<double> refold_deviation = {};
   Vec2 refold_at = Vec2::Zero();
   OpeningCount openings;
+  /// The opening that fits worst to what the solid lacks there: the difference of volumes as a mean
+  /// distance all round its edge, or how far walls reach into it, mm (math.md#opening-balance).
+  /// Empty where none was measured.
+  std::optional<double> opening_error = {};
+  Vec2 opening_error_at = Vec2::Zero();
 };
 
 /// Distance from a point in space to an edge of the solid, by the edge's number. Makers supply it.

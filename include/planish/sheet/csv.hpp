@@ -2,6 +2,7 @@
 
 #include <planish/base/result.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,11 @@ struct CsvRecord {
 /// `#` at the start of a field to the end of the line. The separator is the first record's: a
 /// semicolon if it has one, else a tab, else a comma. Errors: `invalid_input` with name:line.
 Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::string& name);
+
+/// A number of up to six digits, without an exponent and without zeros that say nothing; a whole
+/// number of more digits keeps them. Empty for what is not known or not a number.
+std::string csv_number(double value);
+std::string csv_number(const std::optional<double>& value);
 
 /// A row as CSV (RFC 4180) with its line end: cells in which a separator, quote or line break would
 /// be misread are quoted.

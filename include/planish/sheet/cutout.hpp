@@ -6,6 +6,8 @@ namespace planish {
 
 /// Two lines this near to each other are one, mm: as near as contours are recognised.
 inline constexpr double kDrawnOnce = 1e-5;
+/// Half the kerf of a laser, mm: a shorter slit cannot be cut, and is noise of the model.
+inline constexpr double kShortestSlit = 0.1;
 
 /// A rectangle, its corners rounded if wanted, that is taken out of a pattern.
 struct Cutout {
@@ -35,7 +37,8 @@ Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout,
 
 /// The slits that run there and back along the same line within contours, drawn once each in
 /// `slits`; contours that are only slits stay. The area stays, the perimeter counts slits once.
-/// `tolerance`: the two banks lie this close together, mm.
+/// `tolerance`: the two banks lie this close together, mm. Those shorter than `kShortestSlit`
+/// vanish.
 FlatPattern with_slits_drawn_once(FlatPattern pattern, double tolerance = kDrawnOnce);
 
 }  // namespace planish

@@ -137,6 +137,16 @@ struct FormedFeature {
   std::vector<BorderRef> along = {};  ///< free borders that it follows (a slanted cut)
 };
 
+/// What a solid lacks at an opening of a plane face, measured on its walls: the certificate holds
+/// what is cut there against it (math.md#opening-balance).
+struct MeasuredOpening {
+  FaceId face{};
+  int loop = 0;
+  double lacking = 0.0;    ///< between the skins, mm³
+  double beyond = 0.0;     ///< of that, what lies around the cut: countersinks, chamfers, grooves
+  double intrusion = 0.0;  ///< how far walls reach into the cut, seen along the normal, mm
+};
+
 /// The name of a point of a face, for drawings and templates.
 struct PointLabel {
   FaceId face{};
@@ -162,6 +172,7 @@ struct Sheet {
   IdVector<FlangeId, Flange> flanges;
   IdVector<BendId, Bend> bends;
   IdVector<FeatureId, FormedFeature> features;
+  std::vector<MeasuredOpening> measured_openings;  ///< of a solid; those within planes
   std::vector<PointLabel> labels;
   /// What the features add to the plain sheet (pockets: negative), mm³; empty if one of them cannot
   /// be measured.

@@ -58,10 +58,11 @@ struct TransitionSpec {
   Pressing pressing;  ///< default: rolled
 };
 
-enum class PatchKind { plane, cone, general };
+enum class PatchKind { plane, cylinder, cone, general };
 
-/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cone with its
-/// apex in a corner or anywhere, or a developable between two curves.
+/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cylinder of
+/// any section, whose rulings are parallel, a cone with its apex in a corner or anywhere, or a
+/// developable between two curves.
 struct TransitionPatch {
   PatchKind kind = PatchKind::plane;
   double area = 0.0;               ///< of the neutral surface, mm²
@@ -103,6 +104,7 @@ struct FoldedPiece {
   Sheet sheet;
   double cut_area = 0.0;                       ///< of the neutral surface, mm²: what was cut off
   std::array<std::array<Vec3, 2>, 2> seams{};  ///< ends in space of its first and last ruling
+  std::optional<std::array<Vec3, 2>> ridge = {};  ///< where both slopes of a roof meet, unjoined
 };
 
 struct TransitionOptions {

@@ -1,0 +1,248 @@
+#include "guarded.hpp"
+#include "step_out.hpp"
+
+#include <planish/brep/step.hpp>
+#include <planish/sheet/certificate.hpp>
+#include <planish/sheet/codes.hpp>
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <gmock/gmock.h>
+#include <gp_Ax2.hxx>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+// Parts as shops draw them: recesses on one side and counterbores on the other, beads and louvres
+// with sharp edges, boxes notched along a corner, gussets, strips as narrow as a bar.
+
+namespace planish::test {
+namespace {
+
+using std::numbers::pi;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TopoDS_Shape cuboid(const gp_Pnt& corner, double x, double y, double z) {
+  return BRepPrimAPI_MakeBox(corner, x, y, z).Shape();
+}
+TopoDS_Shape cuboid(double x, double y, double z) { return cuboid({0, 0, 0}, x, y, z); }
+
+TopoDS_Shape cut(const TopoDS_Shape& shape, const TopoDS_Shape& tool) {
+  return BRepAlgoAPI_Cut(shape, tool).Shape();
+}
+
+TopoDS_Shape fused(const TopoDS_Shape& shape, const TopoDS_Shape& other) {
+  ShapeUpgrade_UnifySameDomain whole(BRepAlgoAPI_Fuse(shape, other).Shape());
+  whole.Build();
+  return whole.Shape();
+}
+
+TopoDS_Shape pin(double x, double y, double z, double radius, double height) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, z), gp_Dir(0, 0, 1)), radius, height).Shape();
+}
+
+/// Edges both of whose ends satisfy the test are rounded.
+TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius,
+                     const std::function<bool(const gp_Pnt&)>& at) {
+  BRepFilletAPI_MakeFillet fillet(shape);
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (at(BRep_Tool::Pnt(TopExp::FirstVertex(edge))) &&
+        at(BRep_Tool::Pnt(TopExp::LastVertex(edge))))
+      fillet.Add(radius, edge);
+  }
+  return fillet.Shape();
+}
+
+Result<Recognized> found_in(const TopoDS_Shape& shape, const RecognizeOptions& options = {}) {
+  const auto text = brep::guarded([&] { return brep::step_text(shape, "part"); });
+  if (!text) return tl::unexpected(text.error());
+  const auto file = read_step_text(*text, "part.step");
+  if (!file) return tl::unexpected(file.error());
+  return recognize(file->bodies.front(), options);
+}
+
+struct Seen {
+  Sheet sheet;
+  FlatPattern flat;
+  Certificate certificate;
+};
+
+Seen seen_in(const TopoDS_Shape& shape, const RecognizeOptions& options = {}) {
+  const auto found = found_in(shape, options);
+  EXPECT_TRUE(found) << found.error().message;
+  if (!found) return {};
+  const auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
+  EXPECT_TRUE(flat) << flat.error().message;
+  if (!flat) return {};
+  const auto certificate = certify(found->sheet, *flat, found->distance);
+  EXPECT_TRUE(certificate) << certificate.error().message;
+  return {found->sheet, *flat, certificate.value_or(Certificate{})};
+}
+
+TopoDS_Shape with_recesses(TopoDS_Shape plate, double depth) {
+  for (const double x : {8.0, 38.0, 68.0})
+    plate = cut(plate, cuboid({x, 10, 0}, 20, 15, depth));
+  return plate;
+}
+
+TopoDS_Shape with_counterbores(TopoDS_Shape plate, double depth) {
+  for (const double x : {15.0, 37.0, 59.0, 81.0})
+    plate = cut(cut(plate, pin(x, 55, -1, 3, 10)), pin(x, 55, 2 - depth, 6, 10));
+  return plate;
+}
+
+TEST(ShopParts, PlatesMayHaveRecessesBelowAndCounterboresAbove) {
+  const TopoDS_Shape plate = cuboid(100, 80, 2);
+  for (const TopoDS_Shape& part : {with_recesses(plate, 0.3), with_counterbores(plate, 1),
+                                   with_counterbores(with_recesses(plate, 0.3), 1)}) {
+    const Seen seen = seen_in(part);
+    EXPECT_NEAR(seen.sheet.thickness, 2.0, 1e-9);
+    EXPECT_NEAR(seen.flat.area + pi * 9 * static_cast<double>(seen.flat.openings.size()), 8000,
+                1e-6);
+    EXPECT_NEAR(*seen.certificate.explained_ratio, 1.0, 1e-9);
+  }
+}
+
+/// Half a tube along x of 50 mm, with quarters of a ball at its ends.
+TopoDS_Shape capsule(double radius) {
+  const gp_Ax2 along(gp_Pnt(25, 30, 0), gp_Dir(1, 0, 0));
+  TopoDS_Shape whole = BRepPrimAPI_MakeCylinder(along, radius, 50).Shape();
+  for (const double x : {25.0, 75.0})
+    whole = BRepAlgoAPI_Fuse(whole, BRepPrimAPI_MakeSphere(gp_Pnt(x, 30, 0), radius).Shape())
+                .Shape();
+  return BRepAlgoAPI_Common(whole, cuboid(100, 60, 20)).Shape();
+}
+
+TEST(ShopParts, BeadsAndLouvresWithSharpEdgesAreForms) {
+  // Pressed up from a plate of 1 mm.
+  const TopoDS_Shape pressed = cut(fused(cuboid(100, 60, 1), capsule(5)), capsule(4));
+  // The half of the bead below y = 30 is cut off, and the plate there stays.
+  const TopoDS_Shape louvre = fused(cut(pressed, cuboid({10, 10, -5}, 80, 20, 20)),
+                                    cuboid(100, 30, 1));
+  for (const TopoDS_Shape& part : {pressed, louvre}) {
+    const Seen seen = seen_in(part);
+    EXPECT_NEAR(seen.sheet.thickness, 1.0, 1e-9);
+    EXPECT_EQ(seen.sheet.flanges.size(), 1u);
+    EXPECT_EQ(seen.sheet.bends.size(), 0u);
+    ASSERT_EQ(seen.flat.features.size(), 1u);
+    EXPECT_EQ(seen.flat.features[0].kind, "formed");
+    EXPECT_NEAR(seen.flat.area, 6000, 1e-6) << "nothing is cut away";
+    EXPECT_EQ(seen.certificate.openings.lost(), 0);
+  }
+}
+
+constexpr double kWall = 1.5;
+
+/// Open at the top, bent up along its bottom edges, sharp along its upright ones, with windows at
+/// the lower corners and six holes.
+TopoDS_Shape box() {
+  const auto at_bottom = [](double z) {
+    return [z](const gp_Pnt& p) { return std::abs(p.Z() - z) < 1e-9; };
+  };
+  const TopoDS_Shape outside = rounded(cuboid(80, 60, 30), 2 + kWall, at_bottom(0));
+  const TopoDS_Shape inside = rounded(
+      cuboid({kWall, kWall, kWall}, 80 - 2 * kWall, 60 - 2 * kWall, 30), 2, at_bottom(kWall));
+  TopoDS_Shape part = cut(outside, inside);
+  for (const double x : {0.0, 76.0})
+    for (const double y : {0.0, 56.0})
+      part = cut(part, cuboid({x, y, 0}, 4, 4, 4));
+  for (int i = 0; i < 6; ++i)
+    part = cut(part, pin(15 + 10 * i, 30, -1, 3, 10));
+  return part;
+}
+
+TEST(ShopParts, BoxesMayTouchAtCornersThatAreNotchedOutside) {
+  TopoDS_Shape part = box();
+  for (const double x : {0.0, 80.0 - 0.6 * kWall})
+    part = cut(part, cuboid({x, 0, 0}, 0.6 * kWall, 0.6 * kWall, 30));
+  const auto closed = found_in(part);
+  ASSERT_FALSE(closed);
+  EXPECT_EQ(closed.error().code, code::closed_loop) << "at the two other corners";
+  std::vector<int> rips;
+  for (const Place& place : closed.error().places)
+    if (place.kind == PlaceKind::edge) rips.push_back(std::get<int>(place.id));
+  const Seen seen = seen_in(part, {.rip_edges = rips});
+  EXPECT_EQ(seen.flat.openings.size(), 6u);
+  EXPECT_EQ(seen.certificate.openings.lost(), 0);
+  EXPECT_EQ(seen.certificate.openings.features, 2) << "where the walls touch";
+}
+
+/// 60 and 40 long, 50 wide, of 2 mm with an inside radius of 3.
+TopoDS_Shape angle() {
+  const auto along_y = [](double x, double z) {
+    return [x, z](const gp_Pnt& p) { return std::hypot(p.X() - x, p.Z() - z) < 1e-9; };
+  };
+  return cut(rounded(cuboid(60, 50, 40), 5, along_y(0, 0)),
+             rounded(cuboid({2, 0, 2}, 60, 50, 40), 3, along_y(2, 2)));
+}
+
+/// A triangle in the corner of the angle, this wide, 2 mm thick, in the middle of its length.
+TopoDS_Shape gusset(double leg) {
+  BRepBuilderAPI_MakePolygon triangle(gp_Pnt(1, 24, 1), gp_Pnt(2 + leg, 24, 1),
+                                      gp_Pnt(1, 24, 2 + leg), true);
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(triangle.Wire()).Face(), gp_Vec(0, 2, 0))
+      .Shape();
+}
+
+TEST(ShopParts, GussetAcrossABendIsAnotherPlate) {
+  EXPECT_EQ(seen_in(angle()).sheet.bends.size(), 1u);
+  for (const double leg : {7.0, 12.0, 20.0}) {
+    const auto found = found_in(fused(angle(), gusset(leg)));
+    ASSERT_FALSE(found) << leg;
+    EXPECT_EQ(found.error().code, code::not_a_sheet);
+    EXPECT_THAT(found.error().message, HasSubstr("beyond the sheet of 2 mm"));
+  }
+}
+
+/// A strip of 5 mm bent to an L, this wide.
+TopoDS_Shape strip(double width) {
+  const auto along_y = [](double x, double z) {
+    return [x, z](const gp_Pnt& p) { return std::hypot(p.X() - x, p.Z() - z) < 1e-9; };
+  };
+  return cut(rounded(cuboid(70, width, 50), 11, along_y(0, 0)),
+             rounded(cuboid({5, 0, 5}, 70, width, 50), 6, along_y(5, 5)));
+}
+
+TEST(ShopParts, StripsAsNarrowAsABarAreSheetsOfTheThicknessThatIsStated) {
+  const auto bar = found_in(strip(4));
+  ASSERT_FALSE(bar);
+  EXPECT_EQ(bar.error().code, code::not_a_sheet);
+  std::vector<std::string> offered;
+  for (const Remedy& remedy : bar.error().remedies)
+    if (remedy.option == "thickness") offered.push_back(remedy.value);
+  EXPECT_THAT(offered, ElementsAre("4", "5"));
+  const Seen bent = seen_in(strip(4), {.thickness = 5.0}),
+             flat = seen_in(strip(4), {.thickness = 4.0});
+  EXPECT_EQ(bent.sheet.bends.size(), 1u);
+  EXPECT_NEAR(bent.flat.area, 4 * (59 + 39 + pi / 2 * 8.5), 1e-6);
+  EXPECT_EQ(flat.sheet.bends.size(), 0u);
+  EXPECT_NEAR(flat.flat.area * 4, bent.flat.area * 5, 1e-6) << "of one volume";
+  EXPECT_EQ(seen_in(strip(3), {.thickness = 5.0}).sheet.bends.size(), 1u);
+  EXPECT_FALSE(found_in(strip(4), {.thickness = 7.0}));
+}
+
+TEST(ShopParts, BlocksAreToldTheirWidth) {
+  const auto cube = found_in(cuboid(40, 40, 40));
+  ASSERT_FALSE(cube);
+  EXPECT_THAT(cube.error().message, HasSubstr("40 mm thick and only about 40 mm wide"));
+}
+
+}  // namespace
+}  // namespace planish::test

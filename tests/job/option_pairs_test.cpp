@@ -1,0 +1,151 @@
+#include "job/job_requests.hpp"
+
+#include <planish/job/options.hpp>
+#include <planish/shop/tools_json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+// All pairs of options that a maker has, from its own table. Two either work together, so each of
+// them changes what comes out beside the other as it does alone, or the request is refused and says
+// which two. None may be taken and have no effect.
+
+namespace planish::job {
+namespace {
+
+using nlohmann::json;
+
+json file(const std::string& name, const json& content) {
+  return {{"name", name}, {"content", content}};
+}
+
+/// A value of each option that is not its default.
+json sample_of(const Option& option) {
+  static const std::map<std::string_view, json> kSamples{
+      {"body", "1"},
+      {"bend_k", {{"B1", 0.2}}},
+      {"rip_edges", "1"},
+      {"weights", "stroke=2"},
+      {"fix", "B2"},
+      {"shop",
+       file("s.json", json::parse(R"({"name": "S", "materials": [{"name": "steel", "density": 8,
+        "tensile_strength": 500, "gauges": [{"thickness": 2, "inside_radius": 3, "k": 0.3}]}],
+        "dxf": {"layers": {"outer": "CUT"}}, "limits": {"most_bends": 1}})"))},
+      {"materials", file("m.csv", "part;material;quantity\n*;Steel;3\n")},
+      {"material", file("x.json", json::parse(R"({"name": "steel",
+        "tension": {"power_law": {"strength": 500, "exponent": 0.2}},
+        "compression": {"power_law": {"strength": 600, "exponent": 0.2}}})"))},
+      {"k_table", file("k.csv", "r/t,k\n0.1,0.25\n9,0.25\n")},
+      {"rules", file("r.json", json::parse(R"({"flange_height_t": 30})"))},
+      {"tools", file("t.json", std::string(shop::default_tools_json()))},
+      {"piece", 0},
+      {"thickness", 2},
+      {"largest_span", 500},
+      {"up", "other"}};
+  if (const auto own = kSamples.find(option.name); own != kSamples.end()) return own->second;
+  switch (option.kind) {
+    case OptionKind::flag:
+      return true;
+    case OptionKind::whole:
+      return 1;
+    case OptionKind::number:
+      return 0.5;
+    case OptionKind::word:
+    case OptionKind::face:
+      return std::string(option.words.back());
+    default:
+      ADD_FAILURE() << "give a sample of " << option.name;
+      return nullptr;
+  }
+}
+
+/// What comes of options: the report and the pattern, or the error.
+struct Came {
+  std::string text;
+  std::optional<Error> error;
+};
+
+class OptionPairs : public ::testing::TestWithParam<const char*> {
+ protected:
+  const Maker& maker() const { return *built_in().maker(GetParam()); }
+
+  json input() const {
+    const json plates = {{"name", "channel.json"}, {"content", channel_plates_of_two_heights()}};
+    if (maker().format == "planish/plates") return plates;
+    if (maker().format == "planish/transition")
+      return {{"name", "cone.json"},
+              {"content", test::bytes_of_file(test::example("transition/a_square_to_round.json"))}};
+    const auto made = test::done_by(
+        {{"maker", "connect"}, {"input", plates}, {"artifacts", {"step"}}});
+    EXPECT_EQ(made.artifacts.size(), 1u);
+    return {{"name", "channel.step"}, {"content", made.artifacts.at(0).bytes}};
+  }
+
+  Came came_of(const json& what, const json& options) const {
+    const auto done = shown(run(
+        json{{"maker", GetParam()}, {"input", what}, {"options", options}, {"artifacts", {"dxf"}}}
+            .dump()));
+    if (!done) return {{}, done.error()};
+    std::string text = done->report;
+    for (const ArtifactFile& artifact : done->artifacts)
+      text += artifact.bytes;
+    return {text, std::nullopt};
+  }
+
+ private:
+  static json channel_plates_of_two_heights() {
+    json plates = test::channel_plates(40);
+    plates["plates"][2]["outline"][2][2] = 50;
+    plates["plates"][2]["outline"][3][2] = 50;
+    return plates;
+  }
+};
+
+bool names(const Error& error, std::string_view option) {
+  return error.message.find(std::string("`") + std::string(option) + "`") != std::string::npos;
+}
+
+TEST_P(OptionPairs, WorkTogetherOrAreRefusedByName) {
+  const json what = input();
+  const std::string plain = came_of(what, json::object()).text;
+  ASSERT_FALSE(plain.empty());
+  std::map<std::string_view, Came> alone;
+  std::map<std::string_view, json> samples;
+  for (const OptionUse& use : maker().options)
+    samples[use.name] = sample_of(use.entry());
+  // Another face that may stay where it is.
+  for (int face = 1; samples.contains("root") && face < 30; ++face) {
+    const Came came = came_of(what, {{"root", std::to_string(face)}});
+    if (!came.error && came.text != plain) samples["root"] = std::to_string(face);
+  }
+  for (const OptionUse& use : maker().options) {
+    alone[use.name] = came_of(what, {{std::string(use.name), samples[use.name]}});
+    const std::set<std::string_view> refused{"rip_edges", "tick_length", "material"};
+    EXPECT_TRUE(!alone[use.name].error || refused.contains(use.name))
+        << use.name << ": " << alone[use.name].error->message;
+  }
+  for (const OptionUse& first : maker().options)
+    for (const OptionUse& second : maker().options) {
+      if (&first >= &second) continue;
+      const std::string a(first.name), b(second.name);
+      const Came both = came_of(what, {{a, samples[first.name]}, {b, samples[second.name]}});
+      const Came &one = alone[first.name], &other = alone[second.name];
+      if (one.error || other.error) continue;
+      if (both.error) {
+        EXPECT_EQ(both.error->code, code::bad_option) << a << " " << b;
+        EXPECT_TRUE(names(*both.error, a) && names(*both.error, b)) << both.error->message;
+        continue;
+      }
+      if (one.text == plain || other.text == plain) continue;
+      EXPECT_TRUE(both.text != one.text) << b << " does nothing beside " << a;
+      EXPECT_TRUE(both.text != other.text) << a << " does nothing beside " << b;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Makers, OptionPairs, ::testing::Values("unfold", "connect", "transition"),
+                         [](const auto& one) { return std::string(one.param); });
+
+}  // namespace
+}  // namespace planish::job
