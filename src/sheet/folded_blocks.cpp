@@ -8,8 +8,10 @@
 #include <planish/sheet/folded_blocks.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 // A face's material as convex blocks, for tests of collision (math.md#self-intersection). Flanges
 // are inset and triangulated; bends are halved until nearly flat and each block spans the outermost
@@ -26,6 +28,8 @@ constexpr double kLargestTurn = 0.5;
 constexpr int kBorderSamples = 16;
 /// A bend is halved this often before its turn is measured: a full turn has no direction.
 constexpr int kFirstHalvings = 3;
+/// Places within this share of a strip lie on one ruling.
+constexpr double kSameRuling = 1e-9;
 /// No bend needs more halvings; one that asks for them has a surface that is not regular.
 constexpr int kMostHalvings = 14;
 
@@ -141,14 +145,6 @@ class Rulings {
   std::vector<double> at_;
 };
 
-struct Reach {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  void add(double v) {
-    low = std::min(low, v);
-    high = std::max(high, v);
-  }
-};
-
 std::vector<Vec2> places_on(const Curve2& curve) {
   int pieces = 1;
   if (const auto* spline = std::get_if<CubicSpline>(&curve))
@@ -162,66 +158,148 @@ std::vector<Vec2> places_on(const Curve2& curve) {
 }
 
 /// Adds a stretch of a border to the strips between rulings that it passes.
-void add_stretch(std::vector<Reach>& strips, const std::vector<double>& rulings, Vec2 a, Vec2 b) {
+void add_stretch(std::vector<std::vector<Vec2>>& strips, const std::vector<double>& rulings, Vec2 a,
+                 Vec2 b) {
   if (a.x() > b.x()) std::swap(a, b);
   const auto strip_at = [&](double u) {
     const auto after = std::ranges::upper_bound(rulings, u);
     return std::clamp<std::ptrdiff_t>(after - rulings.begin() - 1, 0, std::ssize(strips) - 1);
   };
-  const auto v_at = [&](double u) {
+  const auto at = [&](double u) -> Vec2 {
     const double share = (u - a.x()) / (b.x() - a.x());
-    return share > 0.0 ? a.y() + std::min(share, 1.0) * (b.y() - a.y()) : a.y();
+    return {u, share > 0.0 ? a.y() + std::min(share, 1.0) * (b.y() - a.y()) : a.y()};
   };
   for (auto i = strip_at(a.x()); i <= strip_at(b.x()); ++i) {
-    strips[i].add(i == strip_at(a.x()) ? a.y() : v_at(rulings[i]));
-    strips[i].add(i == strip_at(b.x()) ? b.y() : v_at(rulings[i + 1]));
+    strips[i].push_back(i == strip_at(a.x()) ? a : at(rulings[i]));
+    strips[i].push_back(i == strip_at(b.x()) ? b : at(rulings[i + 1]));
   }
 }
 
+/// v of a border at two rulings, straight between them.
+struct Rim {
+  double from = 0.0, to = 0.0;
+  double at(double share) const { return std::lerp(from, to, share); }
+};
+
+/// Below all points (`way` 1) or above them (−1): through the outermost at both ends, moved out.
+/// The border may be oblique to the rulings, and near an apex even pass it within a strip, so it
+/// does not do to take the outermost v of all.
+Rim rim_of(const std::vector<Vec2>& points, double from, double to, double way) {
+  const auto [left, right] = std::ranges::minmax(points, {}, [](const Vec2& p) { return p.x(); });
+  const double first = left.x(), last = right.x(), same = kSameRuling * (to - from);
+  const auto outermost_at = [&](double u) {
+    double v = HUGE_VAL;
+    for (const Vec2& p : points)
+      if (std::abs(p.x() - u) <= same) v = std::min(v, way * p.y());
+    return v;
+  };
+  const double start = outermost_at(first);
+  const double slope = last - first > same ? (outermost_at(last) - start) / (last - first) : 0.0;
+  double moved = 0.0;
+  for (const Vec2& p : points)
+    moved = std::min(moved, way * p.y() - start - slope * (p.x() - first));
+  const auto v_at = [&](double u) { return way * (start + moved + slope * (u - first)); };
+  return {v_at(from), v_at(to)};
+}
+
+/// What a face covers between two rulings: from its lower rim to its upper one.
+struct Strip {
+  double from = 0.0, to = 0.0;
+  std::array<Rim, 2> rims;
+};
+
 /// What a face covers between one ruling and the next.
-std::vector<Reach> reaches(const Face& face, const std::vector<double>& rulings) {
-  std::vector<Reach> strips(rulings.size() - 1);
+std::vector<Strip> strips_of(const Face& face, const std::vector<double>& rulings) {
+  std::vector<std::vector<Vec2>> points(rulings.size() - 1);
   for (const Border& border : face.loops.front()) {
     const std::vector<Vec2> places = places_on(border.curve);
     for (std::size_t i = 1; i < places.size(); ++i)
-      add_stretch(strips, rulings, places[i - 1], places[i]);
+      add_stretch(points, rulings, places[i - 1], places[i]);
+  }
+  std::vector<Strip> strips;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double from = rulings[i], to = rulings[i + 1];
+    if (points[i].empty() || from >= to) continue;
+    strips.push_back(
+        {from, to, {rim_of(points[i], from, to, 1.0), rim_of(points[i], from, to, -1.0)}});
   }
   return strips;
 }
 
-/// The rulings without `inset` at either end; empty if nothing remains.
-std::vector<double> set_in(std::vector<double> rulings, const Face& face, double inset) {
-  const Box2 box = parameter_box(face);
-  const double v = 0.5 * (box.lo.y() + box.hi.y());
-  const auto inwards = [&](double from, double to) {
-    const double chord = (skin_point(face, {to, v}) - skin_point(face, {from, v})).norm();
-    return chord > 0.0 ? from + inset / chord * (to - from) : from;
-  };
-  const std::size_t last = rulings.size() - 1;
-  const double low = inwards(rulings[0], rulings[1]);
-  const double high = inwards(rulings[last], rulings[last - 1]);
-  if (low >= high) return {};
-  for (double& u : rulings)
-    u = std::clamp(u, low, high);
-  return rulings;
-}
+/// Edges of a bend's material along its rulings: at either rim, on either skin.
+class BendEdges {
+ public:
+  BendEdges(const Face& face, const Skins& skins, std::vector<Strip> strips, double inset)
+      : face_(face), heights_{skins.lower, skins.upper}, strips_(std::move(strips)) {
+    for (Strip& strip : strips_)
+      for (int end = 0; end < 2; ++end) {
+        Rim& rim = strip.rims[end];
+        rim.from += end == 0 ? inset : -inset;
+        rim.to += end == 0 ? inset : -inset;
+      }
+    if (strips_.empty()) return;
+    for (int edge = 0; edge < 4; ++edge)
+      kept_[edge] = {strips_.front().from + share_of(strips_.front(), edge, 0.0, inset),
+                     strips_.back().to - share_of(strips_.back(), edge, 1.0, inset)};
+  }
+
+  std::vector<Block> blocks() const {
+    std::vector<Block> blocks;
+    for (const Strip& strip : strips_)
+      if (Block block = block_of(strip); !block.empty()) blocks.push_back(std::move(block));
+    return blocks;
+  }
+
+ private:
+  Vec3 point(const Strip& strip, int edge, double u) const {
+    const double v = strip.rims[edge / 2].at((u - strip.from) / (strip.to - strip.from));
+    return skin_point(face_, {u, v}) + heights_[edge % 2] * outward_normal(face_, {u, v});
+  }
+
+  /// How far in u an edge of the strip's first (0) or last (1) ruling moves for `inset` mm straight
+  /// across it: near an apex by more than far from it.
+  double share_of(const Strip& strip, int edge, double ruling, double inset) const {
+    if (inset <= 0.0) return 0.0;
+    const double u = ruling == 0.0 ? strip.from : strip.to;
+    const Vec3 along = ruling_on(std::get<Developable>(face_.surface), u);
+    const Vec3 way = point(strip, edge, strip.to) - point(strip, edge, strip.from);
+    const double across = (way - along.dot(way) * along).norm();
+    return across > 0.0 ? inset / across * (strip.to - strip.from) : 0.0;
+  }
+
+  /// The corners at one ruling after those at the other, each below and above; empty if nothing of
+  /// the strip remains.
+  Block block_of(const Strip& strip) const {
+    const bool low = strip.rims[0].from >= strip.rims[1].from;
+    if (low && strip.rims[0].to >= strip.rims[1].to) return {};
+    Block block;
+    bool remains = false;
+    const auto u_of = [&](int edge, double u) {
+      return std::clamp(
+          std::clamp(u, kept_[edge].first, std::max(kept_[edge].first, kept_[edge].second)),
+          strip.from, strip.to);
+    };
+    for (int edge = 0; edge < 4; ++edge)
+      remains |= u_of(edge, strip.from) < u_of(edge, strip.to) &&
+                 kept_[edge].first < kept_[edge].second;
+    if (!remains) return {};
+    for (const double u : {strip.from, strip.to})
+      for (int edge = 0; edge < 4; ++edge)
+        block.push_back(point(strip, edge, u_of(edge, u)));
+    return block;
+  }
+
+  const Face& face_;
+  std::array<double, 2> heights_;
+  std::vector<Strip> strips_;
+  std::array<std::pair<double, double>, 4> kept_{};  ///< by edge: its u from … to
+};
 
 std::vector<Block> blocks_of_bend(const Sheet& sheet, FaceId id, const BlockOptions& options) {
   const Face& face = sheet[id];
   const std::vector<double> rulings = Rulings(sheet, face, options.chord).at();
-  const std::vector<Reach> strips = reaches(face, rulings);
-  const std::vector<double> kept = set_in(rulings, face, options.inset);
-  const Skins skins = skins_of(sheet, options.inset);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
-    const double low = strips[i].low + options.inset, high = strips[i].high - options.inset;
-    if (low >= high || kept[i] >= kept[i + 1]) continue;
-    Block& block = blocks.emplace_back();
-    for (const double u : {kept[i], kept[i + 1]})
-      for (const double v : {low, high})
-        add_corners(block, face, {u, v}, skins);
-  }
-  return blocks;
+  return BendEdges(face, skins_of(sheet, options.inset), strips_of(face, rulings), options.inset)
+      .blocks();
 }
 
 bool is_flange(const Face& face) { return std::holds_alternative<Frame>(face.surface); }

@@ -1,4 +1,7 @@
+#include <planish/collision/meeting_faces.hpp>
 #include <planish/job/run.hpp>
+#include <planish/sheet/folded_blocks.hpp>
+#include <planish/transition/transition.hpp>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -39,6 +42,42 @@ TEST(TransitionSolids, AreMadeWhereCurvesAreFittedBetweenTheirNodes) {
   for (const json& finding : report["checks"])
     EXPECT_NE(finding["code"], "folded_solid") << finding["message"];
   EXPECT_NEAR(report["verification"]["explained_ratio"].get<double>(), 1.0, 1e-5);
+}
+
+TransitionSpec square_to_round(double radius) {
+  TransitionSpec spec;
+  spec.thickness = 1.0;
+  spec.from.profile = PolygonProfile{{{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}};
+  spec.to.profile = EllipseProfile{radius, radius};
+  spec.to.frame.origin = {0, 0, 250};
+  return spec;
+}
+
+// The surface bounds a convex body, so no two of its parts meet, however far the round end outgrows
+// the square: the cones are then so oblique that a strip between two rulings ends at heights that
+// differ by more than its distance from the apex.
+TEST(TransitionSolids, OfConvexHullsNeverSeemToMeetThemselves) {
+  for (const double radius : {90.0, 110.0, 130.0, 200.0, 400.0}) {
+    const auto pieces = folded_pieces(square_to_round(radius));
+    ASSERT_TRUE(pieces) << pieces.error().message;
+    for (const FoldedPiece& piece : *pieces)
+      EXPECT_TRUE(meeting_faces(piece.sheet, 0.04).empty()) << radius;
+  }
+}
+
+TEST(TransitionSolids, BlocksOfConesEndBeforeTheirApex) {
+  const double radius = 200;
+  const auto pieces = folded_pieces(square_to_round(radius));
+  ASSERT_TRUE(pieces) << pieces.error().message;
+  const Sheet& sheet = pieces->front().sheet;
+  for (const FaceId face : sheet.faces.ids()) {
+    if (!std::holds_alternative<BendId>(sheet[face].part_of)) continue;
+    // Cones of the square's corners lie above it, and blocks of the whole thickness at most half of
+    // that below.
+    for (const Block& block : folded_blocks(sheet, face, {.inset = 0.02}))
+      for (const Vec3& p : block)
+        EXPECT_GT(p.z(), -0.5 * sheet.thickness);
+  }
 }
 
 }  // namespace

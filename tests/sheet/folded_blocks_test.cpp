@@ -49,7 +49,7 @@ TEST(FoldedBlocks, StayBetweenTheSkinsOfABend) {
     const FaceId face = sheet.bends[BendId{0}].faces.front();
     const auto& axis = std::get<Cylinder>(std::get<Developable>(sheet[face].surface)).frame;
     const double inset = 0.2;
-    double turned = 0.0, lowest = HUGE_VAL, highest = -HUGE_VAL;
+    double turned = 0.0, radius_of_turned = 0.0, lowest = HUGE_VAL, highest = -HUGE_VAL;
     for (const Block& block : folded_blocks(sheet, face, {.inset = inset})) {
       ASSERT_EQ(block.size(), 8u);
       for (const Vec3& corner : block) {
@@ -61,11 +61,11 @@ TEST(FoldedBlocks, StayBetweenTheSkinsOfABend) {
       }
       const Vec2 from = axis.local2(block[0]), to = axis.local2(block[4]);
       turned += std::acos(from.dot(to) / (from.norm() * to.norm()));
+      radius_of_turned = from.norm();
     }
     EXPECT_NEAR(highest - lowest, 40 - 2 * inset, 1e-9);
-    // Set in at both ends by 0.2 mm, on the reference skin.
-    const double reference = sheet.bends[BendId{0}].reference_inside ? 3.0 : 5.0;
-    EXPECT_NEAR(turned, std::numbers::pi / 2 - 2 * inset / reference, 1e-3);
+    // Set in by 0.2 mm from the planes at both ends, on each skin.
+    EXPECT_NEAR(turned, std::numbers::pi / 2 - 2 * std::asin(inset / radius_of_turned), 1e-3);
   }
 }
 
