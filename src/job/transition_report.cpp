@@ -16,7 +16,7 @@ using namespace schema;
 namespace {
 
 std::string_view kind_word(PatchKind kind) {
-  return kind == PatchKind::plane ? "plane" : kind == PatchKind::cone ? "cone" : "general";
+  return word_of(kind, {"plane", "cylinder", "cone", "general"});
 }
 
 Json patches_json(const Transition& transition, const Units& units) {
@@ -95,7 +95,7 @@ std::string patch_table(const TransitionReport& report, const Units& units) {
 }  // namespace
 
 ReportDetails transition_report_details() {
-  const Schema patch = object({required("kind", words({"plane", "cone", "general"})),
+  const Schema patch = object({required("kind", words({"plane", "cylinder", "cone", "general"})),
                                required("area", measured_area()),
                                required("borders", tuple(2, measured_length(), "two lengths")),
                                required("turn", angle(kAnyNumber).or_null())});

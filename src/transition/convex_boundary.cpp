@@ -75,9 +75,13 @@ Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, cons
     }
   }
   for (int i = 0; i < n; ++i) {
+    if (boundary.is_point()) {
+      boundary.corner = {true};
+      break;
+    }
     const Element &before = boundary.element(i - 1), &after = boundary.element(i);
-    boundary.corner.push_back(tangent(before, before.t1).cross(tangent(after, after.t0)).norm() >
-                              kNoCorner);
+    const Vec3 in = tangent(before, before.t1), out = tangent(after, after.t0);
+    boundary.corner.push_back(in.cross(out).norm() > kNoCorner || in.dot(out) < 0.0);
   }
   return boundary;
 }

@@ -49,6 +49,8 @@ struct Boundary {
   std::vector<GivenCorner> corners;
 
   int count() const { return static_cast<int>(elements.size()); }
+  /// Whether it is a single point, an apex.
+  bool is_point() const { return count() == 1; }
   const Element& element(int i) const { return elements[((i % count()) + count()) % count()]; }
   bool corner_at(int i) const { return corner[((i % count()) + count()) % count()]; }
 };

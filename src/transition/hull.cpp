@@ -85,9 +85,12 @@ std::pair<BoundaryPlace, BoundaryPlace> support(const Boundaries& boundaries,
     return std::abs(normal.dot(p - line.point)) <= in_plane;
   };
   const auto at = [&](BoundaryPlace place) { return std::pair{place, place}; };
-  if (after.straight && in_the_plane(after.curve(after.t1).point)) return {best, best + 1};
-  if (before.straight && in_the_plane(before.curve(before.t0).point))
-    return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
+  const bool on_after = after.straight && in_the_plane(after.curve(after.t1).point);
+  const bool on_before = before.straight && in_the_plane(before.curve(before.t0).point);
+  // Of the two sides of a ridge the plane holds the one that runs its way.
+  const bool runs_back = after.curve(after.t0).derivative.dot(along) < 0.0;
+  if (on_after && !(on_before && runs_back)) return {best, best + 1};
+  if (on_before) return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
   if (!after.straight && normal.dot(after.curve(after.t0).derivative) > 0.0)
     return at(place_on(best, after, line));
   if (!before.straight && normal.dot(before.curve(before.t1).derivative) < 0.0)
@@ -113,7 +116,10 @@ std::vector<Event> first_side_events(const Boundaries& boundaries, double in_pla
   return events;
 }
 
-/// The same events, their places on the second boundary (of `n` elements) growing with those on the
+/// Places of one round of a boundary; none of an apex.
+double round_of(const Boundary& boundary) { return boundary.is_point() ? 0.0 : boundary.count(); }
+
+/// The same events, their places on the second boundary (`n` a round) growing with those on the
 /// first, once round.
 Result<std::vector<Event>> unwrapped(std::vector<Event> events, double n) {
   const double start = events.front().from[1];
@@ -121,7 +127,7 @@ Result<std::vector<Event>> unwrapped(std::vector<Event> events, double n) {
   for (Event& event : events) {
     const double length = event.to[1] - event.from[1];
     double from = event.from[1];
-    from += n * std::ceil((last - kBack - from) / n);
+    if (n > 0.0) from += n * std::ceil((last - kBack - from) / n);
     event.from[1] = std::max(from, last);
     event.to[1] = std::max(from + length, event.from[1]);
     last = event.to[1];
@@ -172,15 +178,15 @@ std::vector<Event> events_between(const Boundaries& boundaries, const Event& las
 /// The same event a round later.
 Event a_round_on(Event event, const Boundaries& boundaries) {
   for (std::size_t side = 0; side < 2; ++side) {
-    event.from[side] += boundaries[side].count();
-    event.to[side] += boundaries[side].count();
+    event.from[side] += round_of(boundaries[side]);
+    event.to[side] += round_of(boundaries[side]);
   }
   return event;
 }
 
 /// All planes that touch both boundaries where an element of one of them begins or ends, in order.
 Result<std::vector<Event>> events_of(const Boundaries& boundaries, double in_plane) {
-  const auto known = unwrapped(first_side_events(boundaries, in_plane), boundaries[1].count());
+  const auto known = unwrapped(first_side_events(boundaries, in_plane), round_of(boundaries[1]));
   if (!known) return known;
   std::vector<Event> events;
   for (std::size_t i = 0; i < known->size(); ++i) {

@@ -35,6 +35,15 @@ PlaneElement straight(const Vec2& a, const Vec2& b, int source) {
   return plane_element;
 }
 
+PlaneElement standing(const Vec2& point) {
+  PlaneElement plane_element;
+  plane_element.curve = [point](double) -> PlanePoint {
+    return {point, Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+  };
+  plane_element.corners = {{0, 0, 0.0}};
+  return plane_element;
+}
+
 PlaneCurve set_off(PlaneCurve curve, double d) {
   if (d == 0.0) return curve;
   return [curve = std::move(curve), d](double t) -> PlanePoint {

@@ -26,6 +26,9 @@ struct PlaneElement {
 
 PlaneElement straight(const Vec2& a, const Vec2& b, int source);
 
+/// A profile that is one point.
+PlaneElement standing(const Vec2& point);
+
 /// The curve offset to the right by d (mm): outwards if it runs counter-clockwise. Its third
 /// derivative, which is not used, is left zero.
 PlaneCurve set_off(PlaneCurve curve, double d);

@@ -99,6 +99,18 @@ std::vector<PlaneElement> rounded(double x, double y, double radius, double outw
   return plane_elements;
 }
 
+/// A ridge, there and back, or an apex. It stays where it is: it has no outside.
+std::vector<PlaneElement> ridge(const std::vector<Vec2>& corners) {
+  if (corners.size() == 1) return {standing(corners.front())};
+  std::vector<PlaneElement> sides;
+  for (int i = 0; i < 2; ++i) {
+    sides.push_back(straight(corners[i], corners[1 - i], i));
+    sides.back().edges = {{i, 0, 0.0, 1.0}};
+    sides.back().corners = {{i, 0, 0.0}};
+  }
+  return sides;
+}
+
 struct Shaper {
   double outwards = 0.0;
   const std::string& pointer;
@@ -112,6 +124,10 @@ struct Shaper {
 
   Elements operator()(const PolygonProfile& given) const {
     const std::string place = pointer + "/polygon";
+    if (given.corners.size() == 1 || given.corners.size() == 2) {
+      if (auto sound = check_ridge(given.corners, place); !sound) return pass_on(sound);
+      return ridge(given.corners);
+    }
     const auto polygon = convex(given, place);
     if (!polygon) return pass_on(polygon);
     const auto turning = mapped(polygon->turns, [&](int i) { return polygon->corners[i]; });

@@ -27,7 +27,8 @@ Result<void> check_apart(const std::vector<Vec2>& corners, double size, const st
   const int n = static_cast<int>(corners.size());
   for (int i = 0; i < n; ++i) {
     const int next = (i + 1) % n;
-    if ((corners[i] - corners[next]).norm() > kNoCorner * size) continue;
+    const double apart = (corners[i] - corners[next]).norm();
+    if (apart > 0.0 && apart > kNoCorner * size) continue;
     return fail(refuse::point_repeated, {{"point", i + 1},
                                          {"next", next + 1},
                                          {"x", corners[i].x(), unit::mm},
@@ -57,9 +58,7 @@ Result<void> check_radius(double tightest, double outwards, const std::string& p
                                             {"field", place::pointer(place)}});
 }
 
-Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place) {
-  if (corners.size() < 3)
-    return fail(refuse::few_points, {{"points", corners.size()}, {"field", place::pointer(place)}});
+Result<void> check_ridge(const std::vector<Vec2>& corners, const std::string& place) {
   double size = 0.0;
   for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
     const Vec2& p = corners[i];
@@ -68,11 +67,18 @@ Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& 
                   place);
     size = std::max(size, (p - corners.front()).norm());
   }
-  if (auto apart = check_apart(corners, size, place); !apart) return apart;
+  return corners.size() > 1 ? check_apart(corners, size, place) : Result<void>();
+}
+
+Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place) {
+  if (corners.size() < 3)
+    return fail(refuse::few_points, {{"points", corners.size()}, {"field", place::pointer(place)}});
+  if (auto apart = check_ridge(corners, place); !apart) return apart;
   if (const auto at = self_crossings(corners); !at.empty())
     return fail(refuse::profile_crosses_itself, {{"x", at.front().x(), unit::mm},
                                                  {"y", at.front().y(), unit::mm},
                                                  {"field", place::pointer(place)}});
+  const double size = (box_of(corners).hi - box_of(corners).lo).norm();
   if (std::abs(ring_area(corners)) <= kNoCorner * size * size)
     return fail(refuse::no_area, {{"field", place::pointer(place)}});
   return {};

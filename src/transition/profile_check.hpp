@@ -29,6 +29,9 @@ Result<void> check_radius(double tightest, double outwards, const std::string& p
 /// area).
 Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place);
 
+/// Of a ridge or an apex, two corners or one. Errors: `repeated_corner`, `invalid_input`.
+Result<void> check_ridge(const std::vector<Vec2>& corners, const std::string& place);
+
 /// For a polygon that runs counter-clockwise; `given` maps its corners to their original numbers.
 /// Error: `profile_not_convex`.
 Result<void> check_convex(const std::vector<Vec2>& corners, const std::function<int(int)>& given,

@@ -31,6 +31,10 @@ constexpr Refusal too_large{
 constexpr Refusal few_points{code::too_few_corners,
                              "The profile has {points:point}; it needs 3 or more.",
                              "Add the missing points."};
+constexpr Refusal ridge_first{code::too_few_corners,
+                              "The first profile has {points:point}; only the second one may be a "
+                              "ridge or an apex.",
+                              "Exchange from and to."};
 constexpr Refusal point_not_finite{code::invalid_input,
                                    "A coordinate of point {point} is not a finite number.",
                                    "Give each point two finite numbers."};

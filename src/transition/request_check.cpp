@@ -38,6 +38,10 @@ Result<void> check_frame(const Frame& frame, const char* where) {
 Result<void> check_request(const TransitionSpec& spec) {
   if (auto sound = check_numbers(spec); !sound) return sound;
   if (auto sound = check_frame(spec.from.frame, "/from/frame"); !sound) return sound;
+  const auto* polygon = std::get_if<PolygonProfile>(&spec.from.profile);
+  if (polygon && (polygon->corners.size() == 1 || polygon->corners.size() == 2))
+    return fail(refuse::ridge_first, {{"points", polygon->corners.size()},
+                                      {"field", place::pointer("/from/profile/polygon")}});
   return check_frame(spec.to.frame, "/to/frame");
 }
 

@@ -69,8 +69,22 @@ RuledPatch::RuledPatch(std::shared_ptr<const Hull> hull, const HullPatch& patch,
 
 PatchKind RuledPatch::kind() const {
   if (hull_patch_.plane) return PatchKind::plane;
+  if (right_ ? bend_kind() == BendKind::cylinder : has_parallel_rulings())
+    return PatchKind::cylinder;
   const bool apex = !hull_patch_.sides[0].moves() || !hull_patch_.sides[1].moves();
   return apex || right_ ? PatchKind::cone : PatchKind::general;
+}
+
+bool RuledPatch::has_parallel_rulings() const {
+  constexpr int kSamples = 16;
+  const auto direction = [&](double at) -> Vec3 {
+    const auto [p, q] = ruling(at);
+    return (q - p).normalized();
+  };
+  const Vec3 first = direction(0.0);
+  for (int i = 1; i <= kSamples; ++i)
+    if (first.cross(direction(i / double(kSamples))).norm() > tolerance::kComputed) return false;
+  return true;
 }
 
 BendKind RuledPatch::bend_kind() const {

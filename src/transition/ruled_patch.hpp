@@ -125,6 +125,7 @@ class RuledPatch {
   Part right_part(double from, double to, const Tips& tips) const;
   Part ruled_part(double from, double to, const Tips& tips) const;
 
+  bool has_parallel_rulings() const;
   SpaceCurvePoint point(int side, double t) const { return curves_[side]->curve(t); }
   void find_breaks();
 

@@ -2,6 +2,7 @@
 #include "sample_transitions.hpp"
 
 #include <planish/sheet/flat_pattern.hpp>
+#include <planish/transition/codes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ TEST(MakeTransition, MakesACylinderOfTwoEqualCircles) {
   expect_sizes(spec, 2.0 * kPi * 50 * 80, 2.0 * kPi * 50, 2.0 * kPi * 50);
   const Transition transition = made(spec);
   ASSERT_EQ(transition.patches.size(), 1u);
-  EXPECT_EQ(transition.patches[0].kind, PatchKind::cone);
+  EXPECT_EQ(transition.patches[0].kind, PatchKind::cylinder);
   EXPECT_NEAR(transition.patches[0].turn.radians(), 2.0 * kPi, 1e-12);
   ASSERT_EQ(transition.pieces[0].bends.size(), 1u);
   EXPECT_EQ(transition.pieces[0].bends.front().kind, BendKind::cylinder);
@@ -38,6 +39,78 @@ TEST(MakeTransition, MakesACylinderOfTwoEqualCircles) {
   const Vec2 blank = blank_size(pattern);
   EXPECT_NEAR(blank.x(), 2.0 * kPi * 50, 1e-9);
   EXPECT_NEAR(blank.y(), 80.0, 1e-9);
+}
+
+TEST(MakeTransition, CallsAnObliqueCylinderOne) {
+  const Transition transition = made(
+      between(EllipseProfile{50, 30}, EllipseProfile{50, 30}, {20, 10, 80}));
+  for (const TransitionPatch& patch : transition.patches)
+    EXPECT_EQ(patch.kind, PatchKind::cylinder);
+}
+
+/// Net, area and folded piece of a roof.
+Transition roof(const PolygonProfile& eaves, const PolygonProfile& top, const Vec3& apart,
+                double area) {
+  const TransitionSpec spec = between(eaves, top, apart);
+  const Transition transition = made(spec);
+  EXPECT_NEAR(transition.area, area, 1e-9 * area);
+  EXPECT_NEAR(laid_flat(transition.pieces.front(), spec).area, area, 1e-9 * area);
+  EXPECT_TRUE(folded_pieces(spec));
+  return transition;
+}
+
+TEST(MakeTransition, RoofsARectangleToARidge) {
+  // 400 × 240 to a ridge of 160, 150 above: two trapezoids and two triangles.
+  const double side = std::hypot(120.0, 150.0), hip = std::hypot(120.0, 150.0);
+  const Transition hipped = roof(rectangle(400, 240), {{{-80, 0}, {80, 0}}}, {0, 0, 150},
+                                 (400 + 160) * side + 240 * hip);
+  EXPECT_EQ(count_of(hipped, PatchKind::plane), 4);
+  EXPECT_EQ(hipped.patches.size(), 4u);
+  EXPECT_NEAR(hipped.perimeters[1], 2 * 160, 1e-9);
+  // A ridge across, or given the other way, is as good.
+  roof(rectangle(400, 240), {{{80, 0}, {-80, 0}}}, {0, 0, 150}, (400 + 160) * side + 240 * hip);
+  const double over = std::hypot(200.0, 150.0), short_hip = std::hypot(80.0, 150.0);
+  roof(rectangle(400, 240), {{{0, 40}, {0, -40}}}, {0, 0, 150},
+       (240 + 80) * over + 400 * short_hip);
+}
+
+TEST(MakeTransition, RoofsAPolygonToAnApex) {
+  const double r = 100, height = 80, slant = std::hypot(r * std::cos(kPi / 6), height);
+  const Transition pyramid = roof(regular_polygon(6, r), {{{0, 0}}}, {0, 0, height},
+                                  6 * 0.5 * r * slant);
+  EXPECT_EQ(count_of(pyramid, PatchKind::plane), 6);
+  EXPECT_NEAR(pyramid.perimeters[1], 0.0, 1e-12);
+}
+
+TEST(MakeTransition, MakesAConeOfACircleAndAnApex) {
+  const TransitionSpec spec = between(EllipseProfile{60, 60}, PolygonProfile{{{0, 0}}}, {0, 0, 80});
+  const Transition cone = made(spec);
+  ASSERT_EQ(cone.patches.size(), 1u);
+  EXPECT_EQ(cone.patches[0].kind, PatchKind::cone);
+  EXPECT_NEAR(cone.area, kPi * 60 * 100, 1e-8);
+  EXPECT_NEAR(laid_flat(cone.pieces.front(), spec).area, kPi * 60 * 100, 1e-4);
+}
+
+TEST(MakeTransition, ClosesARoundEndToARidge) {
+  // A circle to a ridge along a diameter: two half cones about its ends and two triangles; the
+  // ridge's planes touch the circle where its tangents are parallel to it.
+  const double r = 50, half = 30, height = 120;
+  const Transition tent = made(
+      between(EllipseProfile{r, r}, PolygonProfile{{{-half, 0}, {half, 0}}}, {0, 0, height}));
+  EXPECT_EQ(count_of(tent, PatchKind::plane), 2);
+  EXPECT_EQ(count_of(tent, PatchKind::cone), 2);
+  for (const TransitionPatch& patch : tent.patches) {
+    if (patch.kind != PatchKind::plane) continue;
+    EXPECT_NEAR(patch.area, 0.5 * 2 * half * std::hypot(r, height), 1e-6);
+  }
+}
+
+TEST(MakeTransition, RefusesARidgeAsTheFirstProfile) {
+  const auto refused = make_transition(
+      between(PolygonProfile{{{-80, 0}, {80, 0}}}, rectangle(400, 240), {0, 0, 150}));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::too_few_corners);
+  EXPECT_EQ(refused.error().where, "/from/profile/polygon");
 }
 
 TEST(MakeTransition, MakesAConeFrustumBothWaysUp) {

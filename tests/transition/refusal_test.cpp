@@ -50,8 +50,12 @@ void expect_profile_refused(const Profile& profile, ErrorCode code, const std::s
 }
 
 TEST(TransitionRefuses, PolygonsThatAreNone) {
-  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}}}, code::too_few_corners, "/polygon",
-                         "2");
+  // Two corners are a ridge, and one an apex, of the second profile.
+  TransitionSpec roof = square_to_round();
+  roof.to.profile = PolygonProfile{{{5, 5}, {5, 5}}};
+  expect_refused(roof, code::repeated_corner, "/to/profile/polygon/1");
+  roof.to.profile = PolygonProfile{{{0, std::nan("")}}};
+  expect_refused(roof, code::invalid_input, "/to/profile/polygon");
   expect_profile_refused(PolygonProfile{}, code::too_few_corners, "/polygon", "0");
   expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {100, 0}, {0, 100}}},
                          code::repeated_corner, "/polygon/2", "(100 mm, 0 mm)");

@@ -15,7 +15,7 @@ Ring oblique_cylinder() {
 
 TEST(RuledPatch, OfAnObliqueCylinderHasParallelRulings) {
   const RuledPatch patch = oblique_cylinder().patch(0);
-  EXPECT_EQ(patch.kind(), PatchKind::general);
+  EXPECT_EQ(patch.kind(), PatchKind::cylinder);
   EXPECT_EQ(patch.bend_kind(), BendKind::general);
   for (const double at : {0.0, 0.1, 0.37, 0.5, 1.0}) {
     const auto [p, q] = patch.ruling(at);

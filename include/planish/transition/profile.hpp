@@ -7,7 +7,8 @@
 
 namespace planish {
 
-/// Corners, either way round. Edge i runs from corner i to corner i + 1.
+/// Corners, either way round. Edge i runs from corner i to corner i + 1. The second profile of a
+/// transition may also be a ridge, of two corners, or an apex, of one.
 struct PolygonProfile {
   std::vector<Vec2> corners;
 };

@@ -58,10 +58,11 @@ struct TransitionSpec {
   Pressing pressing;  ///< default: rolled
 };
 
-enum class PatchKind { plane, cone, general };
+enum class PatchKind { plane, cylinder, cone, general };
 
-/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cone with its
-/// apex in a corner or anywhere, or a developable between two curves.
+/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cylinder of
+/// any section, whose rulings are parallel, a cone with its apex in a corner or anywhere, or a
+/// developable between two curves.
 struct TransitionPatch {
   PatchKind kind = PatchKind::plane;
   double area = 0.0;               ///< of the neutral surface, mm²
