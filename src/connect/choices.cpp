@@ -1,8 +1,11 @@
 #include "choices.hpp"
 
+#include "alternatives.hpp"
 #include "corners.hpp"
 #include "general_fit.hpp"
+#include "refusals.hpp"
 #include "sharp_fit.hpp"
+#include "surface_choice.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
@@ -28,11 +31,8 @@ namespace {
 constexpr int kMostTries = 6000;
 // General bends take a hundred times longer than others to fit.
 constexpr int kMostGeneral = 240;
-
-bool surface_is_free(const BendRequest& request) {
-  return request.surface == SurfaceChoice::automatic && !request.slope && !request.apex &&
-         !request.aperture && !request.inside_radii && !request.inside_radius;
-}
+// Of the choices that come first, so many may be general bends, where these need less extension.
+constexpr int kMostGeneralFirst = 6;
 
 BendRequest with_surface(BendRequest request, SurfaceChoice surface) {
   request.surface = surface;
@@ -72,9 +72,11 @@ std::vector<BendRequest> with_laterals(const std::vector<BendRequest>& requests)
   return all;
 }
 
-// Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief.
-bool is_drawn_up(const BendFit& fit, double thickness) {
-  return fit.report.extension_area <= kContact * thickness * fit.report.width;
+// Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief. A
+// general cone that nobody asked for is a choice.
+bool is_drawn_up(const BendFit& fit, const FitTask& task) {
+  if (fit.surface.kind == BendKind::general && leaves_surface_free(task.request)) return false;
+  return fit.report.extension_area <= kContact * task.thickness * fit.report.width;
 }
 
 /// Tries choices and remembers why they failed.
@@ -88,7 +90,7 @@ class Trial {
     ++tries_;
     if (!fit) return failed(fit.error());
     if (auto sound = checks_.must(*fit); !sound) return failed(in_request(task_, sound.error()));
-    const bool drawn_up = is_drawn_up(*fit, task_.thickness);
+    const bool drawn_up = is_drawn_up(*fit, task_);
     if (!drawn_up)
       if (auto flat = checks_.flat(*fit); !flat) {
         if (tries_ == 1) fallback_ = std::move(*fit);
@@ -105,12 +107,15 @@ class Trial {
   bool take(const PairChoice& choice, const BendRequest& request) {
     FitTask task = task_;
     task.request = request;
+    task.right_only = ++choices_ > kMostGeneralFirst;
     auto fit = fit_choice(task, choice, options_);
     if (!fit) fit = fail(in_request(task, fit.error()));
     return take(std::move(fit));
   }
 
   bool tired() const { return tries_ >= kMostTries; }
+
+  const Error& first_failure() const { return first_; }
 
   Result<BendFit> result() const {
     if (found_) return *found_;
@@ -168,7 +173,7 @@ class Trial {
   const FitTask& task_;
   const ConnectOptions& options_;
   const FitChecks& checks_;
-  int tries_ = 0;
+  int tries_ = 0, choices_ = 0;
   Error first_;
   std::optional<Error> touch_;
   std::map<int, std::pair<int, Error>> failures_;  // by rank: how many, and the first
@@ -209,16 +214,57 @@ bool any_general(Trial& trial, const std::vector<PairChoice>& choices, const Fit
   return false;
 }
 
-}  // namespace
-
-Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& options,
+Result<BendFit> first_that_holds(const FitTask& task, const ConnectOptions& options,
                                  const FitChecks& checks) {
   auto fit = fit_between(task, options);
   if (!fit) return fit;
   for (const auto& check : {checks.must, checks.room})
     if (auto sound = check(*fit); !sound) return fail(in_request(task, sound.error()));
-  if (!is_drawn_up(*fit, task.thickness))
+  if (!is_drawn_up(*fit, task))
     if (auto flat = checks.flat(*fit); !flat) return fail(in_request(task, flat.error()));
+  return fit;
+}
+
+FitTask without_general(FitTask task) {
+  task.right_only = true;
+  return task;
+}
+
+// The bend that the search finds first, where another one that is longer was taken.
+std::optional<PassedOver> passed_over(const FitTask& task, const ConnectOptions& options,
+                                      const FittedBend& taken, const Error& why) {
+  if (why.message.empty()) return std::nullopt;
+  const auto choice = search_pair(task, options);
+  if (!choice || choice->search.best.span >= taken.span - kNegligible * extent_of(task))
+    return std::nullopt;
+  PassedOver shorter{choice->edges(choice->search.best), choice->search.best.span, why};
+  for (auto& edges : shorter.edges)
+    std::ranges::sort(edges);
+  if (shorter.edges == taken.edges) return std::nullopt;
+  return shorter;
+}
+
+// Of plates that nearly lie in one plane the planes meet anywhere, and what stands in the way of a
+// bend there says nothing about the plates.
+Error clearer(const FitTask& task, Error why) {
+  const PlacedPlate &a = *task.plates[0], &b = *task.plates[1];
+  const auto near = nearly_coplanar(a, b, task.thickness);
+  if (!near || why.code == code::too_far_apart || runs_between(a, b)) return why;
+  return in_request(task, error_of(refuse::nearly_in_one_plane,
+                                   about(task, {{"angle", near->angle.degrees(), unit::degrees},
+                                                {"off", near->off, unit::mm}})));
+}
+
+}  // namespace
+
+Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& options,
+                                 const FitChecks& checks) {
+  auto fit = first_that_holds(task, options, checks);
+  if (!fit && leaves_surface_free(task.request))
+    if (auto right = first_that_holds(without_general(task), options, checks))
+      fit = std::move(right);
+  if (fit && !asks_for_fold(task.request))
+    fit->report.alternatives = alternatives_to(fit->report, task, options);
   return fit;
 }
 
@@ -226,15 +272,27 @@ Result<BendFit> fit_any_choice(const FitTask& asked, const ConnectOptions& optio
                                const FitChecks& checks) {
   if (asks_for_fold(asked.request)) return fit_first_choice(asked, options, checks);
   const FitTask task = at_limit_of_edges(asked, options);
+  const bool free = leaves_surface_free(task.request);
   Trial trial(task, options, checks);
-  if (!trial.take(fit_between(asked, options))) {
+  if (!trial.take(fit_between(asked, options)) &&
+      !(free && trial.take(fit_between(without_general(asked), options)))) {
     const std::vector<PairChoice> choices = edge_choices(task, options);
-    if (!any_as_asked(trial, choices, task) && surface_is_free(task.request) &&
-        !any_other_surface(trial, choices, task))
-      any_general(trial, choices, task);
+    // Where width counts for nothing, another surface on shorter edges comes before longer edges.
+    const bool found = free && task.request.trade_off == 0.0
+                           ? std::ranges::any_of(choices,
+                                                 [&](const PairChoice& choice) {
+                                                   return any_as_asked(trial, {choice}, task) ||
+                                                          any_other_surface(trial, {choice}, task);
+                                                 })
+                           : any_as_asked(trial, choices, task) ||
+                                 (free && any_other_surface(trial, choices, task));
+    if (!found && free) any_general(trial, choices, task);
   }
   auto fit = trial.result();
-  if (fit) fit->report.request = asked.request;
+  if (!fit) return fail(clearer(task, fit.error()));
+  fit->report.request = asked.request;
+  fit->report.alternatives = alternatives_to(fit->report, task, options);
+  fit->report.passed_over = passed_over(task, options, fit->report, trial.first_failure());
   return fit;
 }
 

@@ -206,7 +206,58 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
   return choices;
 }
 
+/// The widest bend of all pairs of chains whose span is at most `budget`.
+std::optional<EdgeChoice> widest_within(const Search& search, double budget, double noise) {
+  EdgeChoice limit;
+  limit.span = budget;
+  std::optional<EdgeChoice> best;
+  for (const Candidate& candidate : search.candidates) {
+    if (candidate.shortest > budget + noise || (best && candidate.widest < best->width - noise))
+      continue;
+    if (auto wider = widest_bend(search.pair(candidate), limit, 0.0, best))
+      best = std::move(*wider);
+  }
+  return best;
+}
+
+/// The shortest bend of all, if it is shorter than `span`: between the two, by halving.
+std::optional<EdgeChoice> shortest_below(const Search& search, double span, double noise) {
+  std::optional<EdgeChoice> shortest;
+  double low = 0.0;
+  while (span - low > noise) {
+    const double middle = 0.5 * (low + span);
+    if (auto found = widest_within(search, middle, noise)) {
+      span = found->span;
+      shortest = std::move(found);
+    } else {
+      low = middle;
+    }
+  }
+  return shortest;
+}
+
 }  // namespace
+
+std::vector<EdgeChoice> efficient_edges(const Sides& sides, Angle beta,
+                                        const EdgeSearchOptions& options) {
+  constexpr std::size_t kMost = 250;
+  std::vector<EdgeChoice> efficient;
+  const auto places = places_of(sides, options);
+  if (!places) return efficient;
+  Search search{sides, *places, beta, options};
+  search.candidates = candidates_of(search);
+  const double noise = noise_of(search);
+  double budget = std::numeric_limits<double>::infinity();
+  while (auto next = widest_within(search, budget, noise)) {
+    constexpr double kShorter = 4.0;  // times the noise that every search allows
+    budget = next->span - kShorter * noise;
+    efficient.push_back(std::move(*next));
+    if (efficient.size() < kMost) continue;
+    if (auto shortest = shortest_below(search, budget, noise)) efficient.back() = *shortest;
+    break;
+  }
+  return efficient;
+}
 
 Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearchOptions& options) {
   const auto places = places_of(sides, options);

@@ -72,6 +72,12 @@ constexpr Refusal in_one_plane{
     code::plates_coplanar,
     "{@plate} lie in the same plane, so there is nothing to bend between them.",
     "Make them one plate."};
+constexpr Refusal nearly_in_one_plane{
+    code::plates_coplanar,
+    "{@plate} lie in one plane but for {angle:3} and {off:3}, and no bend lies along the line "
+    "where "
+    "their planes meet: it does not run between them.",
+    "Make them one plate, or turn one about a line between them."};
 constexpr Refusal beside_each_other{
     code::plates_offset,
     "{@plate} lie in parallel planes {distance} apart and beside each other; a half-turn joins "

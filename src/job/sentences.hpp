@@ -92,6 +92,18 @@ constexpr std::string_view not_after_others =
 constexpr std::string_view no_plan =
     "no order of strokes was found among {stages:stage}, nor was it shown that there is none: give "
     "it more time";
+constexpr std::string_view plates_trimmed =
+    "{@plate} {are} cut back where they touch, by up to {by}, so that bends fit between them";
+constexpr std::string_view joint_left_open =
+    "{@plate} touch along {length}, from {@from} to {@to}, and are not joined there: a bend would "
+    "close a loop that does not lie flat";
+constexpr std::string_view corner_left_open =
+    "{@plate} touch at {@from} and are not joined there: a bend would close a loop that does not "
+    "lie "
+    "flat";
+constexpr std::string_view shorter_bend =
+    "{@bend} has a span of {span}; that of {other} would have {shorter}, but does not hold: "
+    "{reason}";
 constexpr std::string_view
     no_gauge_edge = "the back gauge finds no straight edge parallel to the bend line of {@bend}";
 

@@ -21,8 +21,8 @@ struct BlockOptions {
 /// hold every ball of radius `inset` within it, reduced to its centre (math.md#self-intersection).
 /// What the flange across a sharp bend fills as well, up to the mitre, is left out. Of a bend, each
 /// block goes from one ruling to the next, between the lines nearest to the outer loop that leave
-/// none of it outside: openings and notches count as material. Empty if nothing remains. Requires chord > 0 and
-/// 0 ≤ inset. O(n log n) for n sampled points of the borders.
+/// none of it outside: openings and notches count as material. Empty if nothing remains. Requires
+/// chord > 0 and 0 ≤ inset. O(n log n) for n sampled points of the borders.
 std::vector<Block> folded_blocks(const Sheet& sheet, FaceId face, const BlockOptions& options);
 
 /// Corners of both skins, on the outer loop: their hull holds the face's material, to within
