@@ -32,7 +32,7 @@ constexpr int kMostTries = 6000;
 // General bends take a hundred times longer than others to fit.
 constexpr int kMostGeneral = 240;
 // Of the choices that come first, so many may be general bends, where these need less extension.
-constexpr int kMostGeneralFirst = 6;
+constexpr int kMostGeneralFirst = 2;
 
 BendRequest with_surface(BendRequest request, SurfaceChoice surface) {
   request.surface = surface;

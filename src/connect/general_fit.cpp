@@ -172,9 +172,11 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
 }
 
 double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2& high) {
-  const auto v_of = [](const Curve2& boundary, double u) {
+  // A boundary only touches the rulings at its ends, which may then be missing.
+  const auto v_of = [&](const Curve2& boundary, double u) {
     const auto at = crossings(boundary, {u, 0.0}, Vec2::UnitY());
-    return point_at(boundary, at.empty() ? 0.5 : at.front()).y();
+    const double end = u < 0.5 * surface.sweep ? 0.0 : 1.0;
+    return point_at(boundary, at.empty() ? end : at.front()).y();
   };
   double smallest = std::numeric_limits<double>::infinity();
   constexpr int kRulings = 256;

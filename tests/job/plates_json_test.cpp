@@ -199,10 +199,12 @@ TEST(PlatesJson, RefusesValuesOfAnotherKind) {
     expect_mistake("/root", wrong, "must be a text that is not empty, not ");
   }
   for (const char* pointer : {"/plates", "/bends", "/plates/0/outline", "/plates/0/holes",
-                              "/plates/0/holes/0", "/bends/0/between", "/bends/0/edges/A"}) {
+                              "/bends/0/between", "/bends/0/edges/A"}) {
     for (const json& wrong : {json(4), json("A"), json::object()})
       expect_mistake(pointer, wrong, "must be a list, not ");
   }
+  for (const json& wrong : {json(4), json("A")})
+    expect_mistake("/plates/0/holes/0", wrong, "must be a list of corners, a circle, a slot or");
   for (const char* pointer : {"/plates/1", "/bends/0", "/bends/0/edges"}) {
     for (const json& wrong : {json(4), json::array()})
       expect_mistake(pointer, wrong, "must be an object, not ");

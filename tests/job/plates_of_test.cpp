@@ -48,7 +48,8 @@ TEST(PlatesOf, SayWhichPlatesBendsJoin) {
 
 TEST(PlatesOf, HaveRoundOutlinesWithoutCornersTooNear) {
   SheetBuilder builder(2.0);
-  builder.flange(Frame{}, {{Arc{{50, 30}, 10.0, 0.0, 2.0 * std::numbers::pi}}});
+  const Loop disc{Arc{{50, 30}, 10.0, 0.0, 2.0 * std::numbers::pi}};
+  builder.flange(Frame{}, std::vector<Loop>{disc});
   const Sheet sheet = builder.finish();
   for (const double chord : {0.01, 1.0}) {
     const auto& ring = plates_of(sheet, {.chord = chord}).plates[0].outline;
