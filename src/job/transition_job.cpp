@@ -60,9 +60,11 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
   std::optional<FoldedBody> body;
   if (folded) {
     if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
-    if (piece.solid)
+    if (piece.solid) {
       body.emplace(
           FoldedBody{*piece.solid, folded->sheet, {folded->seams.begin(), folded->seams.end()}});
+      if (folded->ridge) body->seams.push_back(*folded->ridge);
+    }
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);

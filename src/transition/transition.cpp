@@ -95,6 +95,12 @@ Result<double> with_tips(double area, const Ring& ring, const std::vector<PatchP
   return area;
 }
 
+std::optional<std::array<Vec3, 2>> ridge_of(const Boundary& top) {
+  if (top.count() != 2) return std::nullopt;
+  return std::array{top.element(0).curve(top.element(0).t0).point,
+                    top.element(1).curve(top.element(1).t0).point};
+}
+
 Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, double cut,
                        const TransitionSpec& spec) {
   const double whole = sum_of(parts, [&](const PatchPart& part) {
@@ -148,7 +154,8 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
     pieces.push_back(
         {std::move(*sheet),
          *missing,
-         {ring.patch(first.patch).ruling(first.from), ring.patch(last.patch).ruling(last.to)}});
+         {ring.patch(first.patch).ruling(first.from), ring.patch(last.patch).ruling(last.to)},
+         ridge_of(ring.hull->boundaries[1])});
   }
   return pieces;
 }

@@ -52,7 +52,8 @@ TEST(PlatesOf, HaveRoundOutlinesWithoutCornersTooNear) {
   builder.flange(Frame{}, std::vector<Loop>{disc});
   const Sheet sheet = builder.finish();
   for (const double chord : {0.01, 1.0}) {
-    const auto& ring = plates_of(sheet, {.chord = chord}).plates[0].outline;
+    const PlateStructure plates = plates_of(sheet, {.chord = chord});
+    const auto& ring = plates.plates[0].outline;
     double area = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];

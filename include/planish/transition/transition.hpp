@@ -104,6 +104,7 @@ struct FoldedPiece {
   Sheet sheet;
   double cut_area = 0.0;                       ///< of the neutral surface, mm²: what was cut off
   std::array<std::array<Vec3, 2>, 2> seams{};  ///< ends in space of its first and last ruling
+  std::optional<std::array<Vec3, 2>> ridge = {};  ///< where both slopes of a roof meet, unjoined
 };
 
 struct TransitionOptions {
