@@ -5,6 +5,7 @@
 #include "outline_run.hpp"
 #include "refusals.hpp"
 #include "sharp_fit.hpp"
+#include "surface_choice.hpp"
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
@@ -64,15 +65,6 @@ std::vector<Spread> legal_on_both(const FitTask& task, const BendSurface& surfac
   return common(legal[0], legal[1]);
 }
 
-BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, const FitTask& task,
-                            const ConnectOptions& options) {
-  BendAlternative result{task.request, BendKind::cone, other.kind, other.width, other.span};
-  const auto edges = choice.edges(other);
-  result.request.edges = {edges[0], edges[1]};
-  if (std::abs(other.line.slope) < options.smallest_slope) result.kind = BendKind::cylinder;
-  return result;
-}
-
 // Lowest and highest level of the bend, whose middle is the recogniser's mid-length of a cone.
 std::pair<double, double> levels(const BendFit& fit) {
   const Boundary& low = fit.boundaries.low;
@@ -112,8 +104,7 @@ Result<void> check_radii(const FitTask& task, const BendFit& fit) {
   return {};
 }
 
-void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
-                 const ConnectOptions& options) {
+void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice) {
   const EdgeChoice& best = choice.search.best;
   FittedBend& report = fit.report;
   report.request = task.request;
@@ -134,8 +125,6 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
                 (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
   report.reach = nearness_of(choice).span;
   set_radii(report, fit, task.thickness);
-  for (const EdgeChoice& other : choice.search.alternatives)
-    report.alternatives.push_back(alternative(choice, other, task, options));
 }
 
 Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
@@ -152,46 +141,6 @@ Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
                            {"field", place::pointer("/inside_radius")}}));
 }
 
-// The line of a cylinder, moved so far that no edge drawn along it is cut: further stretches of the
-// bend may begin there, and files round.
-TangentLine clear_of_drawn(const PairChoice& choice, const TangentLine& line, const FitTask& task) {
-  const EdgeKind kind = choice.search.best.kind;
-  const double at = -line.offset, sign = kind == EdgeKind::facing ? 1.0 : -1.0;
-  double nearest = sign * at;
-  for (const auto& chains : choice.chains)
-    for (const Chain& chain : chains)
-      for (std::size_t j = 0; chain.kind == kind && j < chain.edges.size(); ++j) {
-        const double a = chain.corners[j].y(), b = chain.corners[j + 1].y();
-        if (std::abs(a - at) <= kDrawn && std::abs(b - at) <= kDrawn)
-          nearest = std::min({nearest, sign * a, sign * b});
-      }
-  const bool too_sharp = kind == EdgeKind::facing && nearest < least_height(task, choice.frame);
-  return too_sharp ? line : TangentLine{0.0, -sign * nearest};
-}
-
-// The mid-surface, with the tangent line and the plate extension it is for.
-Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice,
-                                   const ConnectOptions& options, FittedBend& report) {
-  const EdgeChoice& best = choice.search.best;
-  const Corners corners = choice.corners(best);
-  if (task.request.surface == SurfaceChoice::general && !choice.frame.parallel()) {
-    const auto lines = general_lines(corners, best.kind, task.request.apex);
-    if (!lines) return pass_on(lines);
-    report.line = lines->lines[0];
-    report.apex = lines->apex;
-    report.extension_area = lines->area;
-    return general_surface(choice.frame, *lines, corners, task.request.tangent_point,
-                           extent_of(task));
-  }
-  auto line = tangent_line(task, choice, options);
-  if (!line) return pass_on(line);
-  if (line->slope == 0.0 && !task.request.inside_radius) line = clear_of_drawn(choice, *line, task);
-  report.line = *line;
-  report.extension_area = extension_area(corners, best.kind, *line);
-  return choice.frame.parallel() ? half_turn(choice.frame, *line)
-                                 : tangent_surface(choice.frame, best.kind, *line);
-}
-
 std::array<OutlineRun, 2> whole_runs(const FitTask& task, const PairChoice& choice) {
   const auto edges = choice.edges(choice.search.best);
   const Corners corners = choice.corners(choice.search.best);
@@ -203,12 +152,14 @@ std::array<OutlineRun, 2> whole_runs(const FitTask& task, const PairChoice& choi
   return runs;
 }
 
-// Where another bend has left a part of an edge, this one does not flare out to it.
-LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
+// Where another bend has left a part of an edge, this one does not flare out to it; a round end is
+// not cut straight.
+LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit, bool round_end) {
   const bool part = std::ranges::any_of(
       fit.runs, [](const OutlineRun& run) { return run.start > 0.0 || run.end < 1.0; });
   const LateralBoundary wanted = task.request.lateral;
-  return part && wanted == LateralBoundary::automatic ? LateralBoundary::corner : wanted;
+  return (part || round_end) && wanted == LateralBoundary::automatic ? LateralBoundary::corner
+                                                                     : wanted;
 }
 
 }  // namespace
@@ -248,9 +199,12 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return pass_on(turn);
   BendFit fit;
-  auto surface = chosen_surface(task, choice, options, fit.report);
-  if (!surface) return pass_on(surface);
-  fit.surface = std::move(*surface);
+  auto chosen = chosen_surface(task, choice, options);
+  if (!chosen) return pass_on(chosen);
+  fit.surface = std::move(chosen->surface);
+  fit.report.line = chosen->line;
+  fit.report.apex = chosen->apex;
+  fit.report.extension_area = chosen->extension_area;
   // Checked before laying flat, which is impossible for a cylinder without an inside.
   if (fit.surface.kind == BendKind::cylinder)
     if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius) return pass_on(radius);
@@ -258,14 +212,15 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   const LateralOptions lateral{(options.k_factor - 0.5) * task.thickness,
                                legal_on_both(task, fit.surface, ends), extent_of(task)};
   fit.runs = whole_runs(task, choice);
-  auto boundaries = lateral_boundaries(fit.surface, ends, lateral_wanted(task, fit), lateral);
+  auto boundaries = lateral_boundaries(fit.surface, ends,
+                                       lateral_wanted(task, fit, chosen->round_end), lateral);
   if (!boundaries) return pass_on(boundaries);
   fit.boundaries = std::move(*boundaries);
   for (int side = 0; side < 2; ++side)
     fit.runs[side] = trimmed(fit.runs[side], *task.plates[side], fit.surface, fit.boundaries, side,
                              task.thickness);
   if (auto radii = check_radii(task, fit); !radii) return pass_on(radii);
-  fill_report(fit, task, choice, options);
+  fill_report(fit, task, choice);
   return fit;
 }
 

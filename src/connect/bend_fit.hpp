@@ -75,6 +75,7 @@ struct FitTask {
   std::string pointer;  ///< of the request in the file, "/bends/1"; empty if not requested
   std::array<UsedEdges, 2> taken;  ///< by other bends
   bool shares_edges = false;       ///< uses no more of an edge than lies opposite the other plate
+  bool right_only = false;         ///< no general cone unless it is asked for
 };
 
 /// Extent of the larger plate of the task, mm.

@@ -2,6 +2,8 @@
 
 #include "tolerances.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -104,6 +106,28 @@ PlanePair plane_pair(const PlacedPlate& a, const PlacedPlate& b, double planarit
   return rise <= off ? PlanePair::coplanar : PlanePair::parallel;
 }
 
+std::optional<NearlyCoplanar> nearly_coplanar(const PlacedPlate& a, const PlacedPlate& b,
+                                              double thickness) {
+  constexpr Angle kLittle = Angle::degrees(1.0);
+  NearlyCoplanar near;
+  const double lean = a.frame.z.cross(b.frame.z).norm();
+  near.angle = Angle::radians(std::atan2(lean, std::abs(a.frame.z.dot(b.frame.z))));
+  for (int i = 0; i < b.edge_count(); ++i)
+    near.off = std::max(near.off, std::abs(a.frame.local(b.corner(i)).z()));
+  for (int i = 0; i < a.edge_count(); ++i)
+    near.off = std::max(near.off, std::abs(b.frame.local(a.corner(i)).z()));
+  if (near.angle > kLittle || near.off > thickness) return std::nullopt;
+  return near;
+}
+
+bool runs_between(const PlacedPlate& a, const PlacedPlate& b) {
+  const double least = -kNegligible * std::max(a.extent, b.extent);
+  return std::ranges::any_of(bend_frames(a, b, PlanePair::crossing), [&](const BendFrame& frame) {
+    return frame.beta > Angle::degrees(90) && box_of(side_outline(a, frame, 0)).lo.y() >= least &&
+           box_of(side_outline(b, frame, 1)).lo.y() >= least;
+  });
+}
+
 std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, PlanePair kind) {
   if (kind == PlanePair::crossing) return crossing_frames(a, b);
   if (kind == PlanePair::parallel) return parallel_frames(a, b);
@@ -121,7 +145,8 @@ std::vector<Vec2> side_ring(const PlacedPlate& plate, int ring, const BendFrame&
 
 std::vector<Chain> side_chains(const PlacedPlate& plate, const BendFrame& frame, int side) {
   std::vector<Chain> chains;
-  for (int ring = 0; ring < plate.ring_count(); ++ring)
+  for (int ring = 0; ring < plate.ring_count(); ++ring) {
+    if (!plate.is_polygon(ring)) continue;
     for (Chain& chain : viable_chains(side_ring(plate, ring, frame, side))) {
       // The material lies outside a hole.
       if (ring > 0)
@@ -130,6 +155,7 @@ std::vector<Chain> side_chains(const PlacedPlate& plate, const BendFrame& frame,
         edge = plate.edge_number({ring, edge});
       chains.push_back(std::move(chain));
     }
+  }
   return chains;
 }
 

@@ -4,6 +4,7 @@
 
 #include <planish/connect/connect.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace planish::connect_detail {
@@ -11,6 +12,19 @@ namespace planish::connect_detail {
 /// How the planes of two plates lie to each other.
 enum class PlanePair { crossing, parallel, coplanar };
 PlanePair plane_pair(const PlacedPlate& a, const PlacedPlate& b, double planarity);
+
+/// How far plates miss lying in one plane, where that is less than a degree and `thickness`; else
+/// empty.
+struct NearlyCoplanar {
+  Angle angle;       ///< between their planes
+  double off = 0.0;  ///< largest distance of a corner from the other's plane, mm
+};
+std::optional<NearlyCoplanar> nearly_coplanar(const PlacedPlate& a, const PlacedPlate& b,
+                                              double thickness);
+
+/// Whether the line in which the planes of two plates meet runs between the plates, or along their
+/// edges.
+bool runs_between(const PlacedPlate& a, const PlacedPlate& b);
 
 /// Axes of the bends that two plates can have (math.md#bend-frame). Crossing planes: one for each
 /// combination of sides of the intersection line on which the plates have corners (one, unless a

@@ -125,7 +125,7 @@ PairChoice as_part(PairChoice choice, const FitTask& task, EdgeSearchOptions wan
 
 // The choice with the edges that are drawn up to the bend, if it has such.
 PairChoice as_drawn(PairChoice choice, const FitTask& task, EdgeSearchOptions wanted) {
-  if (task.request.edges[0] || task.request.edges[1]) return choice;
+  if (task.request.edges[0] || task.request.edges[1] || wanted.trade_off == 0.0) return choice;
   const auto edges = drawn_edges(choice);
   if (!edges) return choice;
   wanted.edges = {(*edges)[0], (*edges)[1]};

@@ -43,6 +43,10 @@ std::optional<ReferenceBend> reference_bend(const ChainPair& pair, double bound)
 std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference,
                                       double trade_off, const std::optional<EdgeChoice>& best);
 
+/// The runs of a pair of chains with the smallest span, if it is smaller than that of `best` (which
+/// may be empty).
+std::optional<EdgeChoice> least_span(const ChainPair& pair, const std::optional<EdgeChoice>& best);
+
 /// The smallest span of two runs (positions of their edges in the chains) over all tangent lines;
 /// `start` is a slope to begin with.
 std::optional<EdgeChoice> measured(const ChainPair& pair,

@@ -2,7 +2,9 @@
 
 #include "corners.hpp"
 #include "general_fit.hpp"
+#include "refusals.hpp"
 #include "sharp_fit.hpp"
+#include "surface_choice.hpp"
 #include "tolerances.hpp"
 
 #include <planish/connect/codes.hpp>
@@ -28,11 +30,12 @@ namespace {
 constexpr int kMostTries = 6000;
 // General bends take a hundred times longer than others to fit.
 constexpr int kMostGeneral = 240;
-
-bool surface_is_free(const BendRequest& request) {
-  return request.surface == SurfaceChoice::automatic && !request.slope && !request.apex &&
-         !request.aperture && !request.inside_radii && !request.inside_radius;
-}
+// Of the choices that come first, so many may be general bends, where these need less extension.
+constexpr int kMostGeneralFirst = 2;
+// On other edges than the best, so many general bends are tried for less extension, on edges of at
+// least this share of the width.
+constexpr int kMostGeneralElsewhere = 64;
+constexpr double kNearlyAsWide = 0.8;
 
 BendRequest with_surface(BendRequest request, SurfaceChoice surface) {
   request.surface = surface;
@@ -72,9 +75,11 @@ std::vector<BendRequest> with_laterals(const std::vector<BendRequest>& requests)
   return all;
 }
 
-// Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief.
-bool is_drawn_up(const BendFit& fit, double thickness) {
-  return fit.report.extension_area <= kContact * thickness * fit.report.width;
+// Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief. A
+// general cone that nobody asked for is a choice.
+bool is_drawn_up(const BendFit& fit, const FitTask& task) {
+  if (fit.surface.kind == BendKind::general && leaves_surface_free(task.request)) return false;
+  return fit.report.extension_area <= kContact * task.thickness * fit.report.width;
 }
 
 /// Tries choices and remembers why they failed.
@@ -88,7 +93,7 @@ class Trial {
     ++tries_;
     if (!fit) return failed(fit.error());
     if (auto sound = checks_.must(*fit); !sound) return failed(in_request(task_, sound.error()));
-    const bool drawn_up = is_drawn_up(*fit, task_.thickness);
+    const bool drawn_up = is_drawn_up(*fit, task_);
     if (!drawn_up)
       if (auto flat = checks_.flat(*fit); !flat) {
         if (tries_ == 1) fallback_ = std::move(*fit);
@@ -105,12 +110,15 @@ class Trial {
   bool take(const PairChoice& choice, const BendRequest& request) {
     FitTask task = task_;
     task.request = request;
+    task.right_only = ++choices_ > kMostGeneralFirst;
     auto fit = fit_choice(task, choice, options_);
     if (!fit) fit = fail(in_request(task, fit.error()));
     return take(std::move(fit));
   }
 
   bool tired() const { return tries_ >= kMostTries; }
+
+  const Error& first_failure() const { return first_; }
 
   Result<BendFit> result() const {
     if (found_) return *found_;
@@ -168,7 +176,7 @@ class Trial {
   const FitTask& task_;
   const ConnectOptions& options_;
   const FitChecks& checks_;
-  int tries_ = 0;
+  int tries_ = 0, choices_ = 0;
   Error first_;
   std::optional<Error> touch_;
   std::map<int, std::pair<int, Error>> failures_;  // by rank: how many, and the first
@@ -209,32 +217,130 @@ bool any_general(Trial& trial, const std::vector<PairChoice>& choices, const Fit
   return false;
 }
 
+Result<void> check_all(const BendFit& fit, const FitTask& task, const FitChecks& checks) {
+  for (const auto& check : {checks.must, checks.room})
+    if (auto sound = check(fit); !sound) return fail(in_request(task, sound.error()));
+  if (!is_drawn_up(fit, task))
+    if (auto flat = checks.flat(fit); !flat) return fail(in_request(task, flat.error()));
+  return {};
+}
+
+Result<BendFit> first_that_holds(const FitTask& task, const ConnectOptions& options,
+                                 const FitChecks& checks) {
+  auto fit = fit_between(task, options);
+  if (!fit) return fit;
+  if (auto sound = check_all(*fit, task, checks); !sound) return pass_on(sound);
+  return fit;
+}
+
+/// A general cone that holds on edges nearly as wide as those of `right`, a cylinder or right cone,
+/// where none holds on the best edges: their apex may lie beside a corner that is cut off. Empty if
+/// there is none, or if it would save next to nothing.
+std::optional<BendFit> general_elsewhere(const FitTask& task, const BendFit& right,
+                                         const ConnectOptions& options, const FitChecks& checks) {
+  const double area = right.report.extension_area;
+  const auto worth = [&](const PairChoice& choice) {
+    const EdgeChoice& best = choice.search.best;
+    return !choice.frame.parallel() && best.kind == EdgeKind::facing &&
+           best.width >= kNearlyAsWide * right.report.width &&
+           less_extended(choice.corners(best), area, options);
+  };
+  const auto nearest = search_pair(task, options);
+  if (!nearest || !saves_extension(nearest->corners(nearest->search.best), area, options))
+    return std::nullopt;
+  FitTask general = task;
+  general.request.surface = SurfaceChoice::general;
+  int tries = 0;
+  for (const PairChoice& choice : edge_choices(general, options)) {
+    if (!worth(choice)) continue;
+    for (const BendRequest& request : with_laterals({general.request})) {
+      if (++tries > kMostGeneralElsewhere) return std::nullopt;
+      FitTask one = general;
+      one.request = request;
+      auto fit = fit_choice(one, choice, options);
+      if (!fit || !check_all(*fit, one, checks) || fit->report.extension_area >= area) continue;
+      fit->report.request = task.request;
+      return std::move(*fit);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The fit itself, or a general cone of less extension on other edges.
+Result<BendFit> least_extended(const FitTask& task, Result<BendFit> fit,
+                               const ConnectOptions& options, const FitChecks& checks) {
+  if (!fit || !leaves_surface_free(task.request) || asks_for_fold(task.request) ||
+      fit->surface.kind == BendKind::general)
+    return fit;
+  if (auto general = general_elsewhere(task, *fit, options, checks)) return std::move(*general);
+  return fit;
+}
+
+FitTask without_general(FitTask task) {
+  task.right_only = true;
+  return task;
+}
+
+// The bend that the search finds first, where another one that is longer was taken.
+std::optional<PassedOver> passed_over(const FitTask& task, const ConnectOptions& options,
+                                      const FittedBend& taken, const Error& why) {
+  if (why.message.empty()) return std::nullopt;
+  const auto choice = search_pair(task, options);
+  if (!choice || choice->search.best.span >= taken.span - kNegligible * extent_of(task))
+    return std::nullopt;
+  PassedOver shorter{choice->edges(choice->search.best), choice->search.best.span, why};
+  for (auto& edges : shorter.edges)
+    std::ranges::sort(edges);
+  if (shorter.edges == taken.edges) return std::nullopt;
+  return shorter;
+}
+
+// Of plates that nearly lie in one plane the planes meet anywhere, and what stands in the way of a
+// bend there says nothing about the plates.
+Error clearer(const FitTask& task, Error why) {
+  const PlacedPlate &a = *task.plates[0], &b = *task.plates[1];
+  const auto near = nearly_coplanar(a, b, task.thickness);
+  if (!near || why.code == code::too_far_apart || runs_between(a, b)) return why;
+  return in_request(task, error_of(refuse::nearly_in_one_plane,
+                                   about(task, {{"angle", near->angle.degrees(), unit::degrees},
+                                                {"off", near->off, unit::mm}})));
+}
+
 }  // namespace
 
 Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& options,
                                  const FitChecks& checks) {
-  auto fit = fit_between(task, options);
-  if (!fit) return fit;
-  for (const auto& check : {checks.must, checks.room})
-    if (auto sound = check(*fit); !sound) return fail(in_request(task, sound.error()));
-  if (!is_drawn_up(*fit, task.thickness))
-    if (auto flat = checks.flat(*fit); !flat) return fail(in_request(task, flat.error()));
-  return fit;
+  auto fit = first_that_holds(task, options, checks);
+  if (!fit && leaves_surface_free(task.request))
+    if (auto right = first_that_holds(without_general(task), options, checks))
+      fit = std::move(right);
+  return least_extended(task, std::move(fit), options, checks);
 }
 
 Result<BendFit> fit_any_choice(const FitTask& asked, const ConnectOptions& options,
                                const FitChecks& checks) {
   if (asks_for_fold(asked.request)) return fit_first_choice(asked, options, checks);
   const FitTask task = at_limit_of_edges(asked, options);
+  const bool free = leaves_surface_free(task.request);
   Trial trial(task, options, checks);
-  if (!trial.take(fit_between(asked, options))) {
+  if (!trial.take(fit_between(asked, options)) &&
+      !(free && trial.take(fit_between(without_general(asked), options)))) {
     const std::vector<PairChoice> choices = edge_choices(task, options);
-    if (!any_as_asked(trial, choices, task) && surface_is_free(task.request) &&
-        !any_other_surface(trial, choices, task))
-      any_general(trial, choices, task);
+    // Where width counts for nothing, another surface on shorter edges comes before longer edges.
+    const bool found = free && task.request.trade_off == 0.0
+                           ? std::ranges::any_of(choices,
+                                                 [&](const PairChoice& choice) {
+                                                   return any_as_asked(trial, {choice}, task) ||
+                                                          any_other_surface(trial, {choice}, task);
+                                                 })
+                           : any_as_asked(trial, choices, task) ||
+                                 (free && any_other_surface(trial, choices, task));
+    if (!found && free) any_general(trial, choices, task);
   }
-  auto fit = trial.result();
-  if (fit) fit->report.request = asked.request;
+  auto fit = least_extended(task, trial.result(), options, checks);
+  if (!fit) return fail(clearer(task, fit.error()));
+  fit->report.request = asked.request;
+  fit->report.passed_over = passed_over(task, options, fit->report, trial.first_failure());
   return fit;
 }
 

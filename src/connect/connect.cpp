@@ -1,4 +1,6 @@
+#include "alternatives.hpp"
 #include "assemble.hpp"
+#include "close_loops.hpp"
 #include "interrupted_bends.hpp"
 #include "join_tree.hpp"
 #include "loops.hpp"
@@ -6,6 +8,7 @@
 #include "refusals.hpp"
 #include "request_check.hpp"
 #include "taken_edges.hpp"
+#include "trim.hpp"
 
 #include <planish/connect/connect.hpp>
 
@@ -104,6 +107,54 @@ Result<void> check_whole(const PlateStructure& structure) {
   return {};
 }
 
+/// What else would join the plates of each bend, by the edges that the others leave free.
+void add_alternatives(const PlateStructure& structure, const ConnectOptions& options,
+                      Parts& parts) {
+  for (BendFit& fit : parts.fits) {
+    FittedBend& report = fit.report;
+    if (report.plates.size() < 2 || fit.fold) continue;
+    const FitTask task = task_of(structure, parts.plates, taken_by(parts, &fit), report.plates,
+                                 report.request);
+    report.alternatives = alternatives_to(report, task, options);
+  }
+}
+
+/// Joins plates in their places.
+Result<Connection> joined(const PlateStructure& structure, const Trimmed& trimmed,
+                          const ConnectOptions& options, const Progress& progress) {
+  const std::vector<PlacedPlate>& plates = trimmed.plates;
+  if (auto apart = check_apart(structure, plates, options); !apart) return pass_on(apart);
+  const auto root = root_of(structure, plates);
+  if (!root) return pass_on(root);
+  const bool found = structure.bends.empty();
+  auto fits = found ? fit_tree(structure, plates, trimmed.shared, options, progress)
+                    : fit_requested(structure, plates, options, progress);
+  if (!fits) return pass_on(fits);
+  // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
+  if (found)
+    std::ranges::sort(
+        *fits, {}, [](const BendFit& fit) -> const auto& { return fit.report.plates; });
+  Parts parts = parts_of(structure, plates, 0);
+  parts.fits = std::move(*fits);
+  parts.root = *root;
+  if (found) close_loops(structure, trimmed.shared, options, parts);
+  add_alternatives(structure, options, parts);
+  const std::size_t bends = parts.fits.size();
+  append_stretches(parts);
+  auto made = assembled(parts);
+  if (!made) return pass_on(made);
+  if (auto flat = check_loops(parts, *made, options.k_factor); !flat) return pass_on(flat);
+  Connection connection{
+      structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
+  connection.trimmed = trimmed.cut;
+  connection.left_open = left_open(trimmed.shared, parts);
+  for (std::size_t b = 0; b < bends; ++b) {
+    connection.bends.push_back(std::move(parts.fits[b].report));
+    connection.bends.back().bend = made->bends[b];
+  }
+  return connection;
+}
+
 }  // namespace
 
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
@@ -112,32 +163,11 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   if (auto whole = check_whole(structure); !whole) return pass_on(whole);
   auto plates = place_all(structure, options);
   if (!plates) return pass_on(plates);
-  if (auto apart = check_apart(structure, *plates, options); !apart) return pass_on(apart);
-  const auto root = root_of(structure, *plates);
-  if (!root) return pass_on(root);
-  auto fits = structure.bends.empty() ? fit_tree(structure, *plates, options, progress)
-                                      : fit_requested(structure, *plates, options, progress);
-  if (!fits) return pass_on(fits);
-  // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
-  if (structure.bends.empty())
-    std::ranges::sort(
-        *fits, {}, [](const BendFit& fit) -> const auto& { return fit.report.plates; });
-
-  Parts parts = parts_of(structure, *plates, 0);
-  parts.fits = std::move(*fits);
-  parts.root = *root;
-  const std::size_t bends = parts.fits.size();
-  append_stretches(parts);
-  auto made = assembled(parts);
-  if (!made) return pass_on(made);
-  if (auto flat = check_loops(parts, *made, options.k_factor); !flat) return pass_on(flat);
-  Connection connection{
-      structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
-  for (std::size_t b = 0; b < bends; ++b) {
-    connection.bends.push_back(std::move(parts.fits[b].report));
-    connection.bends.back().bend = made->bends[b];
-  }
-  return connection;
+  const Trimmed trimmed = trimmed_where_touching(structure, *plates);
+  auto connection = joined(structure, trimmed, options, progress);
+  // What was not asked for must not stand in the way.
+  if (connection || structure.trim || trimmed.cut.empty()) return connection;
+  return joined(structure, {std::move(*plates), {}, {}}, options, progress);
 }
 
 }  // namespace planish

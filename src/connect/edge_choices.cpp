@@ -2,11 +2,11 @@
 #include "pair_search.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 #include <set>
 #include <tuple>
 
-// Every choice of edges that may be worth fitting, the smallest ratio of span to width first. For
+// Every choice of edges that may be worth fitting, in the order of the objective. For
 // each frame there are the optima of several trade-offs with their alternatives, each edge and each
 // two neighbours, and what is left of facing edges above the height that a bend of some radius
 // needs. Each choice is kept once.
@@ -37,13 +37,27 @@ class Choices {
     all_.push_back(std::move(choice));
   }
 
-  std::vector<PairChoice> nearest_first() && {
-    const auto cost = [](const PairChoice& choice) {
-      const EdgeChoice& best = choice.search.best;
-      return best.width > 0.0 ? best.span / best.width : std::numeric_limits<double>::infinity();
-    };
-    std::ranges::stable_sort(all_, {}, cost);
-    return std::move(all_);
+  /// By the objective of math.md#widest-bend on what remains: of the shortest one and all that are
+  /// wider for no more than the trade-off allows, the widest first; then the same of the rest.
+  std::vector<PairChoice> best_first(double trade_off) && {
+    std::vector<std::size_t> order(all_.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto span = [&](std::size_t i) { return all_[i].search.best.span; };
+    const auto width = [&](std::size_t i) { return all_[i].search.best.width; };
+    std::ranges::stable_sort(order, {}, span);
+    for (auto from = order.begin(); from != order.end();) {
+      const double budget = span(*from) - trade_off * width(*from);
+      const auto rest = std::stable_partition(from, order.end(), [&](std::size_t i) {
+        return span(i) - trade_off * width(i) <= budget;
+      });
+      std::stable_sort(from, rest,
+                       [&](std::size_t i, std::size_t j) { return width(i) > width(j); });
+      from = rest;
+    }
+    std::vector<PairChoice> sorted;
+    for (const std::size_t i : order)
+      sorted.push_back(std::move(all_[i]));
+    return sorted;
   }
 
  private:
@@ -155,7 +169,7 @@ std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& 
     add_short(choices, *chains, wanted);
     if (!frame.parallel()) add_above(choices, *chains, wanted, task.thickness);
   }
-  return std::move(choices).nearest_first();
+  return std::move(choices).best_first(task.request.trade_off);
 }
 
 }  // namespace planish::connect_detail

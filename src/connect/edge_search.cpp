@@ -206,7 +206,54 @@ std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& fou
   return choices;
 }
 
+/// The widest bend of all pairs of chains whose span is at most `budget`.
+std::optional<EdgeChoice> widest_within(const Search& search, double budget, double noise) {
+  EdgeChoice limit;
+  limit.span = budget;
+  std::optional<EdgeChoice> best;
+  for (const Candidate& candidate : search.candidates) {
+    if (candidate.shortest > budget + noise || (best && candidate.widest < best->width - noise))
+      continue;
+    if (auto wider = widest_bend(search.pair(candidate), limit, 0.0, best))
+      best = std::move(*wider);
+  }
+  return best;
+}
+
+/// The widest bend of those whose span is smallest.
+std::optional<EdgeChoice> shortest_bend(const Search& search, double noise) {
+  std::optional<EdgeChoice> shortest;
+  for (const Candidate& candidate : nearest_first(search.candidates)) {
+    if (shortest && candidate.shortest > shortest->span + noise) break;
+    if (auto shorter = least_span(search.pair(candidate), shortest)) shortest = *shorter;
+  }
+  if (!shortest) return std::nullopt;
+  return widest_within(search, shortest->span, noise);
+}
+
 }  // namespace
+
+std::vector<EdgeChoice> efficient_edges(const Sides& sides, Angle beta,
+                                        const EdgeSearchOptions& options, int most) {
+  const auto places = places_of(sides, options);
+  if (!places) return {};
+  Search search{sides, *places, beta, options};
+  search.candidates = candidates_of(search);
+  const double noise = noise_of(search);
+  const auto shortest = shortest_bend(search, noise);
+  if (!shortest) return {};
+  std::vector<EdgeChoice> efficient;
+  double budget = std::numeric_limits<double>::infinity();
+  while (std::ssize(efficient) + 1 < most) {
+    constexpr double kShorter = 4.0;  // times the noise that every search allows
+    auto next = widest_within(search, budget, noise);
+    if (!next || next->span <= shortest->span + kShorter * noise) break;
+    budget = next->span - kShorter * noise;
+    efficient.push_back(std::move(*next));
+  }
+  efficient.push_back(*shortest);
+  return efficient;
+}
 
 Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearchOptions& options) {
   const auto places = places_of(sides, options);

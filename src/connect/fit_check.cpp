@@ -109,8 +109,9 @@ Result<void> check_room(const Parts& parts, int bend) {
     if (!made) return pass_on(made);
     extended.push_back(parts.plates[plate]);
     for (int ring = 0; ring < extended.back().ring_count(); ++ring)
-      (ring == 0 ? extended.back().outline
-                 : extended.back().holes[ring - 1]) = corners_of(made->face.loops[ring]);
+      if (extended.back().is_polygon(ring))
+        (ring == 0 ? extended.back().outline
+                   : extended.back().holes[ring - 1]) = corners_of(made->face.loops[ring]);
   }
   const auto meet = sheets_meet(extended[0], extended[1], report.frame, parts.thickness);
   if (!meet) return {};

@@ -145,6 +145,12 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
     Vec3& end = ends[side] = apex + (frame.point(side, far) - apex).dot(ruling) * ruling;
     surface.tangents[side] = {end, ruling, std::cos(phi) * frame.e[side] - std::sin(phi) * along};
     surface.rails[side] = (end - apex).norm();
+    // The end of a plate that touches may lie where the planes meet, and edges may hardly run
+    // apart.
+    constexpr double kLeastSlope = 1e-6;
+    const double off = surface.rails[side] * std::sin(phi);
+    if (!(off > kPointOnLine * extent) || !(std::abs(slope) > kLeastSlope))
+      return fail(refuse::general_without_apex, {{"field", place::pointer("/surface")}});
   }
   Vec3 meet = equidistant(frame, apex, ends);
   if (tangent_point) {
@@ -173,9 +179,11 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
 }
 
 double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2& high) {
-  const auto v_of = [](const Curve2& boundary, double u) {
+  // A boundary only touches the rulings at its ends, which may then be missing.
+  const auto v_of = [&](const Curve2& boundary, double u) {
     const auto at = crossings(boundary, {u, 0.0}, Vec2::UnitY());
-    return point_at(boundary, at.empty() ? 0.5 : at.front()).y();
+    const double end = u < 0.5 * surface.sweep ? 0.0 : 1.0;
+    return point_at(boundary, at.empty() ? end : at.front()).y();
   };
   double smallest = std::numeric_limits<double>::infinity();
   constexpr int kRulings = 256;

@@ -138,9 +138,15 @@ using PairQueue = Frontier<Pair, LaterPair>;
 struct Problem {
   const PlateStructure& structure;
   const std::vector<PlacedPlate>& plates;
+  const std::vector<SharedEdge>& touching;
   const ConnectOptions& options;
   bool share_edges = false;
 
+  bool touch(int a, int b) const {
+    return std::ranges::any_of(touching, [&](const SharedEdge& edge) {
+      return edge.plates == std::array{a, b} || edge.plates == std::array{b, a};
+    });
+  }
   int count() const { return static_cast<int>(plates.size()); }
   SpanLimit span_limit(int a, int b) const {
     if (structure.largest_span) return {*structure.largest_span, true};
@@ -170,16 +176,22 @@ std::optional<Pair> measured(const Problem& problem, int a, int b, const TakenEd
   return Pair{near->span / near->width, near->width, a, b, near->span};
 }
 
+/// Which pairs of plates are joined, and how far the search for their bend goes.
+struct Round {
+  bool touching = false;  ///< only plates that touch
+  bool any = false;       ///< of all choices of edges and surface, not only the first
+};
+
 /// The pairs of plates that are not joined yet, within reach of each other.
 Result<PairQueue> open_pairs(const Problem& problem, UnionFind& groups, const TakenEdges& taken,
-                             bool any, const Progress& progress) {
+                             const Round& round, const Progress& progress) {
   PairQueue pairs;
   for (int a = 0; a < problem.count(); ++a) {
     if (progress.should_stop()) return fail(refuse::cancelled);
     progress.at("finding which plates to join", static_cast<double>(a) / problem.count());
     for (int b = a + 1; b < problem.count(); ++b) {
-      if (groups.same(a, b)) continue;
-      if (const auto pair = measured(problem, a, b, taken, any);
+      if (groups.same(a, b) || (round.touching && !problem.touch(a, b))) continue;
+      if (const auto pair = measured(problem, a, b, taken, round.any);
           pair && pair->span <= problem.largest_span(a, b))
         pairs.add(*pair);
     }
@@ -251,25 +263,22 @@ class Tree {
         why_(problem.plates.size()),
         parts_(parts_of(problem.structure, problem.plates, 0)) {}
 
-  using Fit = Result<BendFit>(const FitTask&, const ConnectOptions&, const FitChecks&);
-
-  Result<void> grow(Fit* fit, const Progress& progress) {
+  Result<void> grow(const Round& round, const Progress& progress) {
     if (parts_.fits.size() + 1 >= problem_.plates.size()) return {};
-    const bool any = fit == fit_any_choice;
-    auto open = open_pairs(problem_, groups_, taken_, any, progress);
+    auto open = open_pairs(problem_, groups_, taken_, round, progress);
     if (!open) return pass_on(open);
     while (!open->empty() && parts_.fits.size() + 1 < problem_.plates.size()) {
       if (progress.should_stop()) return fail(refuse::cancelled);
       const Pair pair = open->take();
       if (groups_.same(pair.a, pair.b)) continue;
       // Its edges may have been taken since.
-      const auto now = measured(problem_, pair.a, pair.b, taken_, any);
+      const auto now = measured(problem_, pair.a, pair.b, taken_, round.any);
       if (!now || now->span > problem_.largest_span(pair.a, pair.b)) continue;
       if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
         open->add(*now);
         continue;
       }
-      join(pair, fit);
+      join(pair, round.any);
     }
     return {};
   }
@@ -285,17 +294,17 @@ class Tree {
   }
 
  private:
-  void join(const Pair& pair, Fit* how) {
+  void join(const Pair& pair, bool any) {
     const std::vector<int> rows{pair.a, pair.b};
     parts_.fits.emplace_back();
     const std::size_t bend = parts_.fits.size() - 1;
-    auto fit = how(
+    auto fit = (any ? fit_any_choice : fit_first_choice)(
         problem_.task(pair.a, pair.b, taken_), problem_.options,
         checks_at(parts_, bend, rows, problem_.span_limit(pair.a, pair.b), problem_.options));
     if (!fit) {
       parts_.fits.pop_back();
       for (const int p : rows)
-        if (!why_[p] || how == fit_any_choice) why_[p] = fit.error();
+        if (!why_[p] || any) why_[p] = fit.error();
       return;
     }
     fit->report.plates = rows;
@@ -369,13 +378,16 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
 
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
+                                      const std::vector<SharedEdge>& touching,
                                       const ConnectOptions& options, const Progress& progress) {
   return sharing_where_needed([&](bool share_edges) -> Result<std::vector<BendFit>> {
-    const Problem problem{structure, plates, options, share_edges};
+    const Problem problem{structure, plates, touching, options, share_edges};
     Tree tree(problem);
-    // Other choices than the first only where plates would be left alone.
-    for (const auto fit : {fit_first_choice, fit_any_choice})
-      if (auto grown = tree.grow(fit, progress); !grown) return pass_on(grown);
+    // Whoever draws plates that touch means them to be joined there. Other choices than the first
+    // only where plates would be left alone.
+    for (const Round round : {Round{true, false}, Round{true, true}, Round{}, Round{false, true}})
+      if (!round.touching || !touching.empty())
+        if (auto grown = tree.grow(round, progress); !grown) return pass_on(grown);
     return std::move(tree).fits();
   });
 }

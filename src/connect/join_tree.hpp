@@ -12,11 +12,12 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
                                            const std::vector<PlacedPlate>& plates,
                                            const ConnectOptions& options, const Progress& progress);
 
-/// Finds which plates to join into one sheet: pairs with the smallest ratio of span to width first,
-/// each edge used once (a minimum spanning tree). Error: `no_bend_fits` if a plate remains
-/// unconnected.
+/// Finds which plates to join into one sheet: those that touch where that is possible, then pairs
+/// with the smallest ratio of span to width first, each edge used once (a minimum spanning tree).
+/// Error: `no_bend_fits` if a plate remains unconnected.
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
+                                      const std::vector<SharedEdge>& touching,
                                       const ConnectOptions& options, const Progress& progress);
 
 }  // namespace planish::connect_detail

@@ -56,25 +56,57 @@ bool is_too_near(const FitTask& task, const PairChoice& choice) {
   return lowest(choice.corners(choice.search.best)) < least_height(task, choice.frame);
 }
 
+std::set<int> cut_corners(const PlacedPlate& plate) {
+  return {plate.cut_corners.begin(), plate.cut_corners.end()};
+}
+
+// Whether a side of the bend would hang on edges at corners that were cut off: some millimetres.
+bool is_on_cut_corners(const FitTask& task, const PairChoice& choice) {
+  const auto edges = choice.edges(choice.search.best);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::set<int> cut = cut_corners(*task.plates[i]);
+    if (!task.request.edges[i] &&
+        std::ranges::all_of(edges[i], [&](int edge) { return cut.contains(edge); }))
+      return true;
+  }
+  return false;
+}
+
+// The best edges of the chains; where width counts for nothing, the shortest.
+Result<PairChoice> best_within(PairChoice choice, const EdgeSearchOptions& wanted) {
+  if (auto searched = search(choice, wanted); !searched) return pass_on(searched);
+  if (wanted.trade_off > 0.0) return choice;
+  auto efficient = efficient_edges(choice.chains, choice.frame.beta, wanted, 1);
+  if (!efficient.empty()) choice.search.best = std::move(efficient.back());
+  return choice;
+}
+
 Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
-                                const ConnectOptions& options, std::optional<EdgeKind> kind) {
+                                std::optional<EdgeKind> kind) {
   auto chains = chains_in(task, frame, kind);
   if (!chains) return chains;
-  PairChoice choice = std::move(*chains);
-  const EdgeSearchOptions wanted = search_options(task, frame, options.alternatives);
-  if (auto searched = search(choice, wanted); !searched) return pass_on(searched);
-  choice = with_better_edges(std::move(choice), wanted);
-  if (is_too_near(task, choice)) {
-    PairChoice farther = choice;
+  const EdgeSearchOptions wanted = search_options(task, frame, 0);
+  auto choice = best_within(std::move(*chains), wanted);
+  if (!choice) return choice;
+  if (wanted.trade_off > 0.0) choice = with_better_edges(std::move(*choice), wanted);
+  if (is_on_cut_corners(task, *choice)) {
+    PairChoice whole = *choice;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!task.request.edges[i])
+        whole.chains[i] = without(whole.chains[i], cut_corners(*task.plates[i]));
+    if (auto best = best_within(std::move(whole), wanted)) choice = std::move(best);
+  }
+  if (is_too_near(task, *choice)) {
+    PairChoice farther = *choice;
     for (std::size_t i = 0; i < 2; ++i) {
       farther.chains[i] = of_kind(std::move(farther.chains[i]), EdgeKind::facing);
       if (!task.request.edges[i])
         farther.chains[i] = without(farther.chains[i],
                                     too_near(farther.chains[i], least_height(task, frame)));
     }
-    if (search(farther, wanted)) choice = std::move(farther);
+    if (auto best = best_within(std::move(farther), wanted)) choice = std::move(best);
   }
-  return with_used_parts(std::move(choice), task, wanted);
+  return with_used_parts(std::move(*choice), task, wanted);
 }
 
 bool better(const PairChoice& a, const PairChoice& b) {
@@ -204,7 +236,7 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
   std::optional<PairChoice> best;
   Error why = error_of(refuse::no_edges_facing, about(task, {}));
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], kind)) {
-    auto choice = search_frame(task, frame, options, natural);
+    auto choice = search_frame(task, frame, natural);
     if (!choice) {
       why = choice.error();
     } else if (!best || better(*choice, *best)) {

@@ -39,8 +39,8 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
 std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int side);
 
 /// Every choice of edges for a pair of plates, in each of its frames: the best for several
-/// trade-offs with their alternatives, and each pair of edges or of two neighbours; the smallest
-/// ratio of span to width first.
+/// trade-offs with their alternatives, and each pair of edges or of two neighbours; in the order of
+/// the objective (math.md#widest-bend).
 std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& options);
 
 /// On how much of the line both runs of corners lie, x growing; negative if they lie beside each

@@ -48,6 +48,18 @@ BorderLoop border_loop(const std::vector<Edge>& edges) {
   });
 }
 
+// A hole with arcs, which no bend changes; seen from the other side it is mirrored about x.
+BorderLoop shape_loop(Loop shape, int sense) {
+  if (sense < 0) {
+    Isometry2 mirror = Isometry2::Identity();
+    mirror.linear()(1, 1) = -1.0;
+    shape = reversed(transformed(shape, mirror));
+  }
+  return mapped(shape, [](const Curve2& curve) {
+    return Border{.curve = curve, .edge_length = length(curve)};
+  });
+}
+
 }  // namespace
 
 Result<JoinedFace> plate_face(const Parts& parts, int plate, int sense) {
@@ -56,6 +68,10 @@ Result<JoinedFace> plate_face(const Parts& parts, int plate, int sense) {
   JoinedFace made;
   made.face.surface = skin_frame(placed, parts.thickness, sense);
   for (int ring = 0; ring < placed.ring_count(); ++ring) {
+    if (!placed.is_polygon(ring)) {
+      made.face.loops.push_back(shape_loop(placed.shapes[ring - 1], sense));
+      continue;
+    }
     const auto outline = extended_outline(placed, bends, parts.ids[plate], ring);
     if (!outline) return pass_on(outline);
     const std::vector<Edge> edges = seen_from_outside(outline->edges, sense);

@@ -1,5 +1,6 @@
 #include "plate_plane.hpp"
 
+#include "hole_shape.hpp"
 #include "refusals.hpp"
 
 #include <planish/base/id_vector.hpp>
@@ -194,28 +195,62 @@ Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>
   return {};
 }
 
+/// The curves of a hole that is no polygon.
+Result<Loop> loop_of(const HoleShape& shape, const PlateRing& given, const Frame& frame,
+                     double planarity) {
+  for (std::size_t i = 0; i < given.ring.size(); ++i)
+    if (!given.ring[i].allFinite()) return fail(refuse::corner_not_finite, given.at_corner(i));
+  if (const double size = smallest_size(shape); !(size > 0.0))
+    return fail(refuse::bad_value, {{"name", "A size of " + given.name()},
+                                    {"value", size, unit::mm},
+                                    {"range", "a value above 0"},
+                                    {"field", place::pointer(given.pointer)}});
+  if (auto planar = check_planar(given, frame, planarity); !planar) return pass_on(planar);
+  return hole_loop(shape, frame);
+}
+
+// `ring` is the hole as a polygon, which a shape is near.
+Result<void> add_hole(PlacedPlate& placed, const PlateRing& polygon, Loop shape, double planarity,
+                      std::vector<Box2>& boxes) {
+  if (auto sound = check_corners(polygon); !sound) return sound;
+  if (auto planar = check_planar(polygon, placed.frame, planarity); !planar) return planar;
+  std::vector<Vec2> hole = flat(polygon.ring, placed.frame);
+  if (auto simple = check_simple(polygon, hole, placed.frame, placed.extent); !simple)
+    return simple;
+  for (std::size_t i = 0; i < hole.size(); ++i)
+    if (!inside({placed.outline}, hole[i])) {
+      Facts facts = polygon.at_corner(i);
+      facts.emplace_back("hole", *polygon.hole + 1);
+      return fail(refuse::hole_outside, facts);
+    }
+  if (auto apart = check_hole_apart(placed, boxes, hole, polygon); !apart) return apart;
+  boxes.push_back(box_of(hole));
+  placed.turned.push_back(ring_area(hole) > 0.0);
+  if (placed.turned.back()) std::ranges::reverse(hole);
+  placed.holes.push_back(std::move(hole));
+  placed.shapes.push_back(std::move(shape));
+  return {};
+}
+
 Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::string& pointer,
                        double planarity) {
+  constexpr double kChord = 1e-2;  // mm, of shapes as polygons
   std::vector<Box2> boxes;
   for (std::size_t h = 0; h < plate.holes.size(); ++h) {
-    const Ring& ring = plate.holes[h];
-    const PlateRing polygon{ring, plate.id, pointer + "/holes/" + std::to_string(h), h};
-    if (auto sound = check_corners(polygon); !sound) return sound;
-    if (auto planar = check_planar(polygon, placed.frame, planarity); !planar) return planar;
-    std::vector<Vec2> hole = flat(ring, placed.frame);
-    if (auto simple = check_simple(polygon, hole, placed.frame, placed.extent); !simple)
-      return simple;
-    for (std::size_t i = 0; i < hole.size(); ++i)
-      if (!inside({placed.outline}, hole[i])) {
-        Facts facts = polygon.at_corner(i);
-        facts.emplace_back("hole", h + 1);
-        return fail(refuse::hole_outside, facts);
-      }
-    if (auto apart = check_hole_apart(placed, boxes, hole, polygon); !apart) return apart;
-    boxes.push_back(box_of(hole));
-    placed.turned.push_back(ring_area(hole) > 0.0);
-    if (placed.turned.back()) std::ranges::reverse(hole);
-    placed.holes.push_back(std::move(hole));
+    const std::string place = pointer + "/holes/" + std::to_string(h);
+    Ring ring = plate.holes[h];
+    Loop shape;
+    if (const auto given = plate.shapes.find(h); given != plate.shapes.end()) {
+      const Ring points = given_points(given->second);
+      auto loop = loop_of(given->second, {points, plate.id, place, h}, placed.frame, planarity);
+      if (!loop) return pass_on(loop);
+      shape = std::move(*loop);
+      ring = mapped(sampled(shape, kChord), [&](const Vec2& p) { return placed.frame.point(p); });
+    }
+    if (auto added = add_hole(placed, {ring, plate.id, place, h}, std::move(shape), planarity,
+                              boxes);
+        !added)
+      return added;
   }
   return {};
 }
@@ -225,28 +260,43 @@ int renumbered(int edge, int count) { return (2 * count - 2 - edge) % count; }
 
 }  // namespace
 
+Eigen::AlignedBox3d PlacedPlate::box() const {
+  Eigen::AlignedBox3d box;
+  for (const Vec2& p : outline)
+    box.extend(frame.point(p));
+  return box;
+}
+
+int PlacedPlate::edges_of(int r) const {
+  if (r == 0 && !numbers.empty()) return given_edges;
+  return is_polygon(r) ? static_cast<int>(ring(r).size()) : 0;
+}
+
 int PlacedPlate::all_edges() const {
   int count = 0;
   for (int r = 0; r < ring_count(); ++r)
-    count += static_cast<int>(ring(r).size());
-  return count;
+    count += edges_of(r);
+  return numbers.empty() ? count : std::max(count, 1 + std::ranges::max(numbers));
 }
 
 int PlacedPlate::edge_number(const EdgePlace& place) const {
+  if (place.ring == 0) return numbers.empty() ? place.corner : numbers[place.corner];
   int before = 0;
   for (int r = 0; r < place.ring; ++r)
-    before += static_cast<int>(ring(r).size());
-  const bool other_way = place.ring > 0 && turned[place.ring - 1];
-  const int count = static_cast<int>(ring(place.ring).size());
+    before += edges_of(r);
+  const bool other_way = turned[place.ring - 1];
+  const int count = edges_of(place.ring);
   return before + (other_way ? renumbered(place.corner, count) : place.corner);
 }
 
 EdgePlace PlacedPlate::place_of(int edge) const {
+  if (const auto known = std::ranges::find(numbers, edge); known != numbers.end())
+    return {0, static_cast<int>(known - numbers.begin())};
   int r = 0;
-  while (edge >= static_cast<int>(ring(r).size()))
-    edge -= static_cast<int>(ring(r++).size());
+  while (edge >= edges_of(r))
+    edge -= edges_of(r++);
   const bool other_way = r > 0 && turned[r - 1];
-  return {r, other_way ? renumbered(edge, static_cast<int>(ring(r).size())) : edge};
+  return {r, other_way ? renumbered(edge, edges_of(r)) : edge};
 }
 
 Result<PlacedPlate> placed(const Plate& plate, const std::string& pointer, double planarity) {

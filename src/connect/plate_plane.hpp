@@ -2,6 +2,7 @@
 
 #include <planish/base/result.hpp>
 #include <planish/connect/plates.hpp>
+#include <planish/geometry/curve.hpp>
 #include <planish/geometry/frame.hpp>
 
 #include <string>
@@ -23,10 +24,19 @@ struct PlacedPlate {
   std::vector<Vec2> outline;
   std::vector<std::vector<Vec2>> holes;
   std::vector<bool> turned;  ///< by hole: it runs against the plate's order
-  double extent = 0.0;       ///< diagonal of its bounding box, mm
+  std::vector<Loop> shapes;  ///< by hole: its curves, if it is no polygon; then it has no edges
+  /// Of a trimmed outline: its edges' numbers, and how many edges it had before.
+  std::vector<int> numbers;
+  int given_edges = 0;
+  std::vector<int> cut_corners = {};  ///< numbers of those where only a corner was cut off
+  double extent = 0.0;                ///< diagonal of its bounding box, mm
   double area = 0.0;
 
   Vec3 corner(int i) const { return frame.point(outline[i]); }
+  Eigen::AlignedBox3d box() const;  ///< of the outline, in space
+  bool is_polygon(int ring) const { return ring == 0 || shapes[ring - 1].empty(); }
+  /// Edges of a ring that can carry a bend.
+  int edges_of(int ring) const;
   int edge_count() const { return static_cast<int>(outline.size()); }  ///< of the outline
 
   int ring_count() const { return 1 + static_cast<int>(holes.size()); }

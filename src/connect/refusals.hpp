@@ -72,6 +72,12 @@ constexpr Refusal in_one_plane{
     code::plates_coplanar,
     "{@plate} lie in the same plane, so there is nothing to bend between them.",
     "Make them one plate."};
+constexpr Refusal nearly_in_one_plane{
+    code::plates_coplanar,
+    "{@plate} lie in one plane but for {angle:3} and {off:3}, and no bend lies along the line "
+    "where "
+    "their planes meet: it does not run between them.",
+    "Make them one plate, or turn one about a line between them."};
 constexpr Refusal beside_each_other{
     code::plates_offset,
     "{@plate} lie in parallel planes {distance} apart and beside each other; a half-turn joins "
@@ -84,7 +90,8 @@ constexpr Refusal touch_at_bend{
 constexpr Refusal sheets_run_into_each_other{
     code::plates_touch, "The sheets of {@plate}, {thickness} thick, run into each other at {@at}.",
     "Move the plates apart, or cut them back there to {least} from the line where their planes "
-    "meet; plates that share an edge can be folded sharply (inside_radius 0)."};
+    "meet; trim does so along edges that plates share, which can also be folded sharply "
+    "(inside_radius 0)."};
 constexpr Refusal nearly_parallel{
     code::no_bend_fits,
     "The planes of {@plate} are so nearly parallel that a bend between them is out of reach.",

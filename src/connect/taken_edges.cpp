@@ -21,6 +21,17 @@ void take(const BendBand& band, const std::vector<int>& rows,
   }
 }
 
+TakenEdges taken_by(const Parts& parts, const BendFit* but) {
+  TakenEdges taken(parts.plates.size());
+  for (const BendFit& fit : parts.fits) {
+    if (&fit == but) continue;
+    take(fit, parts.plates, taken);
+    for (const BendBand& band : fit.stretches)
+      take(band, fit.report.plates, parts.plates, taken);
+  }
+  return taken;
+}
+
 FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
                 const TakenEdges& taken, const std::vector<int>& rows, const BendRequest& request) {
   FitTask task;

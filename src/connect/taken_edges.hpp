@@ -13,6 +13,9 @@ void take(const BendFit& fit, const std::vector<PlacedPlate>& plates, TakenEdges
 void take(const BendBand& band, const std::vector<int>& rows,
           const std::vector<PlacedPlate>& plates, TakenEdges& taken);
 
+/// What all bends use, but one.
+TakenEdges taken_by(const Parts& parts, const BendFit* but = nullptr);
+
 /// The task of a bend between the plates in `rows`.
 FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
                 const TakenEdges& taken, const std::vector<int>& rows, const BendRequest& request);

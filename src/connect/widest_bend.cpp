@@ -52,6 +52,9 @@ struct Node {
 struct Narrower {
   bool operator()(const Node& a, const Node& b) const { return a.widest < b.widest; }
 };
+struct Longer {
+  bool operator()(const Node& a, const Node& b) const { return a.least_span > b.least_span; }
+};
 
 planish::Interval left_range(const WidthProblem& problem, const RunSets& sides, int side) {
   const RunSet& set = sides[side];
@@ -232,6 +235,30 @@ std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& r
       add(part, &node);
   }
   return found ? known : std::nullopt;
+}
+
+std::optional<EdgeChoice> least_span(const ChainPair& pair, const std::optional<EdgeChoice>& best) {
+  const double noise = kEqualWidths * pair.size;
+  WidthProblem problem{pair, 0.0, noise, std::numeric_limits<double>::infinity()};
+  std::optional<EdgeChoice> found;
+  const auto shorter_than = [&](const EdgeChoice& choice) { problem.budget = choice.span - noise; };
+  if (best) shorter_than(*best);
+  Frontier<Node, Longer> open;
+  const auto add = [&](const RunSets& sides, const Node* parent) {
+    if (const auto node = opened(problem, sides, parent, std::nullopt)) open.add(*node);
+  };
+  add(all_runs(pair), nullptr);
+  while (!open.empty()) {
+    const Node node = open.take();
+    if (node.least_span > problem.budget) break;
+    if (node.sides[0].one() && node.sides[1].one()) {
+      if (auto choice = taken(problem, node, std::nullopt)) shorter_than(*(found = choice));
+      continue;
+    }
+    for (const RunSets& part : divided(problem, node.sides))
+      add(part, &node);
+  }
+  return found;
 }
 
 }  // namespace planish::connect_detail

@@ -1,9 +1,16 @@
 #include "bend_spans.hpp"
 
+#include "sentences.hpp"
+
+#include <planish/base/text.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 // Bends that hold, but that a shop would ask about (connect.md#the-report). They are judged by
 // ratios, so no limit depends on the size of the part, and none refuses it.
@@ -60,7 +67,64 @@ Vec2 middle_of(const FlatBend& bend) {
   return 0.5 * (line.a + line.b);
 }
 
+/// Why a bend is not the shortest.
+std::optional<Finding> shorter_bend(const ConnectReport& report, const FittedBend& bend,
+                                    const FlatBend& flat) {
+  if (!bend.passed_over) return std::nullopt;
+  const PassedOver& shorter = *bend.passed_over;
+  std::string reason = continued(shorter.why.message);
+  if (reason.ends_with('.')) reason.pop_back();
+  const auto edges_of = [&](std::size_t side) {
+    return fmt::format("edges {} of \"{}\"", fmt::join(shorter.edges[side], ", "),
+                       report.connection.structure.plates[bend.plates[side]].id);
+  };
+  return finding_of("shorter_bend", Severity::info, say::shorter_bend,
+                    {{"bend", part_place(report.flat, PartId(bend.bend))},
+                     {"span", bend.span, unit::mm},
+                     {"other", fmt::format("{} and {}", edges_of(0), edges_of(1))},
+                     {"shorter", shorter.span, unit::mm},
+                     {"reason", reason}},
+                    {middle_of(flat)});
+}
+
+std::optional<Finding> plates_trimmed(const Connection& connection) {
+  if (connection.trimmed.empty()) return std::nullopt;
+  Facts facts;
+  double by = 0.0;
+  for (const TrimmedPlate& trimmed : connection.trimmed) {
+    facts.emplace_back("plate", place::plate(connection.structure.plates[trimmed.plate].id));
+    by = std::max(by, trimmed.by);
+  }
+  facts.emplace_back("are", connection.trimmed.size() == 1 ? "is" : "are");
+  facts.emplace_back("by", by, unit::mm);
+  Finding finding = finding_of("plates_trimmed", Severity::info, say::plates_trimmed, facts, {});
+  finding.remedies = {{"trim", "no", "Leave them as they are drawn"}};
+  return finding;
+}
+
+Finding joint_left_open(const SharedEdge& edge, const Connection& connection) {
+  Facts facts;
+  for (const int plate : edge.plates)
+    facts.emplace_back("plate", place::plate(connection.structure.plates[plate].id));
+  const double length = (edge.to - edge.from).norm();
+  facts.emplace_back("from", place::point(edge.from));
+  if (length > 0.0) {
+    facts.emplace_back("to", place::point(edge.to));
+    facts.emplace_back("length", length, unit::mm);
+  }
+  return finding_of("joint_left_open", Severity::info,
+                    length > 0.0 ? say::joint_left_open : say::corner_left_open, facts, {});
+}
+
 }  // namespace
+
+std::vector<Finding> trim_findings(const Connection& connection) {
+  std::vector<Finding> findings;
+  if (auto trimmed = plates_trimmed(connection)) findings.push_back(std::move(*trimmed));
+  for (const SharedEdge& edge : connection.left_open)
+    findings.push_back(joint_left_open(edge, connection));
+  return findings;
+}
 
 std::vector<Finding> span_findings(const ConnectReport& report) {
   struct Look {
@@ -81,6 +145,11 @@ std::vector<Finding> span_findings(const ConnectReport& report) {
              fmt::format("{} {} {}", flat.id, between(*bend, report.connection.structure), *said),
              {middle_of(flat)}});
     }
+  for (const FlatBend& flat : report.flat.bends)
+    for (const FittedBend& bend : report.connection.bends)
+      if (bend.bend == flat.bend && bend.plates.size() == 2 && !flat.lines.empty())
+        if (auto finding = shorter_bend(report, bend, flat))
+          findings.push_back(std::move(*finding));
   return findings;
 }
 

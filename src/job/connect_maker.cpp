@@ -83,6 +83,7 @@ Maker connect_maker() {
                                        {"largest_span",
                                         "that of the plates file; for bends that the program "
                                         "finds, twice the diagonals of both plates"},
+                                       {"trim", "that of the plates file, or auto"},
                                        {"process"},
                                        {"rules"},
                                        {"no_rules"}}),

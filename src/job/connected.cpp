@@ -29,6 +29,8 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   if (checks.effort == Effort::full)
     for (Finding& finding : span_findings(report))
       report.findings.push_back(std::move(finding));
+  for (Finding& finding : trim_findings(report.connection))
+    report.findings.push_back(std::move(finding));
   return std::nullopt;
 }
 

@@ -31,10 +31,27 @@ const Words<LateralBoundary> kBoundaries{{"auto", LateralBoundary::automatic},
 
 Schema polygon() { return list(space_point()); }
 
+Schema hole_schema() {
+  const Schema size = length(kAboveZero),
+               arc = object({required("through", space_point()), required("to", space_point())});
+  return any_of(
+      {polygon(),
+       one_key(
+           {optional("circle", object({required("at", space_point()), required("radius", size)})),
+            optional("slot", object({required("from", space_point()), required("to", space_point()),
+                                     required("width", size)})
+                                 .said("with round ends about two points")),
+            optional("path", list(any_of({space_point(), arc}, "a corner, or an arc to one"))
+                                 .said("corners, and arcs to corners through a point"))})},
+      "a list of corners, a circle, a slot or a path");
+}
+
 Schema plate_schema() {
-  return object({required("id", text().said("name of the plate, different for each")),
-                 required("outline", polygon().said("corners in space, in one plane")),
-                 optional("holes", list(polygon()).said("corners of each hole"))});
+  return object(
+      {required("id", text().said("name of the plate, different for each")),
+       required("outline", polygon().said("corners in space, in one plane")),
+       optional("holes",
+                list(hole_schema()).said("each as corners, or as a circle, a slot or a path"))});
 }
 
 Schema edges_schema() {
@@ -95,6 +112,9 @@ Schema make_plates_schema() {
   fields.push_back(
       optional("largest_span",
                length(kAboveZero).said("longest way from plate to plate that a bend bridges")));
+  fields.push_back(optional(
+      "trim", flag().said("whether plates that touch are cut back so that bends fit between them; "
+                          "if left out, where all of them touch")));
   fields.push_back(optional("root", text().said("id of the plate that stays where it is")));
   return object(std::move(fields)).said("Plates in space to be joined by bends");
 }
@@ -103,10 +123,37 @@ std::vector<Vec3> polygon_at(const JsonPlace& place) {
   return mapped(place.items(), [&](const JsonPlace& corner) { return corner.point(); });
 }
 
+/// The path ends where it began, also if its last arc says so.
+ArcHole path_at(const JsonPlace& place) {
+  ArcHole hole;
+  std::optional<Vec3> through;
+  bool closed = false;
+  for (const JsonPlace& item : place.items()) {
+    through.reset();
+    if (!item.is_list()) through = item["through"].point();
+    const Vec3 to = item.is_list() ? item.point() : item["to"].point();
+    if (!hole.corners.empty()) hole.through.push_back(through);
+    closed = !hole.corners.empty() && to == hole.corners.front();
+    if (!closed) hole.corners.push_back(to);
+  }
+  if (!closed) hole.through.emplace_back();
+  return hole;
+}
+
+HoleShape shape_at(const JsonPlace& place) {
+  if (const JsonPlace circle = place["circle"]; circle.given())
+    return RoundHole{circle["at"].point(), circle["radius"].length()};
+  if (const JsonPlace slot = place["slot"]; slot.given())
+    return SlotHole{slot["from"].point(), slot["to"].point(), slot["width"].length()};
+  return path_at(place["path"]);
+}
+
 Plate plate_at(const JsonPlace& place) {
-  Plate plate{place["id"].text(), polygon_at(place["outline"]), {}};
-  for (const JsonPlace& hole : place["holes"].items())
-    plate.holes.push_back(polygon_at(hole));
+  Plate plate{place["id"].text(), polygon_at(place["outline"]), {}, {}};
+  for (const JsonPlace& hole : place["holes"].items()) {
+    if (!hole.is_list()) plate.shapes.emplace(plate.holes.size(), shape_at(hole));
+    plate.holes.push_back(hole.is_list() ? polygon_at(hole) : std::vector<Vec3>());
+  }
   return plate;
 }
 
@@ -242,6 +289,7 @@ PlateStructure with_options(const PlatesFile& file, const JoinOptions& options) 
   defaults.lateral = options.lateral.value_or(defaults.lateral);
   defaults.trade_off = options.trade_off.value_or(defaults.trade_off);
   if (options.largest_span) structure.largest_span = options.largest_span;
+  if (options.trim) structure.trim = options.trim;
   take_defaults(structure, file.open);
   return structure;
 }
@@ -260,6 +308,7 @@ Result<PlatesFile> parse_plates(const std::string& json, const std::string& name
     plates.open.push_back(open_keys(structure.bends.emplace_back(bend_at(bend)), bend));
   take_defaults(structure, plates.open);
   structure.largest_span = file["largest_span"].maybe_length();
+  if (file["trim"].given()) structure.trim = file["trim"].yes();
   structure.root = file["root"].text();
   if (structure.plates.empty() && structure.bends.empty())
     file["plates"].mistake(refuse::nothing_to_join);

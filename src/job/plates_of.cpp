@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
 #include <string>
 
 // The flanges of a sheet as plates on its middle surface, which `connect` joins again
@@ -51,6 +54,61 @@ std::vector<Vec3> polygon_of(const Sheet& sheet, FaceId face, int loop, const To
   return in_the_middle(sheet, sheet[face], corners);
 }
 
+/// A full circle.
+std::optional<RoundHole> round_of(const Loop& loop,
+                                  const std::function<Vec3(const Vec2&)>& to_space) {
+  constexpr double kSame = 1e-6;  // mm
+  const auto* first = std::get_if<Arc>(&loop.front());
+  if (first == nullptr) return std::nullopt;
+  double turned = 0.0;
+  for (const Curve2& curve : loop) {
+    const auto* arc = std::get_if<Arc>(&curve);
+    if (arc == nullptr || (arc->center - first->center).norm() > kSame ||
+        std::abs(arc->radius - first->radius) > kSame)
+      return std::nullopt;
+    turned += arc->sweep;
+  }
+  if (std::abs(std::abs(turned) - 2.0 * std::numbers::pi) > kSame) return std::nullopt;
+  return RoundHole{to_space(first->center), first->radius};
+}
+
+/// Two half circles of one radius with straight edges between.
+std::optional<SlotHole> slot_of(Loop loop, const std::function<Vec3(const Vec2&)>& to_space) {
+  constexpr double kSame = 1e-6;  // mm, radians
+  if (loop.size() != 4) return std::nullopt;
+  if (std::holds_alternative<Segment>(loop.front()))
+    std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+  const auto *a = std::get_if<Arc>(&loop[0]), *b = std::get_if<Arc>(&loop[2]);
+  if (!a || !b || !std::holds_alternative<Segment>(loop[1]) ||
+      !std::holds_alternative<Segment>(loop[3]))
+    return std::nullopt;
+  const auto half = [](const Arc& arc) {
+    return std::abs(std::abs(arc.sweep) - std::numbers::pi) <= kSame;
+  };
+  if (!half(*a) || !half(*b) || std::abs(a->radius - b->radius) > kSame) return std::nullopt;
+  return SlotHole{to_space(a->center), to_space(b->center), 2.0 * a->radius};
+}
+
+/// What a hole is besides a polygon: made of segments and arcs.
+std::optional<HoleShape> shape_of(const Loop& loop,
+                                  const std::function<Vec3(const Vec2&)>& to_space) {
+  const auto is = [](const auto* curve) { return curve != nullptr; };
+  if (std::ranges::any_of(loop,
+                          [&](const Curve2& c) { return is(std::get_if<CubicSpline>(&c)); }) ||
+      std::ranges::none_of(loop, [&](const Curve2& c) { return is(std::get_if<Arc>(&c)); }))
+    return std::nullopt;
+  if (auto round = round_of(loop, to_space)) return *round;
+  if (auto slot = slot_of(loop, to_space)) return *slot;
+  if (loop.size() < 2) return std::nullopt;
+  ArcHole hole;
+  for (const Curve2& curve : loop) {
+    hole.corners.push_back(to_space(start_of(curve)));
+    hole.through.emplace_back();
+    if (is(std::get_if<Arc>(&curve))) hole.through.back() = to_space(point_at(curve, 0.5));
+  }
+  return hole;
+}
+
 std::vector<Vec3> pilot_of(const Sheet& sheet, FaceId face, const FormedOpening& opening,
                            double chord) {
   const auto curves = mapped(opening.pilot, &Border::curve);
@@ -63,16 +121,34 @@ bool goes_on(const BorderLoop& loop) {
   return std::ranges::any_of(loop, [](const Border& border) { return border.feature.has_value(); });
 }
 
+/// Whether a bend or a flange begins at a loop: only edges of polygons carry bends.
+bool is_joined(const Sheet& sheet, FaceId face, int loop) {
+  const auto is_on = [&](const BorderRef& ref) { return ref.face == face && ref.loop == loop; };
+  return std::ranges::any_of(sheet.joints,
+                             [&](const Joint& joint) { return is_on(joint.a) || is_on(joint.b); });
+}
+
 Plate plate_of(const Sheet& sheet, FaceId id, std::string name, const ToFoldLines& folds,
                double chord) {
   const std::vector<BorderLoop>& loops = sheet[id].loops;
-  Plate plate{std::move(name), polygon_of(sheet, id, 0, folds, chord), {}};
+  Plate plate{std::move(name), polygon_of(sheet, id, 0, folds, chord), {}, {}};
+  const auto to_space = [&](const Vec2& p) { return in_the_middle(sheet, sheet[id], {p}).front(); };
+  const auto add = [&](std::vector<Vec3> polygon, const Loop& curves, bool joined) {
+    if (polygon.size() < 3) return;
+    if (auto shape = joined ? std::nullopt : shape_of(curves, to_space)) {
+      plate.shapes.emplace(plate.holes.size(), std::move(*shape));
+      polygon.clear();
+    }
+    plate.holes.push_back(std::move(polygon));
+  };
   for (int i = 1; i < std::ssize(loops); ++i)
-    if (!goes_on(loops[i])) plate.holes.push_back(polygon_of(sheet, id, i, folds, chord));
+    if (!goes_on(loops[i]))
+      add(polygon_of(sheet, id, i, folds, chord), drawn_to_fold_lines(sheet, id, i, folds),
+          is_joined(sheet, id, i));
   for (const FormedFeature& feature : sheet.features)
     for (const FormedOpening& opening : feature.openings)
-      if (feature.face == id) plate.holes.push_back(pilot_of(sheet, id, opening, chord));
-  std::erase_if(plate.holes, [](const auto& hole) { return hole.size() < 3; });
+      if (feature.face == id)
+        add(pilot_of(sheet, id, opening, chord), mapped(opening.pilot, &Border::curve), false);
   return plate;
 }
 
@@ -109,11 +185,34 @@ double rounded(double value) {
   return std::round(value * kDigits) / kDigits + 0.0;  // not −0
 }
 
-Json corners_json(const std::vector<Vec3>& polygon) {
-  return json_array(polygon, [&](const Vec3& p) {
-    return Json::array({rounded(p.x()), rounded(p.y()), rounded(p.z())});
-  });
+Json corner_json(const Vec3& p) {
+  return Json::array({rounded(p.x()), rounded(p.y()), rounded(p.z())});
 }
+
+Json corners_json(const std::vector<Vec3>& polygon) { return json_array(polygon, corner_json); }
+
+struct ShapeJson {
+  Json operator()(const RoundHole& hole) const {
+    return {{"circle", {{"at", corner_json(hole.at)}, {"radius", rounded(hole.radius)}}}};
+  }
+  Json operator()(const SlotHole& slot) const {
+    return {{"slot",
+             {{"from", corner_json(slot.from)},
+              {"to", corner_json(slot.to)},
+              {"width", rounded(slot.width)}}}};
+  }
+  Json operator()(const ArcHole& hole) const {
+    Json path = Json::array({corner_json(hole.corners.front())});
+    for (std::size_t i = 0; i < hole.corners.size(); ++i) {
+      const Json to = corner_json(hole.corners[(i + 1) % hole.corners.size()]);
+      if (hole.through[i])
+        path.push_back({{"through", corner_json(*hole.through[i])}, {"to", to}});
+      else if (i + 1 < hole.corners.size())
+        path.push_back(to);
+    }
+    return {{"path", path}};
+  }
+};
 
 }  // namespace
 
@@ -142,8 +241,11 @@ std::string plates_text(const PlateStructure& plates) {
   for (const Plate& plate : plates.plates) {
     Json& one = json["plates"].emplace_back(
         Json{{"id", plate.id}, {"outline", corners_json(plate.outline)}});
-    for (const auto& hole : plate.holes)
-      one["holes"].push_back(corners_json(hole));
+    for (std::size_t h = 0; h < plate.holes.size(); ++h) {
+      const auto shape = plate.shapes.find(h);
+      one["holes"].push_back(shape == plate.shapes.end() ? corners_json(plate.holes[h])
+                                                         : std::visit(ShapeJson(), shape->second));
+    }
   }
   for (const BendRequest& bend : plates.bends) {
     Json& one = json["bends"].emplace_back(Json{{"between", bend.between}});

@@ -38,14 +38,14 @@ Facts parts_of(const DoubleCover& cover) {
                 [&](const Place& part) { return Fact("part", place::at(part, cover.middle)); });
 }
 
-/// Whether a place is small enough that a shop would mend it without asking: a corner, and not a
-/// flange that lies on another.
+/// Whether a place is small enough that a shop would mend it without asking: no deeper than the
+/// kerf, or a corner, and not a flange that lies on another.
 Result<void> check_size(const DoubleCover& cover, const FlatPattern& pattern) {
   constexpr double kLargest = 4.0;  // area, over the square of the thickness
   const double t = pattern.thickness;
   const double area = kLargest * t * t;
   const double depth = t + largest_radius(pattern);
-  if (cover.area <= area && cover.size.y() <= depth) return {};
+  if (cover.size.y() <= kNarrowestGap || (cover.area <= area && cover.size.y() <= depth)) return {};
   Facts facts = parts_of(cover);
   facts.insert(facts.end(), {{"area", cover.area, unit::mm2},
                              {"depth", cover.size.y(), unit::mm},

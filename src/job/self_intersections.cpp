@@ -65,23 +65,34 @@ struct SharedSpace {
   std::vector<Vec2> at;
 };
 
+/// What passes through a sheet is as deep in it as it is thick. Square edges that meet in a corner
+/// share less: a shop files them, or trims them in the blank.
+Severity severity_of(double depth, double thickness) {
+  constexpr double kThrough = 0.9;
+  return depth < kThrough * thickness ? Severity::warning : Severity::error;
+}
+
 Finding meeting_of(const FlatPattern& flat, const std::pair<PartId, PartId>& parts,
                    const SharedSpace& shared) {
   const bool itself = parts.first == parts.second;
+  const Severity severity = severity_of(shared.depth, flat.thickness);
   Facts facts{{"part", part_place(flat, parts.first)}, {"depth", shared.depth, unit::mm}};
   if (!itself) facts.emplace_back("part", part_place(flat, parts.second));
-  return finding_of("self_intersection", Severity::error,
-                    itself ? say::runs_through_itself : say::run_through_each_other, facts,
-                    shared.at);
+  return finding_of("self_intersection", severity,
+                    severity == Severity::warning ? say::edges_press
+                    : itself                      ? say::runs_through_itself
+                                                  : say::run_through_each_other,
+                    facts, shared.at);
 }
 
 Finding untested(const Error& error) {
   return finding_of("folded_solid", say::folded_untested, error);
 }
 
-Finding unnamed(const SelfIntersection& found) {
+Finding unnamed(const SelfIntersection& found, double thickness) {
   // The faces are those of the solid that was made, which no file has.
-  return finding_of("self_intersection", Severity::error, say::solid_through_itself,
+  return finding_of("self_intersection", severity_of(found.depth, thickness),
+                    say::solid_through_itself,
                     {{"depth", found.depth, unit::mm},
                      {"at", place::point(found.centre)},
                      {"first", found.faces[0] + 1},
@@ -131,7 +142,7 @@ std::vector<Finding> self_intersections(const Report& report, const FoldedBody& 
        find_self_intersections(*surface, depth, places_of(meetings, thickness))) {
     const auto meeting = meeting_at(report, found.centre);
     if (!meeting) {
-      elsewhere.push_back(unnamed(found));
+      elsewhere.push_back(unnamed(found, thickness));
       continue;
     }
     const MaterialPlace &first = meeting->first, &second = meeting->second.value_or(first);

@@ -79,6 +79,9 @@ constexpr std::string_view
     runs_through_itself = "{@part} runs through itself when folded, {depth:3} deep";
 constexpr std::string_view
     run_through_each_other = "{@part} run through each other when folded, {depth:3} deep";
+constexpr std::string_view edges_press =
+    "{@part} need the same space when folded, {depth:3} deep, less than the sheet is thick; trim "
+    "their edges there, or file them when the part is put together";
 constexpr std::string_view solid_through_itself =
     "the folded solid runs through itself, {depth:3} deep, between its faces {first} and {second}";
 constexpr std::string_view strips_meet = "{meet} when folded, {depth:3} deep or more";
@@ -103,6 +106,18 @@ constexpr std::string_view not_after_others =
 constexpr std::string_view no_plan =
     "no order of strokes was found among {stages:stage}, nor was it shown that there is none: give "
     "it more time";
+constexpr std::string_view plates_trimmed =
+    "{@plate} {are} cut back where they touch, by up to {by}, so that bends fit between them";
+constexpr std::string_view joint_left_open =
+    "{@plate} touch along {length}, from {@from} to {@to}, and are not joined there: a bend would "
+    "close a loop that does not lie flat";
+constexpr std::string_view corner_left_open =
+    "{@plate} touch at {@from} and are not joined there: a bend would close a loop that does not "
+    "lie "
+    "flat";
+constexpr std::string_view shorter_bend =
+    "{@bend} has a span of {span}; that of {other} would have {shorter}, but does not hold: "
+    "{reason}";
 constexpr std::string_view
     no_gauge_edge = "the back gauge finds no straight edge parallel to the bend line of {@bend}";
 

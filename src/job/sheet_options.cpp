@@ -66,6 +66,12 @@ Done set_lateral(Request& to, const OptionValue& value) {
   return {};
 }
 
+Done set_trim(Request& to, const OptionValue& value) {
+  const std::string& word = given_text(value);
+  if (word != "auto") to.join.trim = word == "yes";
+  return {};
+}
+
 Done set_extruded(Request& to, const OptionValue& value) {
   const std::string& word = given_text(value);
   to.extruded = word == "through"   ? ExtrudedHoles::through
@@ -146,6 +152,10 @@ const std::vector<Option>& sheet_options() {
            row::number("largest_span", kAboveZero,
                        "longest distance from plate to plate that a bend bridges, in mm",
                        stored<&Request::join, &JoinOptions::largest_span>),
+           row::word("trim", {"auto", "yes", "no"}, "",
+                     "whether plates that touch are cut back so that bends fit between them; auto: "
+                     "where all of them touch",
+                     set_trim),
        }},
       {OptionGroup::forms,
        {

@@ -49,5 +49,35 @@ TEST(BestFirst, EndsAtItsLimit) {
   EXPECT_FALSE(search_best_first(work));
 }
 
+/// What the bound cannot know: the last stroke takes another punch. All but one of the 2^20 stages
+/// promise less than a plan costs, and are looked at before the last; but from time to time the
+/// search goes down to a whole plan.
+TEST(BestFirst, HasAPlanLongBeforeItIsProven) {
+  constexpr int kLines = 20;
+  StrokeProblem problem;
+  problem.lines = kLines;
+  problem.choices = [](const LineSet& formed) {
+    std::vector<StrokeChoice> choices;
+    for (int line = 0; line < kLines; ++line)
+      for (const int punch : {0, 1})
+        if (!holds(formed, line)) choices.push_back({only(kLines, line), punch});
+    return choices;
+  };
+  problem.check = [](const LineSet& formed, const StrokeChoice& choice) -> StrokeVerdict {
+    return {(choice.punch == 1) == (count(formed) == kLines - 1), {}};
+  };
+  problem.possible = problem.choices(no_lines(kLines));
+  StrokeLimits limits;
+  limits.stages = 2000;
+  const StrokeWeights weights;
+  const Progress progress;
+  StrokeWork work(problem, weights, limits, progress);
+  EXPECT_FALSE(search_best_first(work));
+  EXPECT_NEAR(work.proven(), kLines * weights.stroke, 1e-9);
+  ASSERT_TRUE(work.has_plan());
+  EXPECT_NEAR(work.cheapest(), kLines * weights.stroke + weights.tool_change, 1e-9);
+  EXPECT_EQ(work.plan().size(), std::size_t{kLines});
+}
+
 }  // namespace
 }  // namespace planish::test

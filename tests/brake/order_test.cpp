@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace planish::test {
@@ -209,6 +210,36 @@ TEST(CheckOrder, KnowsThatAHemIsBentBeforeItIsClosed) {
   ASSERT_TRUE(checked.strokes[0].blocked->why);
   EXPECT_EQ(checked.strokes[0].blocked->why->code, "hem_not_bent");
   EXPECT_FALSE(checked.strokes[1].blocked);
+}
+
+/// Why a stroke is blocked where nothing is hit: a code.
+std::string_view reason(const CheckedStroke& stroke) {
+  return stroke.blocked && stroke.blocked->why ? stroke.blocked->why->code : std::string_view();
+}
+
+/// Segments of the flat punch add up to 10 of 20 mm: they keep a bent hem from being closed.
+TEST(CheckOrder, KeepsTheReasonWhyABentHemCannotBeClosed) {
+  BrakeTools tools = hemming_tools();
+  tools.punches.back().segments = {10.0};
+  Checked part(hem(), tools);
+  const OrderedStroke bent{{BendId(0)}}, closed{{BendId(0)}, std::nullopt, true};
+  const CheckedOrder last = part.check({bent, closed}), first = part.check({closed, bent});
+  ASSERT_EQ(last.strokes.size(), 2u);
+  EXPECT_FALSE(last.strokes[0].blocked);
+  EXPECT_EQ(reason(last.strokes[1]), "no_segments");
+  ASSERT_EQ(first.strokes.size(), 2u);
+  EXPECT_EQ(reason(first.strokes[0]), "hem_not_bent");
+}
+
+/// Before anything is formed, too.
+TEST(CheckOrder, KeepsTheReasonWhyABendCannotBePressed) {
+  BrakeTools tools = narrow_tools();
+  tools.punches.front().segments = {10.0};
+  Checked part(u_channel(), tools);
+  const CheckedOrder checked = part.check(one_by_one({0, 1}));
+  ASSERT_EQ(checked.strokes.size(), 2u);
+  for (const CheckedStroke& stroke : checked.strokes)
+    EXPECT_EQ(reason(stroke), "no_segments");
 }
 
 }  // namespace

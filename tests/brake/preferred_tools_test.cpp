@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 namespace planish::test {
 namespace {
 
@@ -37,6 +41,26 @@ TEST(PreferredTools, MarkTheSheetLeast) {
   ASSERT_EQ(plan->strokes.size(), 2u);
   for (const Stroke& stroke : plan->strokes)
     EXPECT_EQ(stroke.punch, "round");
+}
+
+/// A die that is no more acute than it must be, whichever stands first.
+TEST(PreferredTools, OfDiesOfOneOpeningAreThoseOfTheLargestAngle) {
+  const Sheet sheet = strip({Straight{40}, kBent, Straight{60}, kBent, Straight{30}}, 80, 1.5);
+  BrakeTools tools = plain_tools();
+  for (const double angle : {70.0, 85.0, 60.0}) {
+    PlainDie other;
+    other.angle = Angle::degrees(angle);
+    tools.dies.push_back(die(other));
+    tools.dies.back().id = std::to_string(std::lround(angle));
+  }
+  for (int turn = 0; turn < std::ssize(tools.dies); ++turn) {
+    const auto plan = plan_with(sheet, tools);
+    ASSERT_TRUE(plan);
+    ASSERT_EQ(plan->strokes.size(), 2u);
+    for (const Stroke& stroke : plan->strokes)
+      EXPECT_EQ(stroke.die, "85") << "after " << turn << " places";
+    std::ranges::rotate(tools.dies, tools.dies.begin() + 1);
+  }
 }
 
 }  // namespace

@@ -32,6 +32,21 @@ TEST(Segments, AddUpToEveryLengthThatASubsetHas) {
   }
 }
 
+/// 64 of 10 mm, whose sums are 10, 20 … 640 mm; of the 2 mm there are too many.
+TEST(Segments, BeyondTheLongestSixtyFourDoNotCount) {
+  std::vector<double> segments(64, 10.0);
+  segments.insert(segments.begin(), {2.0, 2.0});
+  const SegmentSums sums(segments);
+  EXPECT_EQ(sums.segments(), std::vector<double>(64, 10.0));
+  ASSERT_EQ(sums.sums().size(), 64u);
+  for (int n = 1; n <= 64; ++n) {
+    const SegmentSums::Sum& sum = sums.sums()[n - 1];
+    EXPECT_NEAR(sum.length, 10.0 * n, 1e-9);
+    EXPECT_EQ(sums.chosen(sum.chosen), std::vector<double>(n, 10.0));
+  }
+  EXPECT_TRUE(tool_rows(sums, {{{0, 641}}, 0.0, {}, 1000}).empty());
+}
+
 TEST(Segments, AreAsShortAsTheLineLessItsShortfall) {
   const SegmentSums sums({100, 50, 20, 10});
   // 87 mm less 2 · 3.5 is 80: 50 + 20 + 10.

@@ -7,6 +7,7 @@
 
 #include <planish/brep/step.hpp>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -196,6 +197,37 @@ TEST(Lance, ThatIsBentUpIsAnOpeningOfTheSheet) {
   EXPECT_EQ(seen.openings.solid, 1);
   EXPECT_EQ(seen.openings.pattern, 1);
   EXPECT_EQ(seen.flat.openings.size(), 1u);
+}
+
+/// An angle of 4 mm, bent with an inside radius of 10 at x = 100, with a boss on the inside. One
+/// hole leads straight through the boss, the other at a slant to the outside of the bend.
+TopoDS_Shape angle_with_boss() {
+  const gp_Ax2 bend(gp_Pnt(100, 0, 14), gp_Dir(0, 1, 0));
+  TopoDS_Shape part = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(bend, 14, 60).Shape(),
+                                      BRepPrimAPI_MakeCylinder(bend, 10, 60).Shape());
+  part = BRepAlgoAPI_Common(part, block({100, 0, 0}, {114, 60, 14}));
+  for (const TopoDS_Shape& more :
+       {block({0, 0, 0}, {100, 60, 4}), block({110, 0, 14}, {114, 60, 60}),
+        block({70, 20, 3}, {99.5, 40, 6})})
+    part = BRepAlgoAPI_Fuse(part, more);
+  const gp_Ax2 straight(gp_Pnt(75, 30, -1), gp_Dir(0, 0, 1)),
+      slanted(gp_Pnt(90, 30, 12), gp_Dir(1, 0, -1));  // out at about (102, 0.1)
+  part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeCylinder(straight, 2, 20).Shape());
+  return BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeCylinder(slanted, 0.5, 30).Shape());
+}
+
+/// Seen in the plane of the flange such a hole is not where it is drilled. The inside is seen where
+/// a pad makes the outside the smaller skin.
+TEST(Boss, WithAHoleThatLeavesThroughABendIsNotCutWhicheverSkinIsSeen) {
+  for (const bool pad : {false, true}) {
+    TopoDS_Shape part = angle_with_boss();
+    if (pad) part = BRepAlgoAPI_Fuse(part, block({10, 10, -0.5}, {40, 50, 1}));
+    const Seen seen = seen_in(part);
+    EXPECT_EQ(seen.openings.solid, 2);
+    EXPECT_TRUE(seen.flat.openings.empty() && seen.flat.slits.empty()) << pad;
+    EXPECT_EQ(seen.openings.lost(), 2) << pad;
+    EXPECT_EQ(seen.openings.missing.size(), 1u) << "in one form";
+  }
 }
 
 TEST(Plate, HasTheHolesOfItsSolid) {

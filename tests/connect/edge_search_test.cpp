@@ -201,6 +201,29 @@ RC_GTEST_PROP(EdgeSearch, FindsTheOptimumOfWholePlates, ()) {
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
+RC_GTEST_PROP(EfficientEdges, AreAllThatNoOtherChoiceSurpasses, ()) {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  Sides sides;
+  for (auto& side : sides)
+    side = viable_chains(
+        random_outline(random, {*rc::gen::inRange(1, 5), 30.0, 0.1, false, false}));
+  const Angle beta = Angle::degrees(*rc::gen::inRange(20, 170));
+  std::vector<Candidate> all = everything(sides, beta);
+  std::ranges::sort(all, [](const Candidate& a, const Candidate& b) {
+    return std::pair{-a.width, a.span} < std::pair{-b.width, b.span};
+  });
+  constexpr double kSame = 1e-6;
+  std::vector<Candidate> front;
+  for (const Candidate& each : all)
+    if (front.empty() || each.span < front.back().span - kSame) front.push_back(each);
+  const auto found = efficient_edges(sides, beta);
+  RC_ASSERT(found.size() == front.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    RC_ASSERT(std::abs(found[i].width - front[i].width) < kSame);
+    RC_ASSERT(std::abs(found[i].span - front[i].span) < kSame);
+  }
+}
+
 RC_GTEST_PROP(EdgeSearch, DoesNotDependOnSideHandPlaceOrScale, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const EdgeKind kind = *rc::gen::element(EdgeKind::facing, EdgeKind::averted);

@@ -21,7 +21,7 @@ std::vector<PlacedPlate> all_laid(const PlateStructure& s) {
 }
 
 Result<std::vector<BendFit>> tree(const PlateStructure& s, const Progress& progress = {}) {
-  return fit_tree(s, all_laid(s), {}, progress);
+  return fit_tree(s, all_laid(s), {}, {}, progress);
 }
 Result<std::vector<BendFit>> requested(const PlateStructure& s) {
   return fit_requested(s, all_laid(s), {}, {});

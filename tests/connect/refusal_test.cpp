@@ -101,9 +101,11 @@ TEST(ConnectRefuses, PlatesThatPassThroughEachOther) {
 }
 
 TEST(ConnectRefuses, PlatesThatTouchOrAreTooNear) {
-  expect_refused(angle_pair(0.0), code::plates_touch, "/plates/1", "gap");
+  PlateStructure s = angle_pair(0.0);
+  s.trim = false;
+  expect_refused(s, code::plates_touch, "/plates/1", "gap");
   expect_refused(angle_pair(1.0), code::radius_too_small, "/plates/1", "4 mm");
-  PlateStructure s = angle_pair(1.0);
+  s = angle_pair(1.0);
   s.bends = {{.between = {"A", "B"}}};
   expect_refused(s, code::radius_too_small, "/bends/0");
 }

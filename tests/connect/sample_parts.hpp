@@ -18,7 +18,7 @@ inline connect_detail::Parts parts_of(const PlateStructure& structure, int root 
     parts.ids.push_back(plate.id);
   }
   auto fits = structure.bends.empty()
-                  ? connect_detail::fit_tree(structure, parts.plates, {}, {})
+                  ? connect_detail::fit_tree(structure, parts.plates, {}, {}, {})
                   : connect_detail::fit_requested(structure, parts.plates, {}, {});
   EXPECT_TRUE(fits) << (fits ? "" : fits.error().message);
   if (fits) parts.fits = std::move(*fits);

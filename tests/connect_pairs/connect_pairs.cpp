@@ -81,6 +81,7 @@ std::string wrong_with(const job::ConnectReport& report, bool touching) {
     return fmt::format("area × thickness is {} of the volume", *ratio);
   const auto& plates = report.connection.structure.plates;
   for (std::size_t p = 0; p < plates.size(); ++p) {
+    if (std::ranges::count(report.connection.trimmed, int(p), &TrimmedPlate::plate) > 0) continue;
     const double lost = lost_share(plates[p],
                                    report.connection.sheet[report.connection.plate_faces[p]]);
     if (!(lost <= kShare)) return fmt::format("plate {} has lost {} of its area", p, lost);

@@ -199,10 +199,12 @@ TEST(PlatesJson, RefusesValuesOfAnotherKind) {
     expect_mistake("/root", wrong, "must be a text that is not empty, not ");
   }
   for (const char* pointer : {"/plates", "/bends", "/plates/0/outline", "/plates/0/holes",
-                              "/plates/0/holes/0", "/bends/0/between", "/bends/0/edges/A"}) {
+                              "/bends/0/between", "/bends/0/edges/A"}) {
     for (const json& wrong : {json(4), json("A"), json::object()})
       expect_mistake(pointer, wrong, "must be a list, not ");
   }
+  for (const json& wrong : {json(4), json("A")})
+    expect_mistake("/plates/0/holes/0", wrong, "must be a list of corners, a circle, a slot or");
   for (const char* pointer : {"/plates/1", "/bends/0", "/bends/0/edges"}) {
     for (const json& wrong : {json(4), json::array()})
       expect_mistake(pointer, wrong, "must be an object, not ");
@@ -327,7 +329,10 @@ TEST(PlatesJson, TakesOptionsInsteadOfItsDefaults) {
   const PlateStructure other = with_options(*read, {.inside_radius = 5.0,
                                                     .lateral = LateralBoundary::straight,
                                                     .trade_off = 0.5,
-                                                    .largest_span = 250.0});
+                                                    .largest_span = 250.0,
+                                                    .trim = false});
+  EXPECT_FALSE(same.trim);
+  EXPECT_EQ(other.trim, false);
   EXPECT_EQ(other.defaults.inside_radius, 5.0);
   EXPECT_EQ(other.largest_span, 250.0);
   EXPECT_EQ(other.bends[0].inside_radius, 5.0);
@@ -357,6 +362,51 @@ TEST(PlatesJson, EscapesKeysInPointersAndKeepsMessagesShort) {
   };
   EXPECT_THAT(error_of_nested(90).message, HasSubstr("not a list"));
   EXPECT_THAT(error_of_nested(200000).message, HasSubstr("nested more than 100 deep"));
+}
+
+TEST(ParsePlates, ReadsHolesWithArcsInTheUnitOfTheFile) {
+  const auto read = parse_plates(R"({
+    "format": "planish/plates", "version": 1, "units": "inch", "thickness": 0.1,
+    "plates": [ { "id": "A", "outline": [[0,0,0],[9,0,0],[9,9,0],[0,9,0]],
+                  "holes": [ { "circle": { "at": [1,1,0], "radius": 0.5 } },
+                             [[3,3,0],[4,3,0],[4,4,0]],
+                             { "slot": { "from": [6,1,0], "to": [7,1,0], "width": 0.5 } },
+                             { "path": [[2,6,0], { "through": [3,7,0], "to": [4,6,0] }] },
+                             { "path": [[6,6,0], [8,6,0],
+                                        { "through": [7,7,0], "to": [6,6,0] }] } ] } ],
+    "bends": [ { "between": ["A"], "edges": { "A": [0] }, "angle": 90, "inside_radius": 1 } ],
+    "trim": true })",
+                                 "p.json");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->structure.trim, true);
+  const Plate& plate = read->structure.plates.front();
+  ASSERT_EQ(plate.holes.size(), 5u);
+  EXPECT_EQ(plate.holes[1].size(), 3u);
+  ASSERT_EQ(plate.shapes.size(), 4u);
+  const auto& round = std::get<RoundHole>(plate.shapes.at(0));
+  EXPECT_EQ(round.at, Vec3(25.4, 25.4, 0));
+  EXPECT_EQ(round.radius, 12.7);
+  EXPECT_EQ(std::get<SlotHole>(plate.shapes.at(2)).width, 12.7);
+  // Closed by a straight edge, and by an arc that leads to the first corner.
+  const auto& open = std::get<ArcHole>(plate.shapes.at(3));
+  EXPECT_EQ(open.corners.size(), 2u);
+  EXPECT_TRUE(open.through[0] && !open.through[1]);
+  const auto& closed = std::get<ArcHole>(plate.shapes.at(4));
+  EXPECT_EQ(closed.corners.size(), 2u);
+  EXPECT_TRUE(!closed.through[0] && closed.through[1]);
+}
+
+TEST(ParsePlates, RefusesHolesThatAreNoShape) {
+  for (const char* hole : {R"({ "circle": { "at": [1,1,0], "radius": 0 } })", R"({ "disc": 1 })",
+                           R"({ "slot": { "from": [1,1,0], "to": [2,1,0] } })"}) {
+    const auto read = parse_plates(
+        std::string(R"({ "format": "planish/plates", "version": 1, "thickness": 1, "plates": [
+          { "id": "A", "outline": [[0,0,0],[9,0,0],[9,9,0]], "holes": [)") +
+            hole + "] } ] }",
+        "p.json");
+    ASSERT_FALSE(read) << hole;
+    EXPECT_TRUE(read.error().where.starts_with("p.json/plates/0/holes/0")) << read.error().where;
+  }
 }
 
 }  // namespace

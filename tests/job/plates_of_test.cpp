@@ -46,15 +46,14 @@ TEST(PlatesOf, SayWhichPlatesBendsJoin) {
   EXPECT_FALSE(cone.bends[0].inside_radius) << "it differs along a cone";
 }
 
-TEST(PlatesOf, HaveOpeningsAndNoCornersTooNear) {
+TEST(PlatesOf, HaveRoundOutlinesWithoutCornersTooNear) {
   SheetBuilder builder(2.0);
-  Loop hole{Arc{{50, 30}, 10.0, 0.0, -2.0 * std::numbers::pi}};
-  builder.flange(Frame{}, {rectangle(100, 60), hole});
+  const Loop disc{Arc{{50, 30}, 10.0, 0.0, 2.0 * std::numbers::pi}};
+  builder.flange(Frame{}, std::vector<Loop>{disc});
   const Sheet sheet = builder.finish();
   for (const double chord : {0.01, 1.0}) {
     const PlateStructure plates = plates_of(sheet, {.chord = chord});
-    ASSERT_EQ(plates.plates[0].holes.size(), 1u);
-    const auto& ring = plates.plates[0].holes[0];
+    const auto& ring = plates.plates[0].outline;
     double area = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -65,6 +64,31 @@ TEST(PlatesOf, HaveOpeningsAndNoCornersTooNear) {
     EXPECT_LE(std::abs(area), std::numbers::pi * 100);
     EXPECT_GE(std::abs(area), std::numbers::pi * 100 - 2 * std::numbers::pi * 10 * chord);
   }
+}
+
+TEST(PlatesOf, HaveCirclesSlotsAndArcsAsTheyAre) {
+  const double pi = std::numbers::pi;
+  SheetBuilder builder(2.0);
+  const Loop hole{Arc{{30, 30}, 10.0, 0.0, -2.0 * pi}};
+  const Loop slot{Segment{{60, 35}, {80, 35}}, Arc{{80, 30}, 5.0, 0.5 * pi, -pi},
+                  Segment{{80, 25}, {60, 25}}, Arc{{60, 30}, 5.0, -0.5 * pi, -pi}};
+  const Loop half{Arc{{50, 10}, 6.0, pi, -pi}, Segment{{56, 10}, {44, 10}}};
+  builder.flange(Frame{}, {rectangle(100, 60), hole, slot, half});
+  const PlateStructure plates = plates_of(builder.finish());
+  const Plate& plate = plates.plates[0];
+  ASSERT_EQ(plate.holes.size(), 3u);
+  const auto& circle = std::get<RoundHole>(plate.shapes.at(0));
+  EXPECT_LT((circle.at.head<2>() - Vec2(30, 30)).norm(), 1e-12);
+  EXPECT_EQ(circle.radius, 10.0);
+  EXPECT_EQ(std::get<SlotHole>(plate.shapes.at(1)).width, 10.0);
+  const auto& path = std::get<ArcHole>(plate.shapes.at(2));
+  ASSERT_TRUE(path.through[0] && !path.through[1]);
+  EXPECT_LT((path.through[0]->head<2>() - Vec2(50, 16)).norm(), 1e-9);
+  // And back from the file.
+  const auto read = parse_plates(plates_text(plates), "p.json");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->structure.plates[0].shapes.size(), 3u);
+  EXPECT_EQ(std::get<ArcHole>(read->structure.plates[0].shapes.at(2)).corners.size(), 2u);
 }
 
 TEST(PlatesOf, AreAFileThatIsReadAgain) {

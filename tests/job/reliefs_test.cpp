@@ -84,6 +84,39 @@ TEST(Reliefs, GiveRipsTheirWidth) {
   EXPECT_NEAR(relieved->removed, 2 * 0.7 * 0.7, 1e-2);
 }
 
+/// A base with a notch, from whose sides two walls rise that cover each other by `overlap` when
+/// they lie flat, along 80 mm.
+Laid facing_walls(double overlap) {
+  const double from = 60, to = from + 2 * kReach - overlap;
+  test::SheetBuilder builder(kThickness);
+  const FaceId base = builder.flange(
+      Frame{},
+      {test::polygon(
+          {{0, 0}, {200, 0}, {200, 100}, {to, 100}, {to, 20}, {from, 20}, {from, 100}, {0, 100}})});
+  for (const int border : {3, 5}) {
+    const test::Rim far = builder.bend(builder.rim(base, border),
+                                       test::Turn{Angle::degrees(90), kRadius});
+    builder.flange_behind(far, {test::rectangle(far.length, kWall)});
+  }
+  Sheet sheet = builder.finish();
+  FlatSheet flat = flat_sheet(sheet).value();
+  return {std::move(sheet), std::move(flat)};
+}
+
+TEST(Reliefs, TakeWhatTheLaserTakesHoweverLong) {
+  const auto relieved = relieved_of(facing_walls(0.1));
+  ASSERT_TRUE(relieved) << relieved.error().message;
+  // A cut of 0.3 mm: 0.2 mm of each wall, and 0.1 mm into the bottom of the notch. What touches
+  // within 0.001 T is no overlap.
+  EXPECT_NEAR(relieved->removed, 2 * (0.2 - 0.001) * 80 + 0.3 * 0.1, 1e-2);
+  ASSERT_EQ(relieved->findings.size(), 1u);
+  EXPECT_EQ(relieved->findings.front().code, "mended_corner");
+  // Beyond the kerf it is a wall that lies on another.
+  const auto refused = relieved_of(facing_walls(0.3));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::overlap);
+}
+
 TEST(Reliefs, AreRefusedWhereFlangesCoverEachOther) {
   const Laid part = laid(2.5);
   const auto relieved = relieved_of(part);

@@ -72,6 +72,19 @@ TEST(SelfIntersectionFindings, NameBothFlangesTheDepthAndBothPlaces) {
     EXPECT_NEAR((found[0].at[i] - found[0].at[i + 1]).norm(), apart, 1.2);
 }
 
+TEST(SelfIntersectionFindings, WarnOfEdgesThatPressWithoutPassingThrough) {
+  // A channel whose return ends in its first wall, by three quarters of the thickness.
+  const double t = 2.0, r = 3.0, deep = 0.75 * t;
+  const Turn right{Angle::degrees(90), r, BendDirection::up};
+  const double back = 40 + r + deep;  // to the inner skin and into it
+  const auto found = found_in(strip(
+      {Straight{60}, right, Straight{40}, right, Straight{30}, right, Straight{back}}, 20, t));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_NEAR(found[0].numbers[0].quantity.value, deep, 0.05);
+  EXPECT_THAT(found[0].message, HasSubstr("flanges 1 and 4 need the same space when folded"));
+}
+
 TEST(SelfIntersectionFindings, NameTheBendsOfATubeRolledOntoItself) {
   const Turn half{Angle::degrees(200), 20, BendDirection::up};
   const auto found = found_in(strip({half, half}, 50, 1.5));

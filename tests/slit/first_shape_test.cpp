@@ -161,6 +161,17 @@ TEST(FirstShapes, EndInTheDirectionThatIsWanted) {
   }
 }
 
+/// Of all shapes that turn by an angle an arc bends least, with n equal folds. Curls are as smooth.
+TEST(FirstShapes, BendNoMoreThanTheyMust) {
+  for (const double angle : {0.3, 1.2, 2.4, -0.8, -2.0}) {
+    const Vec3 direction(std::sin(angle), std::cos(angle), 0.0);
+    const StripProblem problem = to_place(nullptr, &direction);
+    const int quads = problem.base.quads;
+    const double least = angle * angle / quads;
+    EXPECT_LT(first_shapes(problem).front().head(quads).squaredNorm(), 2.0 * least) << angle;
+  }
+}
+
 TEST(FirstShapes, TurnIntoThePanelAtTheirEnd) {
   // An arch over to a panel that points down again, 100 mm beside: half a turn in all.
   const Vec3 place(-100.0, 100.0, 20.0);

@@ -59,6 +59,15 @@ TEST(CheckClear, LetsRibsShareWhatRoundingMakes) {
   EXPECT_TRUE(check_clear(mould, {}, 1.0));
 }
 
+TEST(CheckClear, LetsARibStandBesideALowerStripThatRoundingPutsBelowIt) {
+  // A ten-millionth of 1 mm² again, of the strip of 2,000 mm² at 31.
+  Mould mould;
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 50)};
+  const auto own = level_strip({0, 0}, {100, 20}, 51);
+  EXPECT_TRUE(check_clear(mould, {own, level_strip({0, 20 - 1e-9}, {100, 40}, 31)}, 1.0));
+  EXPECT_EQ(code_of(mould, {own, level_strip({0, 19.9}, {100, 40}, 31)}), code::unsupported_shape);
+}
+
 TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
   Mould mould;
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 15}, {100, 40}, 50)};

@@ -69,12 +69,22 @@ inline void expect_round_trip(const Sheet& sheet, double tolerance = 1e-6) {
   EXPECT_LT((b.size - a.size).norm(), tolerance * a.size.norm());
   EXPECT_EQ(b.openings, a.openings);
   ASSERT_EQ(b.bends.size(), a.bends.size());
+  // The radius of a skin of a general bend is recognised by steps between rulings, and at its ends
+  // by a parabola through three of them.
+  constexpr double kBySteps = 5e-4;
+  const bool by_steps = std::ranges::any_of(
+      before->bends, [](const FlatBend& bend) { return bend.kind == BendKind::general; });
+  const double stepped = by_steps ? kBySteps * sheet.thickness : 0.0;
+  const std::array relative{tolerance, by_steps ? kBySteps : tolerance, tolerance};
+  const std::array least{1e-3, 1e-3 + stepped, 1e-3};
   for (size_t i = 0; i < a.bends.size(); ++i)
     for (size_t k = 0; k < 3; ++k)
-      EXPECT_NEAR(b.bends[i][k], a.bends[i][k], 1e-3 + tolerance * a.bends[i][k]);
+      EXPECT_NEAR(b.bends[i][k], a.bends[i][k], least[k] + relative[k] * a.bends[i][k]);
   const auto certificate = certify(again.sheet, *after, again.distance);
   ASSERT_TRUE(certificate);
-  EXPECT_NEAR(*certificate->explained_ratio, 1.0, 1e-5);
+  // In the file the skins of a general bend are fitted within 1e-3 mm.
+  const double fitted = by_steps ? 1e-3 / sheet.thickness : 0.0;
+  EXPECT_NEAR(*certificate->explained_ratio, 1.0, 1e-5 + fitted);
   EXPECT_LT(*certificate->refold_deviation, 1e-3);
   EXPECT_LT(certificate->length_error, 1e-3);
 }

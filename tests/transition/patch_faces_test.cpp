@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace planish::test {
 namespace {
@@ -152,6 +153,7 @@ TEST(PatchPart, OfARightConeLosesItsApex) {
     const double slant = std::hypot(80, 30);
     RuledPatch::Tips tips;
     tips.at_from[side] = tips.at_to[side] = 4.0;
+    tips.at_from[1 - side] = tips.at_to[1 - side] = 2.0;  // no corner: nothing is cut there
     const RuledPatch::Part part = cone->part(0.25, 1.0, tips);
     const auto& loop = part.face.loops[0];
     for (const int ruling : part.ruling_borders)
@@ -166,18 +168,27 @@ TEST(PatchPart, OfARightConeLosesItsApex) {
   }
 }
 
+/// Tips of 55 % of an edge: room is only needed beside folds, so that of rulings all is cut.
 TEST(PatchPart, OfAPlaneLosesNoMoreThanFortyHundredthsOfAnEdge) {
-  // Tips of 55 on an edge of 100: room is only needed beside folds.
-  const RuledPatch patch = pyramid().patch(0);
-  const RuledPatch::Tips tips{.at_from = {55.0, 0.0}, .at_to = {55.0, 0.0}};
-  const RuledPatch::Part part = patch.part(0.0, 1.0, tips);
-  const auto [p0, q0] = patch.ruling(0.0);
-  bool found = false;
-  for (const Border& border : part.face.loops[0])
-    found |= std::abs(*border.edge_length - 0.2 * 100) < 1e-9;
-  EXPECT_TRUE(found) << "20 are left of 100";
-  EXPECT_NEAR(*part.face.loops[0][part.ruling_borders[0]].edge_length, (q0 - p0).norm() - 55.0,
-              1e-9);
+  std::vector<RuledPatch> planes = antiprism().patches;
+  planes.push_back(pyramid().patch(0));
+  for (const RuledPatch& patch : planes)
+    for (const int side : {0, 1}) {
+      if (patch.stands(side)) continue;
+      const double edge = patch.border_length(side, 0.0, 1.0);
+      RuledPatch::Tips tips;
+      tips.at_from[side] = tips.at_to[side] = 0.55 * edge;
+      const RuledPatch::Part part = patch.part(0.0, 1.0, tips);
+      const BorderLoop& loop = part.face.loops[0];
+      EXPECT_TRUE(std::ranges::any_of(loop, [&](const Border& border) {
+        return std::abs(*border.edge_length - 0.2 * edge) < 1e-9;
+      })) << "a fifth is left";
+      for (const std::size_t end : {0u, 1u}) {
+        const auto [p, q] = patch.ruling(double(end));
+        EXPECT_NEAR(*loop[part.ruling_borders[end]].edge_length, (q - p).norm() - 0.55 * edge,
+                    1e-9);
+      }
+    }
 }
 
 }  // namespace

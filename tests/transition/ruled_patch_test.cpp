@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
 namespace planish::test {
 namespace {
 
@@ -59,6 +63,50 @@ TEST(RuledPatch, OfARingKnowsWhatItIs) {
     EXPECT_EQ(patch.stands(0), !patch.plane());
     EXPECT_EQ(patch.stands(1), patch.plane());
   }
+}
+
+/// The slowest that a ruling's end goes along a side; 1: as fast as the rulings are numbered.
+double slowest(const RuledPatch& patch, int side) {
+  constexpr int kSteps = 500;
+  const double whole = patch.parameter(side, 1.0) - patch.parameter(side, 0.0);
+  double least = 1.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double from = i / double(kSteps), to = (i + 1) / double(kSteps);
+    const double way = patch.parameter(side, to) - patch.parameter(side, from);
+    least = std::min(least, way / whole * kSteps);
+  }
+  return least;
+}
+
+/// Through points of an ellipse.
+SplineProfile spline_round(const Vec2& radii) {
+  SplineProfile spline;
+  for (int i = 0; i < 32; ++i) {
+    const double t = 2.0 * kPi * i / 32;
+    spline.points.emplace_back(radii.x() * std::cos(t), radii.y() * std::sin(t));
+  }
+  return spline;
+}
+
+/// Round the tight ends of a narrow ellipse rulings go slowly, more so than on a circle beside its
+/// flat sides; its spline counts millimetres, the circle radians.
+TEST(RuledPatch, IsWrittenAboutTheSideThatMovesMostEverywhere) {
+  const EllipseProfile circle{30, 30};
+  for (const Vec2& radii : {Vec2(80, 20), Vec2(20, 80)})
+    for (const int round : {0, 1}) {  // the circle's side
+      const SplineProfile narrow = spline_round(radii);
+      const Ring ring = round == 0 ? ring_between(circle, narrow, {5, 3, 80})
+                                   : ring_between(narrow, circle, {5, 3, 80});
+      ASSERT_EQ(ring.count(), 1);
+      const RuledPatch& patch = ring.patch(0);
+      EXPECT_GT(slowest(patch, round), 1.2 * slowest(patch, 1 - round));
+      const RuledPatch::Part part = patch.part(0.1, 0.9, {});
+      const auto& surface = std::get<Developable>(part.face.surface);
+      for (const double at : {0.1, 0.3, 0.6, 0.8}) {
+        const Vec3 base = point_on(surface, {part.u(at), 0.0});
+        EXPECT_LT((base - patch.ruling(at)[round]).norm(), 1e-6) << round;
+      }
+    }
 }
 
 TEST(ArcLength, IsThatOfAnEllipseBackwardsToo) {

@@ -20,13 +20,15 @@ double area_of(const Mesh& mesh) {
   return area;
 }
 
-/// Sides that only one triangle has.
+/// Sides that only one triangle has, each along one of two level profiles.
 int free_sides(const Mesh& mesh) {
   const auto runs = sides_of(mesh);
   int free = 0;
   for (const auto& [side, times] : runs) {
     EXPECT_EQ(times, 1) << "a side is run twice the same way";
-    free += runs.count({side.second, side.first}) == 0 ? 1 : 0;
+    if (runs.count({side.second, side.first}) != 0) continue;
+    ++free;
+    EXPECT_NEAR(mesh.points[side.first].z(), mesh.points[side.second].z(), 1e-9);
   }
   return free;
 }

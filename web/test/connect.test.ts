@@ -8,6 +8,7 @@ import {
   notJoined,
   parseEdges,
   edgesText,
+  movePlate,
   removeBend,
   removePlate,
   renamePlate,
@@ -84,7 +85,7 @@ test('an edge from the last corner to the first keeps its number when the first 
 
 test('holes are added clear of one another and edited like outlines; edges keep their numbers', () => {
   const two = addHole(addHole(spec(), 'B'), 'B'),
-    [a, b] = plate(two, 'B').holes!;
+    [a, b] = plate(two, 'B').holes as Vec3[][];
   const d = directionsOf(leaning),
     low = (ring: Vec3[], k: 0 | 1) => Math.min(...ring.map((p) => along(d, p)[k])),
     high = (ring: Vec3[], k: 0 | 1) => Math.max(...ring.map((p) => along(d, p)[k]));
@@ -93,7 +94,7 @@ test('holes are added clear of one another and edited like outlines; edges keep 
   );
   for (const p of [...a!, ...b!]) near((p[1] - 130) * 0.8 - (p[2] - 20) * 0.6, 0);
   const more = addCorner(two, 'B', 1, 0);
-  assert.equal(plate(more, 'B').holes![0]!.length, 5);
+  assert.equal((plate(more, 'B').holes![0] as Vec3[]).length, 5);
   assert.deepEqual(more.bends, spec().bends);
   assert.deepEqual(removeHole(removeHole(two, 'B', 1), 'B', 0), spec());
 });
@@ -117,6 +118,20 @@ test('a plate is added in the plane of the chosen one, clear of it, or level', (
       [260, -170, 0],
     ],
   });
+});
+
+test('circles and slots go with their plate, and stay when a polygon beside them is edited', () => {
+  const slot = { slot: { from: [10, 10, 0], to: [30, 10, 0], width: 5 } } as const,
+    given: PlatesSpec = {
+      ...spec(),
+      plates: spec().plates.map((p) => (p.id === 'A' ? { ...p, holes: [structuredClone(slot) as never] } : p)),
+    };
+  const more = addHole(given, 'A');
+  assert.deepEqual(plate(more, 'A').holes![0], slot);
+  assert.deepEqual(plate(addCorner(more, 'A', 2, 0), 'A').holes![0], slot);
+  assert.deepEqual(removeHole(more, 'A', 1), given);
+  const up = movePlate(given, 'A', ([x, y, z]) => [x, y, z + 7]);
+  assert.deepEqual(plate(up, 'A').holes, [{ slot: { from: [10, 10, 7], to: [30, 10, 7], width: 5 } }]);
 });
 
 test('a copy stands beside its plate, holes and all', () => {

@@ -40,6 +40,14 @@ struct BendAlternative {
   double width = 0.0, span = 0.0;
 };
 
+/// A shorter bend than the one that was taken, which the search had found first, and why it does
+/// not hold.
+struct PassedOver {
+  std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
+  double span = 0.0;                      ///< math.md#widest-bend
+  Error why;
+};
+
 /// A further stretch of an interrupted bend: the edges that it joins, and how wide it is.
 struct BendStretch {
   std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
@@ -69,9 +77,22 @@ struct FittedBend {
   /// How far both plates' joints lie beside each other along the tangent line; empty if they have
   /// some width in common.
   std::optional<double> beside = {};
-  double extension_area = 0.0;  ///< math.md#least-extension, at `line`
-  std::vector<BendAlternative> alternatives;
+  double extension_area = 0.0;                ///< math.md#least-extension, at `line`
+  std::vector<BendAlternative> alternatives;  ///< the other efficient bends, the widest first
+  std::optional<PassedOver> passed_over;
   BendId bend{};  ///< index into the sheet's bends
+};
+
+/// A plate that was cut back where it touches others.
+struct TrimmedPlate {
+  int plate = 0;
+  double by = 0.0;  ///< at most, mm
+};
+
+/// A stretch of an edge that two plates have in common, or a corner (`from` = `to`).
+struct SharedEdge {
+  std::array<int, 2> plates{};
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
 };
 
 /// Joined plates: a sheet whose flange i is plate i, extended, and how they were joined.
@@ -81,6 +102,8 @@ struct Connection {
   std::vector<FittedBend> bends;
   std::vector<FaceId> plate_faces;  ///< by plate
   FaceId root{};                    ///< face of the root plate; without plates, of the first bend
+  std::vector<TrimmedPlate> trimmed = {};
+  std::vector<SharedEdge> left_open = {};  ///< along which plates touch without being joined there
 };
 
 struct ConnectOptions {
@@ -90,7 +113,7 @@ struct ConnectOptions {
   /// Cones of a smaller slope become cylinders.
   double smallest_slope = 1e-3;
   /// The largest number of other ways to join the same two plates that each bend reports.
-  int alternatives = 3;
+  int alternatives = 12;
   double planarity = 1e-3;  ///< how far a corner may lie off its plate's plane, mm
 };
 

@@ -98,6 +98,14 @@ struct EdgeSearch {
 Result<EdgeSearch> search_edges(const std::array<std::vector<Chain>, 2>& sides, Angle beta,
                                 const EdgeSearchOptions& options = {});
 
+/// All choices of edges that are *efficient* (math.md#efficient-bends): no other is as wide and
+/// shorter, or as short and wider. The widest first, each next one shorter by its span and
+/// narrower; of more than `most`, the widest and the shortest; of `most` = 1 the shortest. Width,
+/// span and edges as `search_edges` has them; the trade-off has no part in it. Empty where
+/// `search_edges` fails. Cost: one search for each.
+std::vector<EdgeChoice> efficient_edges(const std::array<std::vector<Chain>, 2>& sides, Angle beta,
+                                        const EdgeSearchOptions& options = {}, int most = 250);
+
 /// Tangent line of least plate extension for given runs (math.md#least-extension): minimises the
 /// sum over both sides of the area between the run and the tangent line, lateral edges along y.
 /// Exact: a linear program in (k, q), solved at its vertices. If the optimum is not unique, the one

@@ -4,11 +4,31 @@
 #include <planish/geometry/frame.hpp>
 
 #include <array>
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace planish {
+
+/// Holes that are not polygons, in the plane of their plate, mm.
+struct RoundHole {
+  Vec3 at = Vec3::Zero();
+  double radius = 0.0;
+};
+/// With round ends about two points.
+struct SlotHole {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  double width = 0.0;
+};
+/// Edge i runs from corner i to corner i + 1, straight or as the arc through a point between.
+struct ArcHole {
+  std::vector<Vec3> corners;
+  std::vector<std::optional<Vec3>> through;  ///< by edge
+};
+using HoleShape = std::variant<RoundHole, SlotHole, ArcHole>;
 
 /// A flat plate placed in space: closed polygons on its mid-surface, mm, the last corner not
 /// repeated, either way round. Edge i runs from corner i to corner i + 1.
@@ -16,6 +36,9 @@ struct Plate {
   std::string id;
   std::vector<Vec3> outline;
   std::vector<std::vector<Vec3>> holes;
+  /// By hole: those that are not polygons, which are empty in `holes`. They have no edges to carry
+  /// a bend.
+  std::map<std::size_t, HoleShape> shapes = {};
 };
 
 /// `general`: an oblique cone (math.md#general-cone), whose tangent lines lie along the edges of
@@ -68,6 +91,9 @@ struct PlateStructure {
   /// bend that the program finds, twice the diagonals of both plates together; a bend that is
   /// given, any.
   std::optional<double> largest_span = std::nullopt;
+  /// Whether plates that touch are cut back so that bends fit between them (math.md#trimming).
+  /// Empty: if all of them touch.
+  std::optional<bool> trim = std::nullopt;
   std::string root;  ///< id of the plate that stays where it is; empty: the largest
 };
 

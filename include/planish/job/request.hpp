@@ -75,6 +75,7 @@ struct JoinOptions {
   std::optional<LateralBoundary> lateral;
   std::optional<double> trade_off;
   std::optional<double> largest_span;
+  std::optional<bool> trim;
 };
 
 /// A request to a maker, as data. `options()` has an entry for each member except `input` and

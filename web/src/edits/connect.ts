@@ -164,13 +164,24 @@ function withoutHoles(bend: BendSpec): BendSpec {
   return Object.fromEntries(Object.entries(bend).filter(([, v]) => v !== undefined)) as unknown as BendSpec;
 }
 
+const isPoint = (value: unknown): value is Vec3 =>
+  Array.isArray(value) && value.length === 3 && value.every((v) => typeof v === 'number');
+
+/** The same with every point in it moved. */
+function withPoints<T>(value: T, to: (p: Vec3) => Vec3): T {
+  if (isPoint(value)) return to(value) as T;
+  if (Array.isArray(value)) return value.map((v) => withPoints(v, to)) as T;
+  if (typeof value !== 'object' || value === null) return value;
+  return Object.fromEntries(Object.entries(value).map(([k, v]) => [k, withPoints(v, to)])) as T;
+}
+
 /** Every corner of plate `id` moved. */
 export function movePlate(spec: PlatesSpec, id: string, to: (p: Vec3) => Vec3): PlatesSpec {
   const place = (p: Vec3) => to(p).map((v) => round(v)) as Vec3;
   const moved = (plate: PlateSpec): PlateSpec => ({
     ...plate,
     outline: plate.outline.map(place),
-    ...(plate.holes ? { holes: plate.holes.map((h) => h.map(place)) } : {}),
+    ...(plate.holes ? { holes: withPoints(plate.holes, place) } : {}),
   });
   return { ...spec, plates: spec.plates.map((p) => (p.id === id ? moved(p) : p)) };
 }

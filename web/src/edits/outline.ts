@@ -51,13 +51,21 @@ export function extentOf(d: Directions, points: Vec3[]): Extent {
 
 const placed = (p: Vec3) => p.map((v) => round(v)) as Vec3;
 
+type Hole = NonNullable<PlateSpec['holes']>[number];
+
+/** The corners of a hole; none of a circle, a slot or a path. */
+const cornersOf = (hole: Hole): Vec3[] => (Array.isArray(hole) ? hole : []);
+
 /** The outline, then the holes. */
-export const ringsOf = (plate: PlateSpec): Vec3[][] => [plate.outline, ...(plate.holes ?? [])];
+export const ringsOf = (plate: PlateSpec): Vec3[][] => [plate.outline, ...(plate.holes ?? []).map(cornersOf)];
 
 function withRings(spec: PlatesSpec, id: string, change: (rings: Vec3[][], plate: PlateSpec) => Vec3[][]): PlatesSpec {
   const changed = (plate: PlateSpec): PlateSpec => {
-    const [outline, ...holes] = change(ringsOf(plate), plate),
-      { holes: _before, ...rest } = plate;
+    const rings = ringsOf(plate),
+      { holes: before = [], ...rest } = plate;
+    const shapes = new Map(before.flatMap((h, i) => (Array.isArray(h) ? [] : [[rings[i + 1]!, h]])));
+    const [outline, ...changed] = change(rings, plate);
+    const holes = changed.map((ring): Hole => shapes.get(ring) ?? ring);
     return { ...rest, outline: outline!, ...(holes.length ? { holes } : {}) };
   };
   return { ...spec, plates: spec.plates.map((p) => (p.id === id ? changed(p) : p)) };

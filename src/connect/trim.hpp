@@ -1,0 +1,26 @@
+#pragma once
+
+#include "plate_plane.hpp"
+
+#include <planish/connect/connect.hpp>
+
+#include <array>
+#include <vector>
+
+namespace planish::connect_detail {
+
+/// Plates cut back where they touch, so that bends fit between them (math.md#trimming).
+struct Trimmed {
+  std::vector<PlacedPlate> plates;
+  std::vector<TrimmedPlate> cut;   ///< those that were
+  std::vector<SharedEdge> shared;  ///< stretches of edges that two plates have in common
+};
+
+/// Cuts plates back along the edges that they share, by what a bend of the wanted inside radius
+/// needs (by default the thickness), and at corners that they share. What a bend would have to be
+/// placed on keeps its number; edges that come of it are numbered on from the plate's last. A plate
+/// that would not remain whole stays as it is. Without `structure.trim` only if all plates touch,
+/// directly or through others, and none is to be folded sharply.
+Trimmed trimmed_where_touching(const PlateStructure& structure, std::vector<PlacedPlate> plates);
+
+}  // namespace planish::connect_detail

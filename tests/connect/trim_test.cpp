@@ -1,0 +1,112 @@
+#include "trim.hpp"
+
+#include "sample_plates.hpp"
+
+#include <planish/connect/connect.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+// Plates drawn up to each other, as a designer draws a box.
+
+namespace planish::test {
+namespace {
+
+using std::numbers::pi;
+
+PlateStructure drawn_box(double a = 200, double b = 100, double h = 50, double thickness = 2) {
+  PlateStructure s;
+  s.thickness = thickness;
+  s.plates = {rectangle_plate("floor", {0, 0, 0}, {a, 0, 0}, {0, b, 0}),
+              rectangle_plate("front", {0, 0, 0}, {a, 0, 0}, {0, 0, h}),
+              rectangle_plate("back", {0, b, 0}, {a, 0, 0}, {0, 0, h}),
+              rectangle_plate("left", {0, 0, 0}, {0, b, 0}, {0, 0, h}),
+              rectangle_plate("right", {a, 0, 0}, {0, b, 0}, {0, 0, h})};
+  return s;
+}
+
+double area_when_flat(const Connection& connection) {
+  const auto pattern = flatten(connection.sheet,
+                               {.allowance = ConstantK{0.5, "test"}, .root = connection.root});
+  EXPECT_TRUE(pattern);
+  return pattern ? pattern->area : 0.0;
+}
+
+TEST(Trimming, MakesABoxOfPlatesThatShareEdges) {
+  // Inside radius t: all shared edges are cut back by 1.5 t, at right angles.
+  const double t = 2, cut = 1.5 * t, a = 200 - 2 * cut, b = 100 - 2 * cut;
+  for (const double sign : {1.0, -1.0}) {
+    PlateStructure box = drawn_box();
+    for (Plate& plate : box.plates)
+      for (Vec3& p : plate.outline)
+        p.z() *= sign;
+    const auto made = connect(box);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->bends.size(), 4u);
+    for (const FittedBend& bend : made->bends)
+      EXPECT_NEAR(bend.inside_radius, t, 1e-9);
+    const double around = 2 * a + 2 * b;
+    EXPECT_NEAR(area_when_flat(*made), a * b + around * (50 - cut) + around * pi / 2 * 1.5 * t,
+                1e-6);
+    EXPECT_EQ(made->trimmed.size(), 5u);
+    for (const TrimmedPlate& plate : made->trimmed)
+      EXPECT_NEAR(plate.by, cut, 1e-9);
+    // The four upright edges stay open, each over all of its height.
+    ASSERT_EQ(made->left_open.size(), 4u);
+    for (const SharedEdge& edge : made->left_open)
+      EXPECT_NEAR((edge.to - edge.from).norm(), 50.0, 1e-9);
+  }
+}
+
+TEST(Trimming, KeepsTheNumbersOfEdgesThatCarryBends) {
+  PlateStructure box = drawn_box();
+  for (const char* wall : {"front", "back", "left", "right"})
+    box.bends.push_back({.between = {"floor", wall}, .inside_radius = 3.0});
+  box.bends[0].edges = {std::vector{0}, std::vector{0}};
+  box.trim = true;
+  const auto made = connect(box);
+  ASSERT_TRUE(made) << made.error().message;
+  const std::array wanted{0, 2, 3, 1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(made->bends[i].edges[0], std::vector{wanted[i]});
+    EXPECT_EQ(made->bends[i].edges[1], std::vector{0});
+    EXPECT_NEAR(made->bends[i].inside_radius, 3.0, 1e-9);
+  }
+}
+
+TEST(Trimming, LetsFourTrianglesMeetInTheCornersOfTheirBase) {
+  for (const double b : {200.0, 140.0}) {
+    const double r = 120, h = 300, a = 200;
+    const std::array<Vec3, 4> corners{Vec3(a, -b, 0), Vec3(a, b, 0), Vec3(-a, b, 0),
+                                      Vec3(-a, -b, 0)};
+    const std::array<Vec3, 4> tips{Vec3(r, 0, h), Vec3(0, r, h), Vec3(-r, 0, h), Vec3(0, -r, h)};
+    PlateStructure s;
+    s.thickness = 2;
+    for (std::size_t i = 0; i < 4; ++i)
+      s.plates.push_back({std::string(1, static_cast<char>('A' + i)),
+                          {corners[i], corners[(i + 1) % 4], tips[i]},
+                          {}});
+    const auto made = connect(s);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->bends.size(), 3u);
+    for (const FittedBend& bend : made->bends)
+      EXPECT_EQ(bend.kind, BendKind::general);
+  }
+}
+
+TEST(Trimming, IsLeftOutWhereNotAllPlatesTouch) {
+  const auto apart = connect(tray());
+  ASSERT_TRUE(apart);
+  EXPECT_TRUE(apart->trimmed.empty());
+  PlateStructure box = drawn_box();
+  box.trim = false;
+  const auto untouched = connect(box);
+  EXPECT_TRUE(!untouched || untouched->trimmed.empty());
+}
+
+}  // namespace
+}  // namespace planish::test
