@@ -201,7 +201,7 @@ Told tell(std::string_view pattern, const Facts& facts) {
 }
 
 std::string number_text(double value, int digits) {
-  constexpr double kLeast = 1e-3, kMost = 1e5, kMostWhole = 1e12;  // shown without exponent
+  constexpr double kLeast = 1e-3, kMost = 1e9, kMostWhole = 1e12;  // shown without exponent
   if (value == 0.0) return "0";
   if (!std::isfinite(value)) return fmt::format("{}", value);
   const double size = std::abs(value);

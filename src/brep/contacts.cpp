@@ -76,7 +76,7 @@ bool has_several_holes(const Recognition& of, const RimPart& part) {
   const auto& here = loops_here(of, part);
   const auto& there = loops_there(of, part);
   // A loop that is no opening is the outline of a face cut off from its skin.
-  return part.openings > std::ssize(here) && there.size() > here.size() &&
+  return part.openings > 1 && !here.empty() && !there.empty() &&
          std::ranges::all_of(here, in_plane) && std::ranges::all_of(there, in_plane);
 }
 

@@ -313,10 +313,11 @@ bool add_stepped_rim(SheetBuilder& builder, const SheetMap& map, const Recogniti
 }
 
 /// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
-void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part) {
+void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part,
+                         int openings) {
   FormedFeature feature = feature_of("formed", FormSide::down, part.faces.front(),
                                      map.face_id.begin()->second);
-  feature.own_openings = part.openings;
+  feature.own_openings = openings;
   builder.add_feature(std::move(feature));
 }
 
@@ -328,7 +329,8 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     const RimPart& part = of.rim.parts[p];
     const auto& here = loops_here(of, part);
     const auto& there = loops_there(of, part);
-    if (part.within && here.size() == 1 && there.size() == 1) {
+    const bool several = part.within && has_several_holes(of, part);
+    if (part.within && !several && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))
         widened.erase(here.front());
       else if (add_stepped_rim(builder, map, of, part))
@@ -340,12 +342,13 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
         for (const LoopRef& ref : there)
           if (opening_in_plane(of, ref))
             add_far_outline(builder, map, of, part.within ? "pocket" : "formed", part, ref);
-      if (part.openings > 0) add_hidden_openings(builder, map, part);
+      if (const int hidden = hidden_openings(of, part); hidden > 0)
+        add_hidden_openings(builder, map, part, hidden);
       builder.add_form_volume(form_volume(of, part));
     } else if (!part.within) {
       add_marked(builder, map, of, p, "formed", raised_side(of, part), part.refusal);
       builder.add_form_volume(form_volume(of, part));
-    } else if (there.empty() || has_several_holes(of, part)) {
+    } else if (there.empty() || several) {
       add_marked(builder, map, of, p, "pocket", FormSide::up, recess_at_rim(of.model, part));
       builder.add_form_volume(form_volume(of, part));
     } else {

@@ -247,13 +247,23 @@ std::optional<BorderLoop> slit_of(const Recognition& of, const RimPart& part,
 
 }  // namespace
 
+int hidden_openings(const Recognition& of, const RimPart& part) {
+  const auto is_island = [&](const LoopRef& ref) {
+    return std::holds_alternative<Frame>(of.model.faces[ref.face].surface) &&
+           !opening_in_plane(of, ref);
+  };
+  const auto islands = std::ranges::count_if(part.first, is_island) +
+                       std::ranges::count_if(part.second, is_island);
+  return std::max(0, part.openings - static_cast<int>(islands));
+}
+
 void add_form_openings(FormedFeature& feature, const Frame& plane, const Recognition& of,
                        const RimPart& part) {
   if (part.openings <= 0) return;
   const auto& here = loops_here(of, part);
   const auto& there = loops_there(of, part);
   if (here.empty() || there.empty()) {
-    feature.own_openings += part.openings;
+    feature.own_openings += hidden_openings(of, part);
     return;
   }
   feature.lost_openings = part.openings;

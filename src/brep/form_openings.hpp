@@ -11,4 +11,8 @@ namespace planish::brep {
 void add_form_openings(FormedFeature& feature, const Frame& plane, const Recognition& of,
                        const RimPart& part);
 
+/// The openings that a part on one skin has by itself, such as a tunnel between two recesses. A
+/// groove all round an island is none: there the island's face is cut off from its skin.
+int hidden_openings(const Recognition& of, const RimPart& part);
+
 }  // namespace planish::brep

@@ -19,6 +19,7 @@ namespace {
 struct Piece {
   double from = 0.0, to = 0.0, depth = 0.0;
   bool keeps_number = false;
+  bool is_strip = false;
 };
 
 struct Side {
@@ -44,19 +45,72 @@ std::vector<Piece> pieces_of(std::vector<CutStrip> strips, double length, double
     if (from - done <= relief) from = done;
     if (length - to <= relief) to = length;
     if (strip.to <= done) continue;
-    const auto add = [&](double end, double depth, bool keeps) {
+    const auto add = [&](double end, double depth, bool keeps, bool is_strip = false) {
       if (end <= done + nothing) return;
-      pieces.push_back({done, end, depth, keeps});
+      pieces.push_back({done, end, depth, keeps, is_strip});
       done = end;
     };
     const bool first = std::ranges::none_of(pieces, &Piece::keeps_number);
     add(from, 0.0, false);
     add(strip.from, strip.depth + kDeeper * relief, false);
-    add(strip.to, strip.depth, first);
+    add(strip.to, strip.depth, first, true);
     add(to, strip.depth + kDeeper * relief, false);
   }
   if (done < length - nothing) pieces.push_back({done, length, 0.0, pieces.empty()});
   return pieces;
+}
+
+/// The end of a side at a corner: what is cut off there, by how far the outermost piece is set in,
+/// and how far from the corner the strip begins.
+struct SideEnd {
+  double set_in = 0.0, strip_from = 0.0, ear = 0.0;
+  bool cut() const { return set_in > 0.0; }
+};
+
+SideEnd end_of(const Side& side, bool at_start) {
+  SideEnd end;
+  double done = 0.0;
+  for (std::size_t k = 0; k < side.pieces.size(); ++k) {
+    const Piece& piece = side.pieces[at_start ? k : side.pieces.size() - 1 - k];
+    if (piece.depth == 0.0 && k > 0) break;
+    if (piece.depth == 0.0) end.ear = piece.to - piece.from;
+    end.set_in = std::max(end.set_in, piece.depth);
+    end.strip_from = done;
+    if (piece.is_strip) break;
+    done += piece.to - piece.from;
+  }
+  return end;
+}
+
+/// Takes off the pieces of a side before its strip, from the corner on, that lie within `room` of
+/// the corner: there the cut along the other side has taken them. An ear goes with what is beside
+/// it.
+void join_corner(Side& side, bool at_start, const SideEnd& own, double room) {
+  auto& pieces = side.pieces;
+  const auto outermost = [&]() -> Piece& { return at_start ? pieces.front() : pieces.back(); };
+  const auto take_off = [&] {
+    const Piece gone = outermost();
+    pieces.erase(at_start ? pieces.begin() : pieces.end() - 1);
+    (at_start ? outermost().from : outermost().to) = at_start ? gone.from : gone.to;
+  };
+  if (own.ear > 0.0) take_off();
+  if (own.strip_from <= room)
+    while (!outermost().is_strip)
+      take_off();
+}
+
+/// Where both sides of a corner are cut, ears that one relief would part from the plate go, and so
+/// do reliefs that the cut along the other side takes anyway.
+void settle_corners(std::vector<Side>& sides) {
+  const std::size_t n = sides.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Side &before = sides[(i + n - 1) % n], &after = sides[i];
+    const SideEnd last = end_of(before, false), first = end_of(after, true);
+    if (!last.cut() || !first.cut()) continue;
+    if (last.ear > first.set_in && first.ear > last.set_in) continue;
+    join_corner(before, false, last, first.set_in);
+    join_corner(after, true, first, last.set_in);
+  }
 }
 
 std::vector<Side> sides(const PlacedPlate& plate, const std::vector<EdgeCut>& cuts, double relief) {
@@ -69,6 +123,7 @@ std::vector<Side> sides(const PlacedPlate& plate, const std::vector<EdgeCut>& cu
     side.pieces = pieces_of(cuts[i].strips, side.length, relief);
     all.push_back(std::move(side));
   }
+  settle_corners(all);
   return all;
 }
 

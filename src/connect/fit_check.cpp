@@ -146,4 +146,12 @@ Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
   return fail(refuse::covers_itself, facts);
 }
 
+Result<void> check_in_front(const Parts& parts, const std::vector<int>& rows, const BendFit& fit) {
+  if (fit.report.edge_kind == EdgeKind::facing) return {};
+  if (fit.report.passed_over) return tl::unexpected(fit.report.passed_over->why);
+  return fail(refuse::no_room_in_front, mapped(rows, [&](int plate) {
+                return Fact("plate", place::plate(parts.ids[static_cast<std::size_t>(plate)]));
+              }));
+}
+
 }  // namespace planish::connect_detail

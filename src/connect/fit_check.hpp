@@ -19,4 +19,8 @@ Result<void> check_room(const Parts& parts, int bend);
 /// `overlap`, and those of `lay_out`.
 Result<void> check_flat(const Parts& parts, int bend, double k_factor);
 
+/// Refuses a bend that goes round the backs of the plates in `rows`, for the reason why none in
+/// front holds, if that is known.
+Result<void> check_in_front(const Parts& parts, const std::vector<int>& rows, const BendFit& fit);
+
 }  // namespace planish::connect_detail

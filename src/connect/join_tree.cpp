@@ -142,9 +142,11 @@ struct Problem {
   const ConnectOptions& options;
   bool share_edges = false;
 
-  bool touch(int a, int b) const {
+  /// Along an edge, or at least in a corner.
+  bool touch(int a, int b, bool along_edge = false) const {
     return std::ranges::any_of(touching, [&](const SharedEdge& edge) {
-      return edge.plates == std::array{a, b} || edge.plates == std::array{b, a};
+      return std::ranges::is_permutation(edge.plates, std::array{a, b}) &&
+             !(along_edge && edge.from == edge.to);
     });
   }
   int count() const { return static_cast<int>(plates.size()); }
@@ -301,6 +303,9 @@ class Tree {
     auto fit = (any ? fit_any_choice : fit_first_choice)(
         problem_.task(pair.a, pair.b, taken_), problem_.options,
         checks_at(parts_, bend, rows, problem_.span_limit(pair.a, pair.b), problem_.options));
+    // Plates that share an edge are meant to be joined there, not by three quarters of a turn.
+    if (fit && problem_.touch(pair.a, pair.b, true))
+      if (auto front = check_in_front(parts_, rows, *fit); !front) fit = pass_on(front);
     if (!fit) {
       parts_.fits.pop_back();
       for (const int p : rows)

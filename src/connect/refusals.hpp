@@ -87,6 +87,10 @@ constexpr Refusal touch_at_bend{
     code::plates_touch, "{@plate} touch where the bend would be; a bend needs a gap.",
     "Keep their edges {least} or more from the line where their planes meet, or fold plates that "
     "share an edge sharply (inside_radius 0)."};
+constexpr Refusal no_room_in_front{
+    code::no_bend_fits,
+    "No bend fits where {@plate} touch: only one that goes round their backs does.",
+    "Make the plates wider there, the inside radius smaller, or leave room beside openings."};
 constexpr Refusal sheets_run_into_each_other{
     code::plates_touch, "The sheets of {@plate}, {thickness} thick, run into each other at {@at}.",
     "Move the plates apart, or cut them back there to {least} from the line where their planes "

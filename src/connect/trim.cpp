@@ -24,6 +24,8 @@ namespace {
 constexpr double kMostCut = 0.25;
 // Edges at less than this angle (sine) to the intersection line run along it.
 constexpr double kAlong = 0.02;
+// Edges and corners nearer than this are meant to be one, mm: drawings are rounded.
+constexpr double kTouching = 0.05;
 
 struct Line {
   Vec3 from, to;
@@ -43,7 +45,7 @@ Vec3 inwards(const PlacedPlate& plate, int i) {
 
 /// From where to where edge i of one plate runs along edge j of the other; empty if it does not.
 std::optional<std::pair<double, double>> common(const Line& a, const Line& b, double least) {
-  if (a.off(b.from) > kDrawn || a.off(b.to) > kDrawn) return std::nullopt;
+  if (a.off(b.from) > kTouching || a.off(b.to) > kTouching) return std::nullopt;
   const double p = (b.from - a.from).dot(a.along()), q = (b.to - a.from).dot(a.along());
   const double from = std::max(0.0, std::min(p, q)), to = std::min(a.length(), std::max(p, q));
   if (to - from <= least) return std::nullopt;
@@ -83,8 +85,8 @@ class Trimming {
   }
 
   static bool near(const PlacedPlate& a, const PlacedPlate& b) {
-    return a.box().intersects(Eigen::AlignedBox3d(b.box().min() - Vec3::Constant(kDrawn),
-                                                  b.box().max() + Vec3::Constant(kDrawn)));
+    return a.box().intersects(Eigen::AlignedBox3d(b.box().min() - Vec3::Constant(kTouching),
+                                                  b.box().max() + Vec3::Constant(kTouching)));
   }
 
   // The radius of the middle surface of the bend between two plates.
@@ -116,8 +118,11 @@ class Trimming {
         touching_.unite(a, b);
         const auto cut = depth(a, b, inwards(plates_[a], i), inwards(plates_[b], j));
         if (!cut) continue;
-        cuts_[a][i].strips.push_back({on_first->first, on_first->second, *cut});
-        cuts_[b][j].strips.push_back({on_second->first, on_second->second, *cut});
+        // Of edges that miss each other, one may reach over the line where the planes meet.
+        const double missed = std::max(first.off(second.from), first.off(second.to));
+        const double back = *cut + (missed > kDrawn ? missed : 0.0);
+        cuts_[a][i].strips.push_back({on_first->first, on_first->second, back});
+        cuts_[b][j].strips.push_back({on_second->first, on_second->second, back});
         shared_.push_back({{a, b},
                            first.from + on_first->first * first.along(),
                            first.from + on_first->second * first.along()});
@@ -133,7 +138,7 @@ class Trimming {
   void find_shared_corners(int a, int b) {
     for (int i = 0; i < plates_[a].edge_count(); ++i)
       for (int j = 0; j < plates_[b].edge_count(); ++j) {
-        if ((plates_[a].corner(i) - plates_[b].corner(j)).norm() > kDrawn) continue;
+        if ((plates_[a].corner(i) - plates_[b].corner(j)).norm() > kTouching) continue;
         touching_.unite(a, b);
         if (cut_already(a, i) || cut_already(b, j)) continue;
         cut_corner(a, i, b);

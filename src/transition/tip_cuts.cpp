@@ -83,6 +83,7 @@ double cut_beside(const PanelCorner& own, const PanelCorner& other, double insid
     const double away = std::abs(across.dot(border)) / border.norm();
     const bool edge = own.on_edge && end == own.other_way;
     if (!edge && away <= kSameDirection) return 0.0;  // the fold between them, which has a mitre
+    if (edge && away <= kSameDirection) continue;     // a ridge, in which their planes meet
     if (!edge && away < kApart) continue;
     const double most = kMostForOthers * border.norm();
     cut = std::max(cut, away * most > wanted ? wanted / away : most);

@@ -97,8 +97,8 @@ Result<double> with_tips(double area, const Ring& ring, const std::vector<PatchP
 
 std::optional<std::array<Vec3, 2>> ridge_of(const Boundary& top) {
   if (top.count() != 2) return std::nullopt;
-  return std::array{top.element(0).curve(top.element(0).t0).point,
-                    top.element(1).curve(top.element(1).t0).point};
+  const auto start = [&](int i) { return top.element(i).curve(top.element(i).t0).point; };
+  return std::array{start(0), start(1)};
 }
 
 Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, double cut,

@@ -102,6 +102,7 @@ TEST(NumberText, ShowsNoMinusZeroAndNoExponentInTheRangeOfShops) {
   EXPECT_EQ(number_text(12345.6), "12350");
   EXPECT_EQ(number_text(99994.0), "99994");
   EXPECT_EQ(number_text(120000.0), "120000");
+  EXPECT_EQ(number_text(104063.2), "104100");
   EXPECT_EQ(number_text(1e-5), "1e-05");
   EXPECT_EQ(number_text(-2.5), "-2.5");
   EXPECT_EQ(number_text(std::numeric_limits<double>::infinity()), "inf");

@@ -120,6 +120,43 @@ TEST(ShopParts, PlatesMayHaveRecessesBelowAndCounterboresAbove) {
   }
 }
 
+TEST(ShopParts, HolesThatShareARecessAreCutAsWhatPassesEach) {
+  const TopoDS_Shape plate = cuboid(100, 80, 2);
+  // A recess below all four bores, one above and below, and bores whose counterbores run together.
+  const TopoDS_Shape below = with_counterbores(cut(plate, cuboid({5, 45, 0}, 90, 20, 0.1)), 1);
+  TopoDS_Shape both = plate, joined = plate;
+  for (const double x : {35.0, 50.0, 65.0})
+    both = cut(both, pin(x, 55, -1, 3, 10));
+  both = cut(cut(both, cuboid({25, 45, 0}, 50, 20, 0.4)), cuboid({25, 45, 1.6}, 50, 20, 1));
+  for (const double x : {40.0, 51.0})
+    joined = cut(cut(joined, pin(x, 55, -1, 3, 10)), pin(x, 55, 1.2, 6, 10));
+  joined = cut(joined, cuboid({30, 45, 0}, 40, 20, 0.3));
+  for (const auto& [part, holes] :
+       {std::pair{below, 4}, std::pair{both, 3}, std::pair{joined, 2}}) {
+    const Seen seen = seen_in(part);
+    ASSERT_EQ(std::ssize(seen.flat.openings), holes);
+    EXPECT_NEAR(seen.flat.area, 8000 - holes * pi * 9, 1e-6);
+    EXPECT_NEAR(*seen.certificate.explained_ratio, 1.0, 1e-9);
+    EXPECT_EQ(seen.certificate.openings.lost(), 0);
+  }
+}
+
+TEST(ShopParts, GroovesAllRoundAreNoOpenings) {
+  // For a seal, about a hole; and a letter O, on either skin.
+  for (const double below : {0.0, 1.0}) {
+    const TopoDS_Shape ring = cut(pin(50, 40, below == 0.0 ? 0 : 2 - 0.5, 20, 0.5),
+                                  pin(50, 40, -1, 16, 10));
+    for (const int holes : {0, 1}) {
+      TopoDS_Shape part = cut(cuboid(100, 80, 2), ring);
+      if (holes > 0) part = cut(part, pin(50, 40, -1, 5, 10));
+      const Seen seen = seen_in(part);
+      EXPECT_EQ(std::ssize(seen.flat.openings), holes);
+      EXPECT_EQ(seen.certificate.openings.lost(), 0);
+      EXPECT_NEAR(seen.flat.area, 8000 - holes * pi * 25, 1e-6);
+    }
+  }
+}
+
 /// Half a tube along x of 50 mm, with quarters of a ball at its ends.
 TopoDS_Shape capsule(double radius) {
   const gp_Ax2 along(gp_Pnt(25, 30, 0), gp_Dir(1, 0, 0));

@@ -157,6 +157,11 @@ TEST(MiddleRadius, IsTheSmallestHalfwayBetweenBothBoundaries) {
   const BendSurface made = cone_over_circle();
   const Curve2 low = made.at_level(0.4, 1e-9), high = made.at_level(1.0, 1e-9);
   EXPECT_NEAR(middle_radius(made, low, high), 0.7 * tightest_radius(), 1e-6);
+  // Also at an end of the bend, on either side.
+  const Curve2 nearer = made.at_level(0.6, 1e-9);
+  const Segment up{start_of(nearer), end_of(high)}, down{start_of(high), end_of(nearer)};
+  for (const Segment& slanted : {up, down})
+    EXPECT_NEAR(middle_radius(made, low, slanted), 0.5 * tightest_radius(), 1e-6);
 }
 
 }  // namespace

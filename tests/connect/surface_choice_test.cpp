@@ -1,4 +1,6 @@
-#include "sample_plates.hpp"
+#include "surface_choice.hpp"
+
+#include "sample_fits.hpp"
 
 #include <planish/connect/connect.hpp>
 
@@ -13,6 +15,8 @@
 
 namespace planish::test {
 namespace {
+
+using namespace connect_detail;
 
 constexpr double kRadius = 120.0, kHeight = 300.0;
 
@@ -137,6 +141,24 @@ TEST(SurfaceChoice, IsTheOneOfLeastExtension) {
                 named->bends[0].extension_area + 1e-3 * std::pow(named->bends[0].width, 2));
     }
   }
+}
+
+TEST(SurfaceChoice, IsGeneralOnEdgesWhereThatNeedsLessExtension) {
+  // Edges of unequal slope, of plates without tips.
+  PlateStructure s = cone_pair(0.2);
+  s.plates[1].outline = {{200, 0, 10}, {500, 0, 25}, {500, 0, 300}, {200, 0, 300}};
+  const PairTask pair(s);
+  const auto choice = search_pair(pair.task, {});
+  ASSERT_TRUE(choice);
+  const auto chosen = chosen_surface(pair.task, *choice, {});
+  ASSERT_TRUE(chosen) << chosen.error().message;
+  EXPECT_EQ(chosen->surface.kind, BendKind::general);
+  FitTask right_only = pair.task;
+  right_only.right_only = true;
+  const auto right = chosen_surface(right_only, *choice, {});
+  ASSERT_TRUE(right);
+  EXPECT_EQ(right->surface.kind, BendKind::cone);
+  EXPECT_LT(chosen->extension_area, 0.5 * right->extension_area);
 }
 
 TEST(SurfaceChoice, StaysWithCylindersAndConesThatNeedNoExtension) {

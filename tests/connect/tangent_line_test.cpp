@@ -130,6 +130,21 @@ TEST(WithRange, SaysWhatWouldFit) {
   EXPECT_EQ(said({.slope = 0.5}).where, "/slope");
   EXPECT_EQ(said({.apex = 0.0}).code, code::apex_in_span);
   EXPECT_EQ(said({}).message, "nothing fits") << "nothing was given";
+  // However small it is.
+  const PairTask near(angle_pair(2.5, 200, 4.0), {.inside_radius = 20.0});
+  EXPECT_NEAR(number_in(with_range(near.task, {}, nothing), "largest"), 0.5, 1e-9);
+}
+
+TEST(WithRange, SaysFromWhereOnABendGoesRoundTheBack) {
+  // The nearest of the edges that look away: 74 from the line on A, beyond a step, 34 on B.
+  PlateStructure s = angle_pair(14.0, 200, 4.0);
+  s.plates[0].outline = {{0, 0, 0},    {100, 0, 0},   {100, 40, 0},
+                         {200, 40, 0}, {200, 100, 0}, {0, 100, 0}};
+  s.plates[1] = rectangle_plate("B", {0, 114, 14}, {200, 0, 0}, {0, 0, 20});
+  const PairTask pair(s, {.inside_radius = 20.0});
+  const Error said = with_range(pair.task, {}, {code::no_bend_fits, "nothing fits", {}});
+  EXPECT_NEAR(number_in(said, "largest"), 12.0, 1e-9);
+  EXPECT_NEAR(number_in(said, "smallest"), 72.0, 1e-9);
 }
 
 }  // namespace

@@ -98,6 +98,57 @@ TEST(Trimming, LetsFourTrianglesMeetInTheCornersOfTheirBase) {
   }
 }
 
+TEST(Trimming, TakesWallsThatStopShortOfTheCorners) {
+  const double t = 2, cut = 1.5 * t;
+  for (const double gap : {0.5, 1.0, 2.0, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0})
+    for (const int walls : {2, 4}) {
+      PlateStructure box = drawn_box();
+      for (int w = 1; w <= walls; ++w) {
+        std::vector<Vec3>& o = box.plates[static_cast<std::size_t>(w)].outline;
+        const Vec3 in = gap * (o[1] - o[0]).normalized();
+        for (const std::size_t i : {0U, 3U})
+          o[i] += in;
+        for (const std::size_t i : {1U, 2U})
+          o[i] -= in;
+      }
+      const auto made = connect(box);
+      ASSERT_TRUE(made) << gap << ": " << made.error().message;
+      ASSERT_EQ(made->bends.size(), 4u) << gap;
+      for (const FittedBend& bend : made->bends) {
+        EXPECT_NEAR(bend.inside_radius, t, 1e-9) << gap;
+        EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9) << gap;
+      }
+      EXPECT_NEAR(made->trimmed[0].by, cut, 1e-9);
+    }
+}
+
+TEST(Trimming, TakesEdgesThatMissEachOtherByRounding) {
+  for (const double off : {0.0005, 0.001, 0.01, 0.04, -0.01}) {
+    PlateStructure box = drawn_box();
+    for (Vec3& p : box.plates[1].outline)
+      p += Vec3(0, -off, 0.5 * off);
+    const auto made = connect(box);
+    ASSERT_TRUE(made) << off << ": " << made.error().message;
+    EXPECT_EQ(made->bends.size(), 4u);
+    for (const FittedBend& bend : made->bends)
+      EXPECT_NEAR(bend.inside_radius, 2.0, 0.1) << off;
+  }
+}
+
+TEST(PlatesThatTouch, AreNotJoinedRoundTheirBacks) {
+  // A wall of 5 mm on a sheet of 4 mm leaves no room for a bend of that radius.
+  PlateStructure s;
+  s.thickness = 4;
+  s.plates = {rectangle_plate("floor", {0, 0, 0}, {200, 0, 0}, {0, 100, 0}),
+              rectangle_plate("wall", {0, 0, 0}, {200, 0, 0}, {0, 0, 5})};
+  const auto refused = connect(s);
+  ASSERT_FALSE(refused);
+  s.plates[1] = rectangle_plate("wall", {0, 0, 0}, {200, 0, 0}, {0, 0, 40});
+  const auto made = connect(s);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_EQ(made->bends[0].edge_kind, EdgeKind::facing);
+}
+
 TEST(Trimming, IsLeftOutWhereNotAllPlatesTouch) {
   const auto apart = connect(tray());
   ASSERT_TRUE(apart);

@@ -46,6 +46,12 @@ TEST(SmallestOpening, IsTheLargestCircleThatFits) {
   EXPECT_NEAR(width_seen(reversed(polygon({{0, 0}, {30, 0}, {30, 5}, {5, 5}, {5, 30}, {0, 30}}))),
               corner, 6e-4);
   EXPECT_EQ(width_seen(rectangular_opening({0, 0}, 20.0, 80)), 0.0);
+  // Whichever way its contour runs, and however small it is.
+  for (const double size : {1.0, 30.0}) {
+    const Loop loop = polygon({{0, 0}, {size, 0}, {size, 0.5 * size}, {0, 0.5 * size}});
+    EXPECT_NEAR(width_seen(loop), 0.5 * size, 6e-4);
+    EXPECT_NEAR(width_seen(reversed(loop)), 0.5 * size, 6e-4);
+  }
 }
 
 TEST(SmallestOpening, DoesNotMindLinesCut) {

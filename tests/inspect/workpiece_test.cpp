@@ -81,6 +81,14 @@ TEST(Workpiece, PutsLimitsHalfTheAllowanceBesideABendWithoutTangentLines) {
     EXPECT_LT((sides[i].end - Vec2(x, 40)).norm(), 1e-12);
   }
   EXPECT_EQ(workpiece.tangent_lines.size(), 4u);
+  // Wherever the bend lies.
+  const Isometry2 away = Eigen::Translation2d(70, 30) * Eigen::Rotation2Dd(0.3);
+  const FlatPattern elsewhere = moved(pattern, away);
+  for (const BendSide& side : Workpiece({}, elsewhere).sides) {
+    const Vec2 start = away.inverse() * side.start, end = away.inverse() * side.end;
+    EXPECT_NEAR(std::abs(start.x()), 0.5 * zone_width(), 1e-12);
+    EXPECT_NEAR(end.x(), start.x(), 1e-12);
+  }
 }
 
 TEST(Workpiece, TellsTheSidesOfABendFromWhereItsLinesAreNotFromTheirOrder) {

@@ -34,6 +34,9 @@ TEST(Units, WriteLengthsToAMicrometreOrFiner) {
                 0.5 * units->length(0.0026))
           << mm;
   EXPECT_EQ(kMillimetre.length_text(100), "100.000");
+  EXPECT_EQ(kMillimetre.length_text(-1e-5), "0.000");
+  EXPECT_EQ(kMillimetre.length_text(-0.5), "-0.500");
+  EXPECT_EQ(kMillimetre.area_text(-1e-5), "0.0");
   EXPECT_EQ(kInch.length_text(25.4), "1.0000");
   EXPECT_EQ(kMetre.length_text(1.0), "0.001000");
 }

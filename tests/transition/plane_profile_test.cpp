@@ -96,6 +96,12 @@ TEST(PiecesOf, ARoundedRectangleAreSidesAndQuartersSetOff) {
   EXPECT_EQ(std::ranges::count_if(all, [](const auto& p) { return p.straight; }), 4);
   EXPECT_EQ(all[0].edges[0].number, 0) << "the side below";
   EXPECT_NEAR(all[0].curve(0.5).point.y(), -0.5 * h - d, 1e-12);
+  // Without a radius it is the rectangle.
+  const auto sharp = elements(RoundedRectangleProfile{w, h, 0.0}, d),
+             same = elements(rectangle(w, h), d);
+  ASSERT_EQ(sharp.size(), same.size());
+  for (std::size_t i = 0; i < same.size(); ++i)
+    EXPECT_LT((sharp[i].curve(sharp[i].t0).point - same[i].curve(same[i].t0).point).norm(), 1e-12);
 }
 
 TEST(PiecesOf, AnObroundHasHalfCirclesOfOneCurveEach) {
