@@ -64,7 +64,7 @@ std::vector<BendAlternative> alternatives_to(const FittedBend& taken, const FitT
     const auto choice = chains_in(task, frame, kind);
     if (!choice) continue;
     for (const EdgeChoice& edges : efficient_edges(
-             choice->chains, frame.beta, search_options(task, frame, 0), options.alternatives + 1))
+             choice->chains, frame.beta, search_options(task, frame), options.alternatives + 1))
       all.push_back(alternative(*choice, edges, task, options));
   }
   all = efficient(std::move(all));

@@ -248,9 +248,7 @@ std::optional<Nearness> nearness(const FitTask& asked, const ConnectOptions& opt
     return Nearness{0.0, fold->report.width};
   }
   const FitTask task = at_limit_of_edges(asked, options);
-  ConnectOptions best_alone = options;
-  best_alone.alternatives = 0;
-  const auto choice = search_pair(task, best_alone);
+  const auto choice = search_pair(task, options);
   if (!choice) return std::nullopt;
   return nearness_of(*choice);
 }

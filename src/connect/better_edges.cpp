@@ -113,7 +113,6 @@ PairChoice as_part(PairChoice choice, const FitTask& task, EdgeSearchOptions wan
     shorter |= from > a.x() || to < b.x();
     part.chains[i] = {{best.kind, {{from, a.y()}, {to, b.y()}}, choice.edges(best)[i]}};
   }
-  wanted.alternatives = 0;
   if (!shorter || !search(part, wanted)) return choice;
   choice.search.best = part.search.best;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -129,7 +128,6 @@ PairChoice as_drawn(PairChoice choice, const FitTask& task, EdgeSearchOptions wa
   const auto edges = drawn_edges(choice);
   if (!edges) return choice;
   wanted.edges = {(*edges)[0], (*edges)[1]};
-  wanted.alternatives = 0;
   const auto found = search_edges(choice.chains, choice.frame.beta, wanted);
   if (found) choice.search.best = found->best;
   return choice;

@@ -164,7 +164,8 @@ std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& 
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], planes)) {
     const auto chains = chains_in(task, frame, kind);
     if (!chains) continue;
-    const EdgeSearchOptions wanted = search_options(task, frame, kAllAlternatives);
+    EdgeSearchOptions wanted = search_options(task, frame);
+    wanted.alternatives = kAllAlternatives;
     add_best(choices, *chains, wanted);
     add_short(choices, *chains, wanted);
     if (!frame.parallel()) add_above(choices, *chains, wanted, task.thickness);

@@ -85,7 +85,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
                                 std::optional<EdgeKind> kind) {
   auto chains = chains_in(task, frame, kind);
   if (!chains) return chains;
-  const EdgeSearchOptions wanted = search_options(task, frame, 0);
+  const EdgeSearchOptions wanted = search_options(task, frame);
   auto choice = best_within(std::move(*chains), wanted);
   if (!choice) return choice;
   if (wanted.trade_off > 0.0) choice = with_better_edges(std::move(*choice), wanted);
@@ -208,11 +208,11 @@ Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
   return choice;
 }
 
-EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame, int alternatives) {
+EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame) {
   return {.trade_off = task.request.trade_off,
           .line = given_line(task.request, frame, task.thickness),
           .edges = task.request.edges,
-          .alternatives = alternatives};
+          .alternatives = 0};
 }
 
 // It must not move the bend to the back of the plates: the kind is that without it.

@@ -24,7 +24,7 @@ Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
                              std::optional<EdgeKind> kind);
 
 /// What the request asks of the search for edges.
-EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame, int alternatives);
+EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame);
 
 /// The kind of edges that a given slope or apex applies to; empty: any.
 std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options);

@@ -30,7 +30,7 @@ struct FloorAndWall {
     const auto found = search_pair(pair.task, {});
     EXPECT_TRUE(found) << found.error().message;
     const PairChoice choice = with_used_parts(*found, pair.task,
-                                              search_options(pair.task, found->frame, 0));
+                                              search_options(pair.task, found->frame));
     const auto corners = choice.corners(choice.search.best)[0];
     const double a = choice.frame.point(0, corners.front()).x(),
                  b = choice.frame.point(0, corners.back()).x();

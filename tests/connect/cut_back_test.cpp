@@ -1,9 +1,9 @@
 #include "cut_back.hpp"
 
+#include "flat_area.hpp"
 #include "sample_plates.hpp"
 
 #include <planish/connect/connect.hpp>
-#include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
 
@@ -16,13 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-double area_of_pattern(const Connection& connection) {
-  const auto pattern = flatten(connection.sheet,
-                               {.allowance = ConstantK{0.5, "test"}, .root = connection.root});
-  EXPECT_TRUE(pattern);
-  return pattern ? pattern->area : 0.0;
-}
-
 TEST(CutBack, LeavesARecessForAWallOnPartOfAnEdge) {
   // A wall of 60 in the middle of an edge of 200; t 2, cut 3 deep, with reliefs of 2 × 4.
   PlateStructure s;
@@ -33,7 +26,7 @@ TEST(CutBack, LeavesARecessForAWallOnPartOfAnEdge) {
   ASSERT_TRUE(made) << made.error().message;
   ASSERT_EQ(made->bends.size(), 1u);
   EXPECT_NEAR(made->bends[0].joined, 60.0, 1e-6);
-  EXPECT_NEAR(area_of_pattern(*made),
+  EXPECT_NEAR(area_when_flat(*made),
               200 * 100 - 60 * 3 - 2 * 2 * 4 + 60 * (50 - 3) + 60 * pi / 2 * 3, 1e-6);
 }
 

@@ -1,9 +1,9 @@
 #include "trim.hpp"
 
+#include "flat_area.hpp"
 #include "sample_plates.hpp"
 
 #include <planish/connect/connect.hpp>
-#include <planish/sheet/flat_pattern.hpp>
 
 #include <gtest/gtest.h>
 
@@ -27,13 +27,6 @@ PlateStructure drawn_box(double a = 200, double b = 100, double h = 50, double t
               rectangle_plate("left", {0, 0, 0}, {0, b, 0}, {0, 0, h}),
               rectangle_plate("right", {a, 0, 0}, {0, b, 0}, {0, 0, h})};
   return s;
-}
-
-double area_when_flat(const Connection& connection) {
-  const auto pattern = flatten(connection.sheet,
-                               {.allowance = ConstantK{0.5, "test"}, .root = connection.root});
-  EXPECT_TRUE(pattern);
-  return pattern ? pattern->area : 0.0;
 }
 
 TEST(Trimming, MakesABoxOfPlatesThatShareEdges) {
