@@ -46,9 +46,11 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
         const ReadFace::Loop& loop = read.loops[l];
         const auto& uses = of.model.faces[f].loops[l];
         for (size_t i = 0; i < uses.size(); ++i)
-          map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
+          if (loop.borders[i] >= 0)
+            map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
         if (loop.widened) map.widened.insert({f, l});
       }
+      if (read.silhouette) map.silhouettes.emplace(f, std::move(*read.silhouette));
     }
   return map;
 }

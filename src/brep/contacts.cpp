@@ -105,7 +105,9 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
     return;
   }
   for (const RimPart& part : of.rim.parts) {
-    if (!part.within || part.openings <= 1 || has_several_holes(of, part)) continue;
+    const bool seen = std::ranges::any_of(loops_here(of, part),
+                                          [&](const LoopRef& ref) { return map.is_seen(ref); });
+    if (!part.within || part.openings <= 1 || seen || has_several_holes(of, part)) continue;
     const auto contours_on = [&](Skin skin) {
       return closed_borders(of.model, part.faces, [&](int edge) {
         const auto& faces = of.model.edges[edge].faces;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 // A face of the solid as a face of the sheet, on the surface that represents its group. Loops of
 // one face are read each from a first point of its own, so a hole on a cylinder may come out a turn
@@ -235,6 +236,37 @@ Face empty_face(const SolidModel& model, int f, int leader) {
   return face;
 }
 
+/// Takes the loops that a silhouette stands for from it: the outer one stays first, then those that
+/// are the skin's own.
+void take_silhouette(ReadFace& read, Silhouette silhouette, int outer) {
+  const auto is_seen = [&](int l) { return std::ranges::count(silhouette.skin_loops, l) > 0; };
+  std::vector<BorderLoop> own = std::move(read.face.loops);
+  read.face.loops = {silhouette.outer_kept ? own.front() : silhouette.loops.front()};
+  for (int l = 0; l < std::ssize(read.loops); ++l) {
+    if (l == outer || is_seen(l)) continue;
+    read.face.loops.push_back(std::move(own[read.loops[l].place]));
+    read.loops[l].place = static_cast<int>(read.face.loops.size()) - 1;
+  }
+  const int first = static_cast<int>(read.face.loops.size());
+  for (size_t i = 1; i < silhouette.loops.size(); ++i)
+    read.face.loops.push_back(silhouette.loops[i]);
+  for (const int l : silhouette.skin_loops) {
+    ReadFace::Loop& loop = read.loops[l];
+    const auto as_read = std::exchange(loop.borders, std::vector<int>(loop.borders.size(), -1));
+    const int place_as_read = std::exchange(loop.place, 0);
+    loop.widened = false;
+    for (int i = 0; i < std::ssize(as_read); ++i)
+      if (const auto at = silhouette.places.find({l, i}); at != silhouette.places.end()) {
+        const auto [place, border] = at->second;
+        loop.place = place == 0 ? 0 : first + place - 1;
+        loop.borders[i] = border;
+        read.face.loops[loop.place][border].source_face = own[place_as_read][as_read[i]]
+                                                              .source_face;
+      }
+  }
+  read.silhouette = std::move(silhouette);
+}
+
 }  // namespace
 
 ReadFace read_face(const Recognition& of, int f, int leader) {
@@ -260,6 +292,8 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
     }
     add(l, std::move(hole));
   }
+  if (auto silhouette = silhouette_of(of, f, leader))
+    take_silhouette(result, std::move(*silhouette), outer);
   return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "assembly.hpp"
+#include "silhouette.hpp"
 
 namespace planish::brep {
 
@@ -8,13 +8,15 @@ namespace planish::brep {
 /// which represents its group; the outer loop first.
 struct ReadFace {
   Face face;
-  /// By loop of the solid's face: its loop in `face`, and the border of each of its edge uses.
+  /// By loop of the solid's face: its loop in `face`, and the border of each of its edge uses (−1:
+  /// it is not cut).
   struct Loop {
     int place = 0;
     std::vector<int> borders;
     bool widened = false;  ///< cut wider than the skin's own outline, see `widest_edge`
   };
   std::vector<Loop> loops;
+  std::optional<Silhouette> silhouette;  ///< that some of its loops are taken from
 };
 ReadFace read_face(const Recognition& of, int face, int leader);
 

@@ -7,7 +7,10 @@
 #include "form_volume.hpp"
 #include "model_places.hpp"
 #include "narrowest.hpp"
+#include "plane_opening.hpp"
 #include "refusals.hpp"
+#include "silhouette_features.hpp"
+#include "skin_outlines.hpp"
 #include "slanted_cuts.hpp"
 
 #include <planish/geometry/mesh.hpp>
@@ -33,14 +36,6 @@ FormedFeature feature_of(const char* kind, FormSide side, int solid_face, FaceId
 }
 
 namespace {
-
-const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
-  return of.model.faces[ref.face].loops[ref.loop];
-}
-
-bool is_plane(const Recognition& of, int face) {
-  return std::holds_alternative<Frame>(of.model.faces[face].surface);
-}
 
 /// A feature whose borders on the reference skin are drawn and not cut.
 void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& of, int part,
@@ -85,44 +80,6 @@ bool formed_here(const Recognition& of, const RimPart& part) {
   });
 }
 
-/// A loop of the other skin as seen on this one: reversed, a thickness below.
-BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {
-  std::vector<CoEdge> loop = loop_of(of, ref);
-  std::ranges::reverse(loop);
-  for (CoEdge& use : loop)
-    use.forward = !use.forward;
-  BorderLoop borders = read_borders(of.model, loop, plane, 0.0, of.tolerance);
-  for (Border& border : borders)
-    border.edge_depth = of.skins.thickness;
-  return borders;
-}
-
-/// The face of the reference skin through which a point of a face on the other skin is seen. Boxes
-/// reach twice the distance of the skins: just that far the point would be in or out by rounding.
-std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point) {
-  const double reach = 2.0 * of.skins.thickness;
-  for (const int partner : of.skins.partners[face]) {
-    const Outline& outline = of.outlines[partner];
-    if (enlarged(outline.space, reach).contains(point) && of.skins.skin_of[partner] == of.skin &&
-        is_plane(of, partner))
-      return partner;
-  }
-  return {};
-}
-
-/// A feature on the other skin: drawn in place, seen through the sheet.
-void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
-                     const char* kind, const RimPart& part, const LoopRef& ref) {
-  if (!is_plane(of, ref.face)) return;
-  const Vec3 point = of.outlines[ref.face].rings[ref.loop].front();
-  const auto over = plane_over(of, ref.face, point);
-  if (!over) return;
-  const FaceId face = map.face_id.at(*over);
-  FormedFeature feature = feature_of(kind, FormSide::down, part.faces.front(), face);
-  feature.outlines.push_back(seen_through(of, ref, std::get<Frame>(builder[face].surface)));
-  builder.add_feature(std::move(feature));
-}
-
 /// Whether two outlines of a cut are offset from each other, as by a slope over the thickness.
 bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
   constexpr double kSlope = 0.05;  // 3°: more than draft and rounding cause
@@ -130,47 +87,6 @@ bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
   const Box2 second = bounds(b);
   return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) >
          kSlope * thickness;
-}
-
-double perimeter(const BorderLoop& borders) { return length(mapped(borders, &Border::curve)); }
-
-/// Mean distances between outlines, mm: below one they are the same, above the other an opening is
-/// wider by more than the noise of drilled holes.
-constexpr double kSameOutline = 1e-7;
-constexpr double kWiderOutline = 1e-3;
-
-bool is_wider(const BorderLoop& outline, const BorderLoop& than) {
-  return loop_area(outline) - loop_area(than) > kWiderOutline * perimeter(than);
-}
-
-/// Whether a loop is an opening of a plane with nothing but this part along it.
-bool goes_round(const Recognition& of, const RimPart& part, const LoopRef& ref) {
-  return opening_in_plane(of, ref) && std::ranges::all_of(loop_of(of, ref), [&](const CoEdge& use) {
-           const int wall = face_across(of.model.edges[use.edge], ref.face);
-           return wall >= 0 && of.rim.part_of[wall] >= 0 &&
-                  &of.rim.parts[of.rim.part_of[wall]] == &part;
-         });
-}
-
-/// An opening between planes, as it lies in the plane of the reference skin.
-struct PlaneOpening {
-  const RimPart& part;
-  LoopRef here, there;
-  BorderLoop mine, theirs;
-};
-
-/// What is cut of an opening: the narrowest section where it is narrower than the skin's outline.
-std::optional<BorderLoop> narrower_cut(const Recognition& of, const PlaneOpening& opening,
-                                       const Frame& frame) {
-  const auto section = narrowest_section(of, opening.part, frame);
-  const auto core = round_core(of, opening.part, frame);
-  const BorderLoop* least = &opening.mine;
-  for (const auto* other :
-       {&opening.theirs, section ? &*section : nullptr, core ? &*core : nullptr})
-    if (other && loop_area(*least) - loop_area(*other) > kSameOutline * perimeter(*other))
-      least = other;
-  if (least == &opening.mine) return {};
-  return *least;
 }
 
 FormedFeature drawn_opening(const char* kind, FormSide side, const PlaneOpening& opening,
@@ -223,9 +139,7 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   const CoEdge& use = loop_of(of, here).front();
   const BorderRef first = map.borders.at({here.face, use.edge, use.forward});
   const auto& frame = std::get<Frame>(builder[first.face].surface);
-  const PlaneOpening opening{part, here, there,
-                             read_borders(of.model, loop_of(of, here), frame, 0.0, of.tolerance),
-                             seen_through(of, there, frame)};
+  const PlaneOpening opening = opening_between(of, part, here, there, frame);
   BorderLoop& cut = builder[first.face].loops[first.loop];
   const auto narrower = narrower_cut(of, opening, frame);
   const bool widened = narrower || map.widened.contains(here);
@@ -290,26 +204,10 @@ void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognit
     builder.add_form_volume(volume);
 }
 
-/// Cuts the outline of a plate as its widest section, where a step within its rim reaches farther
-/// than the chamfers beside the skin. Returns whether there is one.
-bool add_stepped_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
-                     const RimPart& part) {
-  constexpr double kThrough = 0.999;  // of the thickness: the other skin's edge is no step
-  if (!is_plate_rim(of, part)) return false;
-  Face& face = builder[map.face_id.at(loops_here(of, part).front().face)];
-  const auto& plane = std::get<Frame>(face.surface);
-  const auto section = narrowest_section(of, part, plane);
-  if (!section || std::ranges::any_of(*section, [&](const Border& border) {
-        return border.edge_depth > kThrough * of.skins.thickness;
-      }))
-    return false;
-  BorderLoop& cut = face.loops.front();
-  if (loop_area(*section) - loop_area(cut) <= kSameOutline * perimeter(cut)) return false;
-  cut = *section;
-  const LoopRef& there = loops_there(of, part).front();
-  if (is_wider(cut, seen_through(of, there, plane)))
-    add_far_outline(builder, map, of, "chamfer", part, there);
-  return true;
+/// Whether all that is cut along these loops is taken from silhouettes.
+bool is_all_seen(const SheetMap& map, const std::vector<LoopRef>& loops) {
+  return !loops.empty() &&
+         std::ranges::all_of(loops, [&](const LoopRef& ref) { return map.is_seen(ref); });
 }
 
 /// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
@@ -329,12 +227,11 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     const RimPart& part = of.rim.parts[p];
     const auto& here = loops_here(of, part);
     const auto& there = loops_there(of, part);
+    if (is_all_seen(map, here)) continue;
     const bool several = part.within && has_several_holes(of, part);
     if (part.within && !several && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))
         widened.erase(here.front());
-      else if (add_stepped_rim(builder, map, of, part))
-        widened.insert(here.front());
       else
         add_far_chamfers(builder, map, of, part);
     } else if (here.empty()) {
@@ -355,6 +252,9 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       add_far_chamfers(builder, map, of, part);
     }
   }
+  for (const auto& [face, silhouette] : map.silhouettes)
+    add_silhouette(builder, map, of, face);
+  measure_outlines(builder, map, of);
   add_contacts(builder, map, of);
   add_slanted_cuts(builder, map, of);
   for (const LoopRef& ref : widened)

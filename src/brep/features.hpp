@@ -1,9 +1,10 @@
 #pragma once
 
-#include "assembly.hpp"
+#include "silhouette.hpp"
 
 #include <planish/sheet/builder.hpp>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -15,6 +16,13 @@ struct SheetMap {
   std::map<int, FaceId> face_id;                            ///< by face of the solid
   std::map<std::tuple<int, int, bool>, BorderRef> borders;  ///< by face, edge and sense of the use
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
+  std::map<int, Silhouette> silhouettes;  ///< by face of the solid: loops are taken from it
+
+  /// Whether what is cut along a loop of a skin face is taken from a silhouette.
+  bool is_seen(const LoopRef& ref) const {
+    const auto found = silhouettes.find(ref.face);
+    return found != silhouettes.end() && std::ranges::count(found->second.skin_loops, ref.loop) > 0;
+  }
 };
 
 /// A feature of a face of the sheet, first met at a face of the solid; without outlines and volume.

@@ -121,6 +121,44 @@ void meet(Curve2& before, Curve2& after) {
   second->a = first->b;
 }
 
+/// A loop with the polygon that tells what it holds.
+class Drawn {
+ public:
+  Drawn(const BorderLoop& loop, double thickness)
+      : curves_(mapped(loop, &Border::curve)),
+        rings_{sampled(curves_, kChord * thickness)},
+        box_(bounds(loop)) {}
+
+  bool holds(const Vec2& p) const {
+    const bool near = p.x() > box_.lo.x() && p.y() > box_.lo.y() && p.x() < box_.hi.x() &&
+                      p.y() < box_.hi.y();
+    return near && inside(rings_, p);
+  }
+  /// From the loop; anything below `enough` if it is less.
+  double distance(const Vec2& p, double enough) const {
+    double off = std::numeric_limits<double>::infinity();
+    for (const Curve2& curve : curves_)
+      if (off > enough) off = std::min(off, nearest(curve, p).distance);
+    return off;
+  }
+
+ private:
+  static constexpr double kChord = 1e-4;  // of the thickness
+  Loop curves_;
+  std::vector<std::vector<Vec2>> rings_;
+  Box2 box_;
+};
+
+std::vector<Vec2> points_of(const Recognition& of, const std::vector<int>& faces,
+                            const Frame& plane) {
+  std::vector<Vec2> points;
+  for (const int f : faces)
+    for (const auto& ring : of.outlines[f].rings)
+      for (const Vec3& point : ring)
+        points.push_back(plane.local2(point));
+  return points;
+}
+
 bool is_closed(const BorderLoop& loop, double tolerance) {
   for (size_t i = 0; i < loop.size(); ++i)
     if ((end_of(loop[i].curve) - start_of(loop[(i + 1) % loop.size()].curve)).norm() > tolerance)
@@ -201,24 +239,22 @@ std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
 
 double intrusion_into(const Recognition& of, const RimPart& part, const Frame& plane,
                       const BorderLoop& section) {
-  constexpr double kChord = 1e-4;  // of the thickness
-  const Loop curves = mapped(section, &Border::curve);
-  const std::vector<std::vector<Vec2>> rings{sampled(curves, kChord * of.skins.thickness)};
-  const Box2 box = bounds(section);
+  const Drawn drawn(section, of.skins.thickness);
   double deepest = 0.0;
-  for (const int f : part.faces)
-    for (const auto& ring : of.outlines[f].rings)
-      for (const Vec3& point : ring) {
-        const Vec2 p = plane.local2(point);
-        const bool near = p.x() > box.lo.x() && p.y() > box.lo.y() && p.x() < box.hi.x() &&
-                          p.y() < box.hi.y();
-        if (!near || !inside(rings, p)) continue;
-        double off = std::numeric_limits<double>::infinity();
-        for (const Curve2& curve : curves)
-          if (off > deepest) off = std::min(off, nearest(curve, p).distance);
-        deepest = std::max(deepest, off);
-      }
+  for (const Vec2& p : points_of(of, part.faces, plane))
+    if (drawn.holds(p)) deepest = std::max(deepest, drawn.distance(p, deepest));
   return deepest;
+}
+
+Reach reach_beyond(const Recognition& of, const std::vector<int>& faces, const Frame& plane,
+                   const BorderLoop& outline) {
+  const Drawn drawn(outline, of.skins.thickness);
+  Reach farthest;
+  for (const Vec2& p : points_of(of, faces, plane))
+    if (!drawn.holds(p))
+      if (const double off = drawn.distance(p, farthest.beyond); off > farthest.beyond)
+        farthest = {off, p};
+  return farthest;
 }
 
 }  // namespace planish::brep

@@ -23,6 +23,15 @@ std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
 double intrusion_into(const Recognition& of, const RimPart& part, const Frame& plane,
                       const BorderLoop& section);
 
+/// How far faces reach beyond an outline, seen along the normal of `plane`, mm, and where. Looked
+/// for at the same points.
+struct Reach {
+  double beyond = 0.0;
+  Vec2 at = Vec2::Zero();
+};
+Reach reach_beyond(const Recognition& of, const std::vector<int>& faces, const Frame& plane,
+                   const BorderLoop& outline);
+
 /// A border of a plane skin, the material on its left, moved outwards to where the round wall below
 /// it bulges farthest: a cylinder along the border, or a torus about the middle of its arc. Empty
 /// where the wall does not bulge between its edges.

@@ -1,7 +1,8 @@
 #include "passages.hpp"
 
+#include "projection.hpp"
+
 #include <planish/base/tolerance.hpp>
-#include <planish/geometry/quadrature.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -17,20 +18,6 @@
 
 namespace planish::brep {
 namespace {
-
-double green_area_of(const SpaceCurve& curve, const Frame& plane, double error) {
-  const Vec2 start = plane.local2(curve.start);
-  if (curve.kind == SpaceCurve::Kind::line) {
-    const Vec2 end = plane.local2(curve.end);
-    return (start.x() * end.y() - start.y() * end.x()) / 2;
-  }
-  const auto form = [&](double t) {
-    const Vec2 p = plane.local2(curve.point(t));
-    const Vec3 d = curve.derivative(t);
-    return (p.x() * d.dot(plane.y) - p.y() * d.dot(plane.x)) / 2;
-  };
-  return adaptive_gauss(form, curve.t0, curve.t1, error);
-}
 
 /// A directed graph with capacities, of which a smallest cut is found by augmenting shortest paths.
 class FlowGraph {
@@ -206,17 +193,6 @@ std::vector<std::vector<CoEdge>> cheapest_cut(const Recognition& of, const RimPa
 }
 
 }  // namespace
-
-double projected_area(const SolidModel& model, int face, const Frame& plane) {
-  const double error = tolerance::kComputed * model.size * model.size;
-  double sum = 0.0;
-  for (const auto& loop : model.faces[face].loops)
-    for (const CoEdge& use : loop) {
-      const double area = green_area_of(model.edges[use.edge].curve, plane, error);
-      sum += use.forward ? area : -area;
-    }
-  return sum;
-}
 
 std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
                                           const Frame& plane) {

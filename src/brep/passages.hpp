@@ -15,8 +15,4 @@ namespace planish::brep {
 std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
                                           const Frame& plane);
 
-/// Area of a face as it is seen along the normal of the plane: positive where it looks that way,
-/// what looks the other way is taken off. By Green's theorem on its projected borders.
-double projected_area(const SolidModel& model, int face, const Frame& plane);
-
 }  // namespace planish::brep

@@ -97,6 +97,10 @@ constexpr double kFormed = 0.08;
 /// measured.
 constexpr double kSlanted = 0.25;
 
+/// The same of what is machined off beside outlines and in recesses that share holes: beyond, the
+/// part is milled from a plate.
+constexpr double kMachined = 0.15;
+
 /// The largest share for a sheet.
 double formed_at_most(const Sheet& sheet) {
   const bool slanted = !sheet.features.empty() &&
@@ -188,9 +192,11 @@ Doubts doubts_about(const Sheet& sheet) {
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
   const double bored = sum_of(sheet.measured_openings, &MeasuredOpening::beyond);
-  const double forms = sheet.forms_volume.value_or(0.0) + bored;
+  const double machined = sum_of(sheet.measured_outlines, &MeasuredOutline::lacking);
+  const double forms = sheet.forms_volume.value_or(0.0) + bored + machined;
   const bool formed_too_much = std::abs(forms) > formed_at_most(sheet) * *sheet.volume ||
-                               bored > kSlanted * *sheet.volume;
+                               bored > kSlanted * *sheet.volume ||
+                               machined > kMachined * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     doubts.wrong = error_of(refuse::volume_unexplained,
                             {{"thickness", sheet.thickness, unit::mm},

@@ -64,8 +64,9 @@ std::vector<BorderRef> slanted_borders(const SheetMap& map, const Recognition& o
   std::vector<BorderRef> borders;
   for (const LoopRef& ref : loops_here(of, part))
     for (const CoEdge& use : of.model.faces[ref.face].loops[ref.loop])
-      if (open_side(of, ref.face, use) == side)
-        borders.push_back(map.borders.at({ref.face, use.edge, use.forward}));
+      if (const auto border = map.borders.find({ref.face, use.edge, use.forward});
+          border != map.borders.end() && open_side(of, ref.face, use) == side)
+        borders.push_back(border->second);
   return borders;
 }
 

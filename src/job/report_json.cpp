@@ -122,6 +122,8 @@ Json verification_json(const Report& report, const Units& units) {
   json["refold_deviation"] = number_json(units.length(or_nan(certificate.refold_deviation)));
   if (certificate.opening_error)
     json["opening_error"] = number_json(units.length(*certificate.opening_error));
+  if (certificate.outline_error)
+    json["outline_error"] = number_json(units.length(*certificate.outline_error));
   json["closure"] = number_json(units.length(report.flat.closure));
   json["area_at_half"] = number_json(units.area(certificate.flat_area_half));
   json["openings"] = openings_json(certificate.openings);
@@ -129,6 +131,8 @@ Json verification_json(const Report& report, const Units& units) {
   json["places"]["refold_deviation"] = point_json(certificate.refold_at, units);
   if (certificate.opening_error)
     json["places"]["opening_error"] = point_json(certificate.opening_error_at, units);
+  if (certificate.outline_error)
+    json["places"]["outline_error"] = point_json(certificate.outline_error_at, units);
   return json;
 }
 

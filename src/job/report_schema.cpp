@@ -63,14 +63,15 @@ Schema verification_schema() {
   return object(
       {required("volume_ratio", measured_number()), required("explained_ratio", measured_number()),
        required("length_error", measured_length()), required("refold_deviation", measured_length()),
-       optional("opening_error", measured_length()), required("closure", measured_length()),
-       required("area_at_half", measured_area()),
+       optional("opening_error", measured_length()), optional("outline_error", measured_length()),
+       required("closure", measured_length()), required("area_at_half", measured_area()),
        required("openings", object({optional("solid", whole()), required("pattern", whole()),
                                     optional("slits", whole(1).said("of those of the pattern")),
                                     required("features", whole()), optional("loops", whole(1))})),
        required("places", object({required("length_error", report_point()),
                                   required("refold_deviation", report_point()),
-                                  optional("opening_error", report_point())}))});
+                                  optional("opening_error", report_point()),
+                                  optional("outline_error", report_point())}))});
 }
 
 void append(std::vector<Field>& all, std::vector<Field> more) {

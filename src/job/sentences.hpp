@@ -66,6 +66,9 @@ constexpr std::string_view length_off =
 constexpr std::string_view opening_off =
     "an opening of the pattern is not what the solid lets through: they differ by {off} all round, "
     "more than {allowed}";
+constexpr std::string_view outline_off =
+    "the solid reaches {off} beyond the outline of the pattern, more than {allowed}: material is "
+    "missing there";
 constexpr std::string_view
     refold_off = "the contour, folded back, misses the solid's edge by {off}, more than {allowed}";
 constexpr std::string_view

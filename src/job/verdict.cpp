@@ -166,6 +166,9 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
   if (certificate.opening_error.value_or(0.0) > bounds.opening_warning)
     found.push_back(residual_doubt("opening_size", say::opening_off, *certificate.opening_error,
                                    bounds.opening_warning, certificate.opening_error_at));
+  if (certificate.outline_error.value_or(0.0) > bounds.opening_warning)
+    found.push_back(residual_doubt("outline_size", say::outline_off, *certificate.outline_error,
+                                   bounds.opening_warning, certificate.outline_error_at));
   if (certificate.length_error > bounds.length_warning) {
     found.push_back(residual_doubt("edge_length", say::length_off, certificate.length_error,
                                    bounds.length_warning, certificate.length_error_at));

@@ -47,6 +47,11 @@ void SheetBuilder::add_opening(const MeasuredOpening& opening) {
   sheet_.measured_openings.push_back(opening);
 }
 
+void SheetBuilder::add_outline(const MeasuredOutline& outline) {
+  PLANISH_ASSERT(sheet_.has({outline.face, 0, 0}));
+  sheet_.measured_outlines.push_back(outline);
+}
+
 void SheetBuilder::add_label(PointLabel label) {
   PLANISH_ASSERT(sheet_.faces.has(label.face));
   sheet_.labels.push_back(std::move(label));

@@ -278,6 +278,15 @@ std::optional<Worst> worst_opening(const Sheet& sheet, const FlatPattern& patter
   return worst;
 }
 
+/// How far the solid reaches beyond the outlines of flanges.
+std::optional<Worst> worst_outline(const Sheet& sheet, const Relaid& laid) {
+  if (sheet.measured_outlines.empty()) return {};
+  Worst worst;
+  for (const MeasuredOutline& outline : sheet.measured_outlines)
+    worst.take(outline.beyond, laid.image(outline.face, outline.at));
+  return worst;
+}
+
 /// The residuals of volume and openings, of a pattern with this area at K = ½.
 Certificate measured(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
                      double area) {
@@ -293,6 +302,10 @@ Certificate measured(const Sheet& sheet, const FlatPattern& pattern, const Relai
   if (const auto opening = worst_opening(sheet, pattern, laid)) {
     certificate.opening_error = opening->distance;
     certificate.opening_error_at = opening->at;
+  }
+  if (const auto outline = worst_outline(sheet, laid)) {
+    certificate.outline_error = outline->distance;
+    certificate.outline_error_at = outline->at;
   }
   return certificate;
 }

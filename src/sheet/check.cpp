@@ -119,6 +119,10 @@ Fault fault_of_sizes(const Sheet& sheet) {
     if (!sheet.has({opening.face, opening.loop, 0}) || !std::isfinite(opening.lacking) ||
         !std::isfinite(opening.beyond) || !std::isfinite(opening.intrusion))
       return fault("A measured opening is a loop of a face, its volumes are numbers.", whole());
+  for (const MeasuredOutline& outline : sheet.measured_outlines)
+    if (!sheet.has({outline.face, 0, 0}) || !outline.at.allFinite() ||
+        !std::isfinite(outline.beyond) || !std::isfinite(outline.lacking))
+      return fault("A measured outline is that of a face, its sizes are numbers.", whole());
   return {};
 }
 

@@ -40,7 +40,7 @@ TEST(ReadFace, ReachesAsFarAsAChamferedRim) {
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});
   const Recognised seen = recognised(plate(2, {{{outer, outer, inset}, {0, 1.5, 2}}}), 2, 1);
   const ReadFace read = read_face(seen.view(), 1, 1);
-  EXPECT_TRUE(read.loops.front().widened);
+  EXPECT_TRUE(read.silhouette.has_value());
   ASSERT_EQ(read.face.loops.front().size(), 4u);
   EXPECT_NEAR(parameter_box(read.face).size().prod(), 6000.0, 1e-9);
   for (const Border& border : read.face.loops.front())

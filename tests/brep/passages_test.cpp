@@ -13,28 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-TEST(ProjectedArea, TakesOffWhatLooksTheOtherWay) {
-  const SolidModel model = plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {4, 0}}}});
-  const Frame up;
-  EXPECT_NEAR(projected_area(model, 0, up), -(6000 - 16 * pi), 1e-7) << "the bottom";
-  EXPECT_NEAR(projected_area(model, 1, up), 6000 - 25 * pi, 1e-7) << "the top";
-  for (int wall = 2; wall < 6; ++wall)
-    EXPECT_NEAR(projected_area(model, wall, up), 0.0, 1e-9);
-  EXPECT_NEAR(projected_area(model, 6, up), 9 * pi, 1e-7) << "a cone that narrows downwards";
-  // Seen along a direction at 60° to the normal a plane shows half its area.
-  const Frame tilted = frame_from_normal({7, -3, 2}, {std::sqrt(0.75), 0, 0.5});
-  EXPECT_NEAR(projected_area(model, 1, tilted), (6000 - 25 * pi) / 2, 1e-7);
-}
-
-TEST(ProjectedArea, OfAClosedBodyAddsUpToNothing) {
-  const SolidModel model = prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40);
-  const Frame any = frame_from_normal({1, 2, 3}, Vec3(1, -2, 3).normalized());
-  double sum = 0.0;
-  for (int f = 0; f < std::ssize(model.faces); ++f)
-    sum += projected_area(model, f, any);
-  EXPECT_NEAR(sum, 0.0, 1e-7);
-}
-
 struct Cut {
   std::vector<double> radii;  ///< of its chains, from their length
   std::vector<double> areas;  ///< of what they enclose, seen along the plane's normal

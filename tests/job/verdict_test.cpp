@@ -137,6 +137,18 @@ TEST(Verdict, ShowsAnOpeningThatIsNotWhatTheSolidLacks) {
   EXPECT_EQ(disbelief(certificate, kVolume, {})->code, code::pattern_wrong);
 }
 
+TEST(Verdict, ShowsWhereTheSolidReachesBeyondTheOutline) {
+  Certificate certificate = perfect();
+  certificate.outline_error = 0.009;
+  EXPECT_TRUE(doubts_of(certificate).empty());
+  certificate.outline_error = 0.7;
+  certificate.outline_error_at = {7, 8};
+  const auto found = doubts_of(certificate);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "outline_size");
+  EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
+}
+
 TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
   Certificate certificate = perfect();
   certificate.explained_ratio = 1.004;

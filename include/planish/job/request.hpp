@@ -29,7 +29,7 @@ struct CertificateBounds {
   double length_refusal = 0.5;       ///< mm
   double refold_warning = 0.02;      ///< mm; twice that, since two borders meet in a corner
   double refold_refusal = 0.5;       ///< mm
-  double opening_warning = 0.01;     ///< mm all round
+  double opening_warning = 0.01;     ///< mm all round; of outlines too
   double opening_refusal = 0.5;      ///< mm all round
 };
 

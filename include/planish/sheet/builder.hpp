@@ -30,6 +30,7 @@ class SheetBuilder {
   /// Adds a feature; mark the borders beyond which it lies with its id.
   FeatureId add_feature(FormedFeature feature);
   void add_opening(const MeasuredOpening& opening);
+  void add_outline(const MeasuredOutline& outline);
   void add_label(PointLabel label);
 
   Face& operator[](FaceId id) { return sheet_.faces[id]; }

@@ -48,6 +48,10 @@ struct Certificate {
   /// Empty where none was measured.
   std::optional<double> opening_error = {};
   Vec2 opening_error_at = Vec2::Zero();
+  /// How far the solid reaches beyond the outline of a flange, seen along its normal, mm. Empty
+  /// where nothing of the rim could.
+  std::optional<double> outline_error = {};
+  Vec2 outline_error_at = Vec2::Zero();
 };
 
 /// Distance from a point in space to an edge of the solid, by the edge's number. Makers supply it.

@@ -147,6 +147,14 @@ struct MeasuredOpening {
   double intrusion = 0.0;  ///< how far walls reach into the cut, seen along the normal, mm
 };
 
+/// What a solid is beside the outline of a plane face that is cut, seen along its normal.
+struct MeasuredOutline {
+  FaceId face{};
+  Vec2 at = Vec2::Zero();  ///< (u, v) on that face of what reaches farthest
+  double beyond = 0.0;     ///< how far it reaches beyond the outline, mm
+  double lacking = 0.0;    ///< between the skins within it: rebates, recesses, chamfers, mm³
+};
+
 /// The name of a point of a face, for drawings and templates.
 struct PointLabel {
   FaceId face{};
@@ -173,6 +181,7 @@ struct Sheet {
   IdVector<BendId, Bend> bends;
   IdVector<FeatureId, FormedFeature> features;
   std::vector<MeasuredOpening> measured_openings;  ///< of a solid; those within planes
+  std::vector<MeasuredOutline> measured_outlines;  ///< of a solid; those that the rim may overhang
   std::vector<PointLabel> labels;
   /// What the features add to the plain sheet (pockets: negative), mm³; empty if one of them cannot
   /// be measured.

@@ -1,0 +1,338 @@
+#include "silhouette.hpp"
+
+#include "borders.hpp"
+#include "form_volume.hpp"
+#include "plane_opening.hpp"
+#include "projection.hpp"
+#include "skin_outlines.hpp"
+#include "united_regions.hpp"
+
+#include <planish/base/id_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+// Seen along the normal of a flange, the solid covers what its faces cover that look this way: the
+// skin, and between the skins ledges, chamfers, countersinks and the floors of pockets. Their union
+// is the blank, whatever overlaps what: its openings are what is seen through, its outline the
+// widest. Upright walls are seen as lines and add nothing.
+
+namespace planish::brep {
+namespace {
+
+/// Sine: walls that lean less stand upright, to the digits of a STEP file.
+constexpr double kUpright = 1e-4;
+
+enum class Look { up, down, upright, both };
+
+Vec3 torus_normal(const Torus& torus, int sense, const Vec3& point) {
+  const Vec3 local = torus.frame.local(point);
+  const Vec2 out = local.head<2>().normalized();
+  const Vec3 middle = torus.frame.origin +
+                      torus.major * (out.x() * torus.frame.x + out.y() * torus.frame.y);
+  return sense * (point - middle).normalized();
+}
+
+/// Which way a face looks, seen along a normal.
+Look look_of(const Recognition& of, int f, const Vec3& normal) {
+  const SolidFace& face = of.model.faces[f];
+  const auto* curved = std::get_if<DoublyCurved>(&face.surface);
+  if (curved && !curved->torus) return Look::both;
+  double least = 0.0, most = 0.0;
+  for (const auto& ring : of.outlines[f].rings)
+    for (const Vec3& point : ring) {
+      const Vec3 outwards = curved ? torus_normal(*curved->torus, face.sense, point)
+                                   : outward_normal_at(face, point);
+      least = std::min(least, outwards.dot(normal));
+      most = std::max(most, outwards.dot(normal));
+    }
+  if (least < -kUpright) return most > kUpright ? Look::both : Look::down;
+  return most > kUpright ? Look::up : Look::upright;
+}
+
+std::set<int> neighbours(const Recognition& of, int f) {
+  std::set<int> faces;
+  for (const auto& loop : of.model.faces[f].loops)
+    for (const CoEdge& use : loop)
+      faces.insert(face_across(of.model.edges[use.edge], f));
+  return faces;
+}
+
+/// The flange round a plane face of the reference skin: the faces of the rim that lie between the
+/// skins here, reached from the face over each other.
+class Slab {
+ public:
+  Slab(const Recognition& recognition, int skin_face, const Frame& frame)
+      : of(recognition), face(skin_face), plane(frame) {
+    std::vector<int> open{face};
+    while (!open.empty()) {
+      const int from = open.back();
+      open.pop_back();
+      for (const int f : neighbours(of, from))
+        if (f >= 0 && of.rim.part_of[f] >= 0 && lies_here(f) && held_.insert(f).second)
+          open.push_back(f);
+    }
+  }
+
+  bool holds(int f) const { return held_.contains(f); }
+
+  const Recognition& of;
+  const int face;
+  const Frame& plane;
+
+ private:
+  /// Whether a face lies between the skins, and beside no bend or other flange.
+  bool lies_here(int f) const {
+    const bool beside_other = std::ranges::any_of(neighbours(of, f), [&](int other) {
+      return other >= 0 && other != face && of.skins.skin_of[other] == of.skin;
+    });
+    if (beside_other) return false;
+    const double slack = of.skins.spread + of.tolerance;
+    for (const auto& ring : of.outlines[f].rings)
+      for (const Vec3& point : ring)
+        if (const double depth = -plane.local(point).z();
+            depth < -slack || depth > of.skins.thickness + slack)
+          return false;
+    return true;
+  }
+
+  std::set<int> held_;
+};
+
+/// Whether a face leads from one skin to the other.
+bool spans(const Recognition& of, const std::set<int>& beside) {
+  bool first = false, second = false;
+  for (const int f : beside) {
+    if (f < 0) continue;
+    first |= of.skins.skin_of[f] == Skin::first;
+    second |= of.skins.skin_of[f] == Skin::second;
+  }
+  return first && second;
+}
+
+/// Faces of the rim within a flange that stand not upright.
+struct Leaning {
+  std::vector<int> up, down;
+};
+
+/// Those of a part; nothing where they do not tell what is covered.
+std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
+  const Recognition& of = slab.of;
+  Leaning found;
+  std::set<int> leaning, away;  // beyond the flange
+  for (const int f : part.faces) {
+    const Look look = look_of(of, f, slab.plane.z);
+    if (look == Look::upright) continue;
+    (slab.holds(f) ? leaning : away).insert(f);
+    if (away.contains(f)) continue;
+    if (look == Look::both) return std::nullopt;
+    (look == Look::up ? found.up : found.down).push_back(f);
+  }
+  if (leaning.empty()) return std::nullopt;
+  for (const int f : leaning) {
+    const std::set<int> beside = neighbours(of, f);
+    if (spans(of, beside) ||
+        std::ranges::any_of(beside, [&](int other) { return away.contains(other); }))
+      return std::nullopt;
+  }
+  return found;
+}
+
+/// Loops of the face along which a part lies.
+std::vector<int> loops_along(const Recognition& of, const RimPart& part, int face) {
+  std::vector<int> loops;
+  for (const LoopRef& ref : loops_here(of, part))
+    if (ref.face == face) loops.push_back(ref.loop);
+  return loops;
+}
+
+/// Whether the cut of an opening leaves open what no face covers that looks this way: otherwise
+/// ledges overlap, or blind bores lie beside it.
+bool is_covered_otherwise(const Slab& slab, const RimPart& part, const std::vector<int>& seen) {
+  const Recognition& of = slab.of;
+  const LoopRef &here = loops_here(of, part).front(), &there = loops_there(of, part).front();
+  if (!goes_round(of, part, here) || !goes_round(of, part, there)) return false;
+  const PlaneOpening opening = opening_between(of, part, here, there, slab.plane);
+  const BorderLoop cut = narrower_cut(of, opening, slab.plane).value_or(opening.mine);
+  constexpr double kOff = 1e-5;  // mm all round: more than files round
+  const double covered = sum_of(seen,
+                                [&](int f) { return projected_area(of.model, f, slab.plane); });
+  return std::abs(loop_area(opening.mine) - covered - loop_area(cut)) > kOff * perimeter(cut);
+}
+
+/// Whether an opening needs more than its narrowest section, or an outline than its own edges.
+bool asks(const Slab& slab, const RimPart& part, const std::vector<int>& loops,
+          const std::vector<int>& seen) {
+  const int outer = slab.of.outlines[slab.face].outer;
+  const bool alone = loops_here(slab.of, part).size() == 1 &&
+                     loops_there(slab.of, part).size() == 1;
+  return !alone || std::ranges::count(loops, outer) > 0 || is_covered_otherwise(slab, part, seen);
+}
+
+/// A loop without the seams of its face: what runs between them is closed by itself.
+std::vector<std::vector<CoEdge>> without_seams(const std::vector<CoEdge>& loop) {
+  const auto is_seam = [&](const CoEdge& use) {
+    return std::ranges::count(loop, use.edge, &CoEdge::edge) > 1;
+  };
+  const auto first = std::ranges::find_if(loop, is_seam);
+  if (first == loop.end()) return {loop};
+  std::vector<CoEdge> turned(first, loop.end());
+  turned.insert(turned.end(), loop.begin(), first);
+  std::vector<std::vector<CoEdge>> loops(1);
+  for (const CoEdge& use : turned)
+    if (!is_seam(use))
+      loops.back().push_back(use);
+    else if (!loops.back().empty())
+      loops.emplace_back();
+  std::erase_if(loops, [](const auto& one) { return one.empty(); });
+  return loops;
+}
+
+/// Borders of an edge loop as seen along the normal of the plane, those that stand upright left
+/// out.
+BorderLoop seen_borders(const Slab& slab, const std::vector<CoEdge>& uses) {
+  const Recognition& of = slab.of;
+  BorderLoop loop;
+  for (Border& border : read_borders(of.model, uses, slab.plane, 0.0, of.tolerance)) {
+    if (length(border.curve) <= of.tolerance) continue;
+    const SpaceCurve& edge = of.model.edges[*border.edge - 1].curve;
+    const auto depth = [&](double share) {
+      return -slab.plane.local(edge.point(std::lerp(edge.t0, edge.t1, share))).z();
+    };
+    border.edge_depth = depth(0.0);
+    if (std::max(std::abs(depth(0.5) - depth(0.0)), std::abs(depth(1.0) - depth(0.0))) >
+        of.tolerance) {
+      border.edge.reset();
+      border.edge_length.reset();
+    }
+    loop.push_back(std::move(border));
+  }
+  return loop;
+}
+
+/// Borders of a face as they are seen along the normal of the plane, the outer loop first; empty
+/// where they do not enclose one region.
+PlaneRegion region_of(const Slab& slab, int f) {
+  PlaneRegion region;
+  for (const auto& uses : slab.of.model.faces[f].loops)
+    for (const auto& closed : without_seams(uses))
+      region.push_back(seen_borders(slab, closed));
+  const auto area = [](const BorderLoop& loop) {
+    return sum_of(loop, [](const Border& border) { return green_area(border.curve); });
+  };
+  const auto outer = std::ranges::max_element(region, {}, area);
+  if (outer == region.end() || area(*outer) <= 0.0) return {};
+  std::iter_swap(region.begin(), outer);
+  const bool whole = std::all_of(region.begin() + 1, region.end(),
+                                 [&](const BorderLoop& loop) { return area(loop) < 0.0; });
+  return whole ? region : PlaneRegion{};
+}
+
+/// The parts of the rim that a silhouette accounts for.
+struct Seen {
+  std::vector<int> parts;
+  Leaning faces;
+  std::set<int> loops;  ///< of the skin face
+};
+Seen seen_of(const Slab& slab) {
+  const Recognition& of = slab.of;
+  Seen seen;
+  for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
+    const RimPart& part = of.rim.parts[p];
+    const std::vector<int> loops = loops_along(of, part, slab.face);
+    if (loops.empty() || !part.within || loops_there(of, part).empty()) continue;
+    const auto faces = leaning_faces(slab, part);
+    // At sharp bends outlines of the skins differ by more than what the rim takes off.
+    const bool plain = faces && faces->up.empty() && !of.skins.sharp.empty();
+    if (!faces || plain || !asks(slab, part, loops, faces->up)) continue;
+    seen.parts.push_back(p);
+    std::ranges::copy(faces->up, std::back_inserter(seen.faces.up));
+    std::ranges::copy(faces->down, std::back_inserter(seen.faces.down));
+    seen.loops.insert(loops.begin(), loops.end());
+  }
+  return seen;
+}
+
+/// The skin with the loops that are seen anew, and what of the rim looks this way.
+std::vector<PlaneRegion> regions_of(const Slab& slab, const Seen& seen) {
+  const Recognition& of = slab.of;
+  const auto& loops = of.model.faces[slab.face].loops;
+  const int outer = of.outlines[slab.face].outer;
+  std::vector<PlaneRegion> regions(1);
+  const auto add = [&](int l) {
+    regions.front().push_back(read_borders(of.model, loops[l], slab.plane, 0.0, of.tolerance));
+  };
+  add(outer);
+  for (const int l : seen.loops)
+    if (l != outer) add(l);
+  for (const int f : seen.faces.up)
+    regions.push_back(region_of(slab, f));
+  return regions;
+}
+
+/// Whether each joint of the skin's outline is left whole.
+bool keeps_joints(const Recognition& of, int face, const Silhouette& silhouette) {
+  const int outer = of.outlines[face].outer;
+  const auto& uses = of.model.faces[face].loops[outer];
+  for (int i = 0; i < std::ssize(uses); ++i) {
+    const int across = face_across(of.model.edges[uses[i].edge], face);
+    const bool wall = across >= 0 && of.rim.part_of[across] >= 0 &&
+                      std::ranges::count(silhouette.parts, of.rim.part_of[across]) > 0;
+    if (!wall && !silhouette.places.contains({outer, i})) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<int> ledges_of(const Recognition& of, int face) {
+  const Slab slab(of, face, std::get<Frame>(of.model.faces[face].surface));
+  const int outer = of.outlines[face].outer;
+  std::vector<int> ledges;
+  for (const RimPart& part : of.rim.parts) {
+    const std::vector<int> loops = loops_along(of, part, face);
+    if (!part.within || std::ranges::count(loops, outer) == 0) continue;
+    for (const int f : part.faces)
+      if (const Look look = look_of(of, f, slab.plane.z);
+          (look == Look::up || look == Look::both) && slab.holds(f) &&
+          !spans(of, neighbours(of, f)))
+        ledges.push_back(f);
+  }
+  return ledges;
+}
+
+std::optional<Silhouette> silhouette_of(const Recognition& of, int face, int leader) {
+  const auto* plane = std::get_if<Frame>(&of.model.faces[leader].surface);
+  if (!plane) return {};
+  const Slab slab(of, face, *plane);
+  const Seen seen = seen_of(slab);
+  if (seen.parts.empty()) return {};
+  const std::vector<PlaneRegion> regions = regions_of(slab, seen);
+  if (std::ranges::any_of(regions, [](const PlaneRegion& region) { return region.empty(); }))
+    return {};
+  const auto united = united_regions(regions);
+  if (!united) return {};
+  const int outer = of.outlines[face].outer;
+  std::vector<int> numbers{outer};  // of the skin's loops, by those of the first region
+  std::ranges::copy_if(seen.loops, std::back_inserter(numbers), [&](int l) { return l != outer; });
+  Silhouette silhouette;
+  silhouette.parts = seen.parts;
+  silhouette.leaning = seen.faces.up;
+  std::ranges::copy(seen.faces.down, std::back_inserter(silhouette.leaning));
+  silhouette.skin_loops.assign(seen.loops.begin(), seen.loops.end());
+  silhouette.outer_kept = !seen.loops.contains(outer);
+  for (const auto& pieces : *united) {
+    const int at = static_cast<int>(silhouette.loops.size());
+    BorderLoop& loop = silhouette.loops.emplace_back();
+    for (const BorderPiece& piece : pieces) {
+      if (piece.region == 0 && piece.whole)
+        silhouette.places[{numbers[piece.loop], piece.place}] = {at, static_cast<int>(loop.size())};
+      loop.push_back(piece.border);
+    }
+  }
+  if (!silhouette.outer_kept && !keeps_joints(of, face, silhouette)) return {};
+  return silhouette;
+}
+
+}  // namespace planish::brep

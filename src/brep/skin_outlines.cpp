@@ -1,0 +1,68 @@
+#include "skin_outlines.hpp"
+
+#include "borders.hpp"
+#include "form_volume.hpp"
+
+#include <planish/geometry/plane.hpp>
+
+#include <algorithm>
+
+// Outlines of both skins as they lie on the reference skin, and whether one is wider than another:
+// what is drawn of it and not cut.
+
+namespace planish::brep {
+namespace {
+
+bool is_plane(const Recognition& of, int face) {
+  return std::holds_alternative<Frame>(of.model.faces[face].surface);
+}
+
+/// The face of the reference skin through which a point of a face on the other skin is seen. Boxes
+/// reach twice the distance of the skins: just that far the point would be in or out by rounding.
+std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point) {
+  const double reach = 2.0 * of.skins.thickness;
+  for (const int partner : of.skins.partners[face]) {
+    const Outline& outline = of.outlines[partner];
+    if (enlarged(outline.space, reach).contains(point) && of.skins.skin_of[partner] == of.skin &&
+        is_plane(of, partner))
+      return partner;
+  }
+  return {};
+}
+
+}  // namespace
+
+const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
+  return of.model.faces[ref.face].loops[ref.loop];
+}
+
+double perimeter(const BorderLoop& borders) { return length(mapped(borders, &Border::curve)); }
+
+bool is_wider(const BorderLoop& outline, const BorderLoop& than) {
+  return loop_area(outline) - loop_area(than) > kWiderOutline * perimeter(than);
+}
+
+BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {
+  std::vector<CoEdge> loop = loop_of(of, ref);
+  std::ranges::reverse(loop);
+  for (CoEdge& use : loop)
+    use.forward = !use.forward;
+  BorderLoop borders = read_borders(of.model, loop, plane, 0.0, of.tolerance);
+  for (Border& border : borders)
+    border.edge_depth = of.skins.thickness;
+  return borders;
+}
+
+void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                     const char* kind, const RimPart& part, const LoopRef& ref) {
+  if (!is_plane(of, ref.face)) return;
+  const Vec3 point = of.outlines[ref.face].rings[ref.loop].front();
+  const auto over = plane_over(of, ref.face, point);
+  if (!over) return;
+  const FaceId face = map.face_id.at(*over);
+  FormedFeature feature = feature_of(kind, FormSide::down, part.faces.front(), face);
+  feature.outlines.push_back(seen_through(of, ref, std::get<Frame>(builder[face].surface)));
+  builder.add_feature(std::move(feature));
+}
+
+}  // namespace planish::brep

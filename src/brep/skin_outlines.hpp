@@ -1,0 +1,26 @@
+#pragma once
+
+#include "features.hpp"
+
+namespace planish::brep {
+
+/// Edges of a loop of a skin, as its face runs along them.
+const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref);
+
+/// Mean distances between outlines, mm: below one they are the same, above the other one is wider
+/// by more than the noise of drilled holes.
+inline constexpr double kSameOutline = 1e-7;
+inline constexpr double kWiderOutline = 1e-3;
+
+double perimeter(const BorderLoop& borders);
+bool is_wider(const BorderLoop& outline, const BorderLoop& than);
+
+/// A loop of the other skin as seen on this one: reversed, a thickness below.
+BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane);
+
+/// Adds a feature on the other skin, drawn in place, seen through the sheet. Only loops of planes
+/// that lie under planes are drawn.
+void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                     const char* kind, const RimPart& part, const LoopRef& ref);
+
+}  // namespace planish::brep

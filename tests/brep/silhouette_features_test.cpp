@@ -1,0 +1,125 @@
+#include "silhouette_features.hpp"
+
+#include "guarded.hpp"
+#include "step_out.hpp"
+
+#include <planish/brep/step.hpp>
+#include <planish/sheet/pattern_facts.hpp>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+// Plates as milled after cutting: the blank, what is drawn of the rest, and the volume of it.
+
+namespace planish::brep::test {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kThickness = 3.0;
+
+TopoDS_Shape block(const gp_Pnt& from, const gp_Pnt& to) {
+  return BRepPrimAPI_MakeBox(from, to).Shape();
+}
+TopoDS_Shape bore(double x, double y, double r, double low, double high) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2({x, y, low}, {0, 0, 1}), r, high - low).Shape();
+}
+TopoDS_Shape sink(double x, double y, double low, double r_low, double high, double r_high) {
+  return BRepPrimAPI_MakeCone(gp_Ax2({x, y, low}, {0, 0, 1}), r_low, r_high, high - low).Shape();
+}
+
+struct Unfolded {
+  Sheet sheet;
+  FlatPattern flat;
+  Certificate certificate;
+};
+Unfolded unfolded(const std::vector<TopoDS_Shape>& cuts) {
+  TopoDS_Shape shape = block({0, 0, 0}, {100, 60, kThickness});
+  for (const TopoDS_Shape& cut : cuts)
+    shape = BRepAlgoAPI_Cut(shape, cut).Shape();
+  const auto text = guarded([&] { return step_text(shape, "plate"); });
+  const auto file = read_step_text(text.value(), "plate.step");
+  auto found = recognize(file.value().bodies.front());
+  EXPECT_TRUE(found) << found.error().message;
+  if (!found) return {};
+  const auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
+  EXPECT_TRUE(flat) << flat.error().message;
+  if (!flat) return {};
+  const auto certificate = certify(found->sheet, *flat, found->distance);
+  EXPECT_NEAR(certificate->explained_ratio.value_or(0.0), 1.0, 1e-9);
+  EXPECT_LT(certificate->outline_error.value_or(0.0), 1e-9);
+  EXPECT_LT(certificate->opening_error.value_or(0.0), 1e-9);
+  return {std::move(found->sheet), *flat, *certificate};
+}
+
+std::vector<std::string> kinds(const FlatPattern& flat) {
+  return mapped(flat.features, [](const auto& feature) { return feature.kind; });
+}
+
+TEST(Silhouettes, KeepAHoleThatIsCountersunkThroughTheEdgeFromBothSides) {
+  const auto [sheet, flat, certificate] = unfolded(
+      {bore(20, 3, 2, 0, 3), sink(20, 3, 2, 2, 3, 4), sink(20, 3, 0, 4, 1, 2)});
+  ASSERT_EQ(flat.openings.size(), 1u);
+  EXPECT_NEAR(-signed_area(flat.openings.front().loop), 4 * pi, 1e-9);
+  EXPECT_NEAR(outer_cutting_length(flat), 320.0, 1e-9);
+  EXPECT_TRUE(flat.slits.empty());
+  EXPECT_EQ(kinds(flat), (std::vector<std::string>{"chamfer", "chamfer"}));
+}
+
+TEST(Silhouettes, KeepTheOutlineWhereEdgesAreSteppedFromBothSides) {
+  const auto [sheet, flat, certificate] = unfolded(
+      {block({10, -1, 2}, {30, 4, 4}), block({20, -1, -1}, {50, 6, 1.2})});
+  EXPECT_NEAR(flat.area, 6000.0, 1e-9);
+  EXPECT_NEAR(outer_cutting_length(flat), 320.0, 1e-9);
+  EXPECT_NEAR(sheet.forms_volume.value(), -(20 * 4 * 1 + 30 * 6 * 1.2), 1e-9);
+}
+
+TEST(Silhouettes, AreOpenWhereStepsFromBothSidesMeet) {
+  const auto [sheet, flat, certificate] = unfolded(
+      {block({10, -1, 1}, {30, 4, 4}), block({20, -1, -1}, {50, 6, 1.2})});
+  EXPECT_NEAR(flat.area, 6000.0 - 10 * 4, 1e-9);
+}
+
+TEST(Silhouettes, CutEachHoleOfASharedRecess) {
+  std::vector<TopoDS_Shape> cuts{block({20, 20, 0}, {80, 40, 0.5})};
+  for (const double x : {25.0, 40.0, 60.0}) {
+    cuts.push_back(bore(x, 30, 2.5, 0, 3));
+    cuts.push_back(bore(x, 30, 4.5, 2, 3));
+  }
+  const auto [sheet, flat, certificate] = unfolded(cuts);
+  ASSERT_EQ(flat.openings.size(), 3u);
+  for (const Contour& opening : flat.openings)
+    EXPECT_NEAR(-signed_area(opening.loop), 6.25 * pi, 1e-9);
+  EXPECT_EQ(std::ranges::count(kinds(flat), "pocket"), 4) << "three bores above, the recess below";
+}
+
+TEST(Silhouettes, DoNotTakeABlindBoreBesideAHoleForTheHole) {
+  const auto [sheet, flat, certificate] = unfolded({bore(40, 30, 8, 0, 3), bore(30, 30, 5, 1, 3)});
+  ASSERT_EQ(flat.openings.size(), 1u);
+  EXPECT_NEAR(-signed_area(flat.openings.front().loop), 64 * pi, 1e-9);
+}
+
+TEST(Silhouettes, AreNoSheetWhereMostIsMilledOff) {
+  const TopoDS_Shape plate = block({0, 0, 0}, {100, 60, kThickness});
+  const TopoDS_Shape milled = BRepAlgoAPI_Cut(plate, block({-1, -1, 1.5}, {60, 61, 4})).Shape();
+  const auto text = guarded([&] { return step_text(milled, "plate"); });
+  EXPECT_FALSE(recognize(read_step_text(text.value(), "plate.step").value().bodies.front()));
+}
+
+TEST(MeasuredOutline, TellsWhatReachesBeyondTheCut) {
+  const auto [sheet, flat, certificate] = unfolded({block({10, -1, 2}, {30, 4, 4})});
+  ASSERT_EQ(sheet.measured_outlines.size(), 1u);
+  Sheet wrong = sheet;
+  wrong.measured_outlines.front().beyond = 0.7;
+  const auto doubted = certify(wrong, flat, {});
+  EXPECT_NEAR(doubted->outline_error.value(), 0.7, 1e-12);
+}
+
+}  // namespace
+}  // namespace planish::brep::test
