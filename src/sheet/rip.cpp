@@ -58,6 +58,11 @@ class Corners {
         same_.unite(static_cast<int>(id), static_cast<int>(topology_.next(*across)));
   }
   int count() { return same_.count(); }
+  /// Whether the sheet has no edge: it encloses a space.
+  bool is_closed() const {
+    return std::ranges::all_of(
+        topology_.borders(), [this](const BorderId id) { return topology_.twin(id).has_value(); });
+  }
   /// Where a border begins.
   int start(const BorderRef& ref) { return same_.root(static_cast<int>(topology_.id_of(ref))); }
   int end(const BorderRef& ref) {
@@ -146,7 +151,7 @@ Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
   const auto is_ripped = [&](const Joint& joint) {
     return std::ranges::any_of(edges, [&](int edge) { return is_at(sheet, joint, edge); });
   };
-  const int corners = Corners(sheet).count();
+  Corners whole(sheet);
   std::vector<Joint> kept, rips;
   for (const Joint& joint : sheet.joints)
     (is_ripped(joint) ? rips : kept).push_back(joint);
@@ -158,9 +163,10 @@ Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
     }
   sheet.joints = std::move(kept);
   // Euler's formula: openings are 1 − corners + edges − faces. A rip makes two edges of one, and of
-  // a corner as many as it parts.
+  // a corner as many as it parts. The two shells of a closed sheet become one, with a contour.
   if (sheet.genus)
-    *sheet.genus += static_cast<int>(rips.size()) - (Corners(sheet).count() - corners);
+    *sheet.genus += static_cast<int>(rips.size()) - (Corners(sheet).count() - whole.count()) -
+                    (whole.is_closed() ? 1 : 0);
   const std::set<BendId> idle = idle_bends(sheet);
   sheet = without_bends(std::move(sheet), idle);
   if (!Topology(sheet).is_connected()) return parted(sheet, rips);

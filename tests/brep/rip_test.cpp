@@ -156,15 +156,26 @@ TEST(Ripped, ClosedTrayIsRippedAtItsFourCorners) {
 }
 
 TEST(Ripped, ClosedBoxKeepsItsLongestEdges) {
-  // With a hole in one wall, as a cavity without one is no sheet's.
   const TopoDS_Shape hollow = BRepAlgoAPI_Cut(
       BRepPrimAPI_MakeBox(100, 60, 40).Shape(),
       BRepPrimAPI_MakeBox(gp_Pnt(2, 2, 2), 96, 56, 36).Shape());
   const TopoDS_Shape box = BRepAlgoAPI_Cut(
       hollow, BRepPrimAPI_MakeBox(gp_Pnt(40, 20, 30), 20, 20, 20).Shape());
   // Of 12 edges the walls hang on 5: three of 96 mm, and two of 56 mm for the ends.
-  const double walls = 2 * (96 * 56 + 56 * 36 + 36 * 96) - 20 * 20;
-  expect_opened(box, 7, walls + (3 * 96 + 2 * 56) * pi / 2, 1);
+  const double area = 2 * (96 * 56 + 56 * 36 + 36 * 96) + (3 * 96 + 2 * 56) * pi / 2;
+  expect_opened(box, 7, area - 20 * 20, 1);
+  expect_opened(hollow, 7, area);
+}
+
+TEST(Ripped, ClosedBoxesOfOtherShapesHaveNoOpening) {
+  // Bends between the walls, sharp edges around base and lid, which keep one straight edge each.
+  const TopoDS_Shape box = BRepAlgoAPI_Cut(
+      rounded(BRepPrimAPI_MakeBox(100, 60, 40).Shape(), 5),
+      rounded(BRepPrimAPI_MakeBox(gp_Pnt(2, 2, 2), 96, 56, 36).Shape(), 3));
+  const double lid = 96 * 56 - (4 - pi) * 9, around = 2 * (90 + 50) + 2 * pi * 4;
+  const double area = 2 * lid + around * 36 + 2 * 90 * pi / 2;
+  // Round corners are counted along their inside edges, a quarter of 2 · 2π less at each of eight.
+  expect_opened(box, 15, area, 0, area / (area + 8 * pi));
 }
 
 /// A trough of half a pipe, 2 mm thick, with walls beside it and one end closed.
