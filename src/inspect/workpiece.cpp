@@ -9,6 +9,7 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/box_tree.hpp>
 #include <planish/geometry/region.hpp>
+#include <planish/sheet/cutout.hpp>
 
 #include <fmt/format.h>
 
@@ -153,7 +154,7 @@ Opening opening_of(const Contour& contour, SizeTeller& size_text) {
       &contour.loop, BoxedLoop(contour.loop), Vec2::Zero(), size_text(contour.loop), false, {}, {}};
   opening.center = 0.5 * (opening.boxed.box.lo + opening.boxed.box.hi);
   // Twice the area by half the length is the mean width.
-  opening.is_cut = 2.0 * std::abs(signed_area(contour.loop)) <= kDrawn * length(contour.loop);
+  opening.is_cut = 2.0 * std::abs(signed_area(contour.loop)) <= kDrawnOnce * length(contour.loop);
   return opening;
 }
 

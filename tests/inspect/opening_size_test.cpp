@@ -15,6 +15,17 @@ TEST(SmallestOpening, IsTheDiameterOfACircle) {
             "the opening Ø 1.9 mm at (60, 30) is 1.9 mm wide; at least 2 mm (T) is needed");
 }
 
+TEST(SmallestOpening, IsFoundHoweverNarrowASlotIs) {
+  for (const double width : {0.5, 0.001, 2e-5}) {
+    FlatPattern pattern = flat_plate(rectangle(100, 60));
+    open(pattern, rectangular_opening({50, 30}, 20, width));
+    EXPECT_NEAR(number_of(only(findings_of(pattern), "smallest_opening"), "measured"), width, 1e-9);
+  }
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  open(pattern, rectangular_opening({50, 30}, 20, 0.0));
+  EXPECT_TRUE(findings_of(pattern).empty()) << "a slit";
+}
+
 /// The width that the rule sees; 0 when it is satisfied.
 double width_seen(const Loop& opening) {
   FlatPattern pattern = flat_plate(shifted(rectangle(400, 400), Vec2(-200, -200)));
