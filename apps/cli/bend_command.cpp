@@ -60,7 +60,7 @@ void add_time_limit(CLI::App& app, BendArguments& to) {
   };
   app.add_option_function<double>("--time-limit", set,
                                   "time after which the best plan so far is given; default 6")
-      ->check(CLI::Range(0.001, 86400.0))
+      ->check(check_of(kTimeLimit))
       ->type_name("SECONDS")
       ->group("Order");
 }

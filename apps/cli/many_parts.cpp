@@ -38,14 +38,17 @@ std::string duration_text(double seconds) {
 void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& how,
                     job::OptionValues& values) {
   app.add_option("--jobs", how.workers, "number of processes; default one per core")
-      ->check(CLI::Range(1, 4096))
+      ->check(check_of(kJobs))
       ->type_name("N")
       ->group("Running");
   add_limits(app, how.limits);
   app.add_option_function<std::string>(
          "--progress", [&how](const std::string&) { how.progress_json = true; },
          "json: a line of JSON on standard error for each input done")
-      ->check(CLI::IsMember({"json"}))
+      ->check(check_of({.name = "progress",
+                        .kind = job::OptionKind::word,
+                        .description = {},
+                        .words = {"json"}}))
       ->type_name("json")
       ->group("Running");
   for (const job::Option& option : job::options())

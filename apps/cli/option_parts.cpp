@@ -56,19 +56,22 @@ std::string type_name(const job::Option& option) {
   }
 }
 
-CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::string& description,
-                        const std::string& type, job::OptionValues& values) {
-  const auto check = [&option](const std::string& text) -> std::string {
+std::function<std::string(const std::string&)> check_of(job::Option option) {
+  return [option = std::move(option)](const std::string& text) -> std::string {
     const auto fine = job::OptionValues().set_text(option, text);
     return fine ? std::string() : behind_option(fine.error());
   };
+}
+
+CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::string& description,
+                        const std::string& type, job::OptionValues& values) {
   const auto set = [&](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
       (void)values.set_text(option, text);  // each was checked
   };
   auto* made = app.add_option_function<std::vector<std::string>>(flag_of(option.name), set,
                                                                  description);
-  made->allow_extra_args(false)->check(check)->type_name(type);
+  made->allow_extra_args(false)->check(check_of(option))->type_name(type);
   if (option.kind != job::OptionKind::by_bend)
     made->multi_option_policy(CLI::MultiOptionPolicy::Throw)->expected(1);
   return made;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,19 @@ CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::str
 /// An option of any kind, flags too, in the group that its row names.
 void add_grouped(CLI::App& app, const job::Option& option, const std::string& description,
                  job::OptionValues& values);
+
+/// A check that says what a value must be, as the option's row says: its kind, range and words.
+std::function<std::string(const std::string&)> check_of(job::Option option);
+
+/// A limit of time in seconds, at most a day, and a number of processes.
+inline const job::Option kTimeLimit{.name = "time_limit",
+                                    .kind = job::OptionKind::number,
+                                    .description = {},
+                                    .range = {"a number from 0.001 to 86400", 0.001, 86400.0}};
+inline const job::Option kJobs{.name = "jobs",
+                               .kind = job::OptionKind::whole,
+                               .description = {},
+                               .range = {"a whole number from 1 to 4096", 1.0, 4096.0}};
 
 /// What stands for an option's value in the help: "N", "mm|inch|m".
 std::string type_name(const job::Option& option);

@@ -57,28 +57,19 @@ Result<void> check_folder(const fs::path& folder) {
 }
 
 std::optional<Error> write_all(const std::vector<OutputFile>& files,
-                               const std::vector<fs::path>& inputs) {
+                               const std::vector<fs::path>& inputs,
+                               const std::function<Result<void>()>& before_they_appear) {
   for (const OutputFile& file : files) {
     // File names made from bodies are not known when the command line is checked.
     if (auto spared = spare_inputs(file.path, inputs); !spared) return spared.error();
   }
-  if (auto written = write_files(files); !written) return written.error();
+  if (auto written = write_files(files, before_they_appear); !written) return written.error();
   return std::nullopt;
 }
 
 void append_names(std::vector<std::string>& names, const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
     names.push_back(file.path.string());
-}
-
-std::optional<Error> write_report(const std::string& json_option, const std::string& text) {
-  if (json_option.empty()) return std::nullopt;
-  if (json_option == "-") {
-    fmt::print("{}", text);
-    return std::nullopt;
-  }
-  if (auto written = write_file(json_option, text); !written) return written.error();
-  return std::nullopt;
 }
 
 }  // namespace planish::cli

@@ -37,14 +37,12 @@ Result<void> check_output(const std::filesystem::path& output, const std::string
 /// `cannot_write` where a folder is not there and cannot be made, or takes no files.
 Result<void> check_folder(const std::filesystem::path& folder);
 
-/// Writes all of them or none, none over one of `inputs`.
+/// Writes all of them or none, none over one of `inputs`; see `write_files`.
 std::optional<Error> write_all(const std::vector<OutputFile>& files,
-                               const std::vector<std::filesystem::path>& inputs);
+                               const std::vector<std::filesystem::path>& inputs,
+                               const std::function<Result<void>()>& before_they_appear);
 
 /// Adds the paths as reports name them.
 void append_names(std::vector<std::string>& names, const std::vector<OutputFile>& files);
-
-/// Writes a report to a file, or to standard output for "-"; nothing for "".
-std::optional<Error> write_report(const std::string& json_option, const std::string& text);
 
 }  // namespace planish::cli

@@ -110,7 +110,10 @@ CLI::App* add_pack(const Program& program, PackArguments& arguments) {
            "nest the parts of each group on sheets of this size, in mm")
       ->group("Shop");
   command->add_option("--gap", arguments.gap, "gap between parts on a sheet, in mm; default 5")
-      ->check(CLI::NonNegativeNumber)
+      ->check(check_of({.name = "gap",
+                        .kind = job::OptionKind::number,
+                        .description = {},
+                        .range = schema::kAtLeastZero}))
       ->type_name("N")
       ->group("Shop");
   command->add_flag("--grain", arguments.grain, "keep parts along the grain of the sheet")

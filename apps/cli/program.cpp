@@ -137,6 +137,7 @@ int run_program(int argc, const char* const* argv, const job::Catalogue& catalog
       return serve::run_serve_worker(argv[3], std::strtoull(argv[2], nullptr, 10), catalogue);
     return flushed(run(argc, argv, catalogue));
   } catch (const std::exception& defect) {
+    if (std::ferror(stdout) != 0) return complain(error_of(refuse::no_standard_output, {}));
     return complain(error_of(refuse::program_defect, {{"reason", defect.what()}}));
   } catch (...) {
     return complain(error_of(refuse::program_defect, {{"reason", "an exception of unknown type"}}));

@@ -1,6 +1,7 @@
 #include "apart.hpp"
 #include "commands.hpp"
 #include "many_parts.hpp"
+#include "option_parts.hpp"
 #include "refusals.hpp"
 #include "terminal.hpp"
 
@@ -33,7 +34,7 @@ CLI::App* add_serve(const Program& program, ServeArguments& arguments) {
   command
       ->add_option("--jobs", arguments.how.workers,
                    "requests worked on at a time; default one per core")
-      ->check(CLI::Range(1, 4096))
+      ->check(check_of(kJobs))
       ->type_name("N")
       ->group("Running");
   add_limits(*command, arguments.how.limits);

@@ -27,10 +27,10 @@ const job::Option kPort{.name = "port",
                         .kind = job::OptionKind::whole,
                         .description = "port of the page's address; default: any free port",
                         .range = {"a whole number from 1 to 65535", 1, 65535}};
-const job::Option kTimeLimit{.name = "time_limit",
-                             .kind = job::OptionKind::whole,
-                             .description = "time limit for one request; default 120",
-                             .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
+const job::Option kRequestTime{.name = "time_limit",
+                               .kind = job::OptionKind::whole,
+                               .description = "time limit for one request; default 120",
+                               .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
 const job::Option kEndAfter{
     .name = "end_after",
     .kind = job::OptionKind::whole,
@@ -59,7 +59,7 @@ CLI::App* add_studio(const Program& program, StudioArguments& arguments) {
   add_text(*command, "input", arguments.input, "FILE",
            fmt::format("file to open: {} file", any_input_of(program.catalogue)));
   add_option(*command, kPort, std::string(kPort.description), "N", arguments.options);
-  add_option(*command, kTimeLimit, std::string(kTimeLimit.description), "SECONDS",
+  add_option(*command, kRequestTime, std::string(kRequestTime.description), "SECONDS",
              arguments.options);
   add_option(*command, kEndAfter, std::string(kEndAfter.description), "SECONDS", arguments.options);
   command->add_flag("--no-browser", arguments.no_browser, "print the address and open no browser");

@@ -41,8 +41,8 @@ std::string too_much(const CLI::App& command, const CLI::App& app, const std::st
   }
   const auto inputs = command.get_options(
       [](const CLI::Option* one) { return one->get_positional(); });
-  return fmt::format("`{}` takes one {}: leave \"{}\" out", command.get_name(),
-                     inputs.empty() ? "word" : inputs.front()->get_type_name(), word);
+  const std::string taken = inputs.empty() ? "no word" : "one " + inputs.front()->get_type_name();
+  return fmt::format("`{}` takes {}: leave \"{}\" out", command.get_name(), taken, word);
 }
 
 // What was taken by nobody; empty where all was.

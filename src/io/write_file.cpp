@@ -135,7 +135,8 @@ Result<void> write_file(const fs::path& target, const std::string& content) {
   return part.take_place();
 }
 
-Result<void> write_files(const std::vector<OutputFile>& files) {
+Result<void> write_files(const std::vector<OutputFile>& files,
+                         const std::function<Result<void>()>& before_they_appear) {
   std::vector<Part> parts;
   std::vector<const OutputFile*> direct;
   for (const OutputFile& file : files) {
@@ -150,6 +151,8 @@ Result<void> write_files(const std::vector<OutputFile>& files) {
   }
   for (const OutputFile* file : direct)
     if (auto written = write_directly(file->path, file->content); !written) return written;
+  if (before_they_appear)
+    if (auto done = before_they_appear(); !done) return done;
   for (Part& part : parts)
     if (auto taken = part.take_place(); !taken) return taken;
   return {};

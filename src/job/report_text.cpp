@@ -152,6 +152,13 @@ std::string angle_text(Angle angle) {
   return text + "°";
 }
 
+std::string said_on_command_line(const Error& error) {
+  std::string text;
+  for (const Piece& piece : wording(error))
+    text += piece.option.empty() ? piece.text : flag_of(piece.option);
+  return text;
+}
+
 std::string input_name(const Report& report) {
   if (report.input == "-") return "standard input";
   return std::filesystem::path(report.input).filename().string();
@@ -163,7 +170,7 @@ std::string text_of(const Report& report, const std::string& title, const std::s
   std::string text = printable(title) + ": ";
   if (report.refusal) {
     text += fmt::format("refused [{}]: {}\n", code_name(report.refusal->code),
-                        printable(report.refusal->message));
+                        printable(said_on_command_line(*report.refusal)));
     if (sheet_known(report)) text += "  " + sheet_line(report, units) + "\n";
   } else {
     text += sheet_line(report, units) + "\n";

@@ -15,6 +15,9 @@ using schema::text_of;
 std::string text_of(const Report& report, const std::string& title, const std::string& tables,
                     BendList bends = BendList::shown);
 
+/// The sentence of an error with its options as on a command line: "--write-anyway".
+std::string said_on_command_line(const Error& error);
+
 /// The input's file name, or "standard input".
 std::string input_name(const Report& report);
 

@@ -3,6 +3,7 @@
 // no body has a pattern.
 #include "facts.hpp"
 #include "report_json.hpp"
+#include "report_text.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/unfold.hpp>
@@ -58,7 +59,7 @@ Cells fields(const UnfoldReport& report) {
               fmt::format("{}", report.quantity),
               std::string(status_name(report.status())),
               report.refusal ? std::string(code_name(report.refusal->code)) : "",
-              report.refusal ? report.refusal->message : "",
+              report.refusal ? said_on_command_line(*report.refusal) : "",
               std::string(units.name())};
   const auto add = [&cells](bool known, const std::string& cell) {
     cells.push_back(known ? cell : "");
@@ -97,7 +98,8 @@ const Cells& field_names() {
 // The last column of the terminal's table.
 std::string outcome(const UnfoldReport& report) {
   if (!report.refusal) return fmt::format("{}", fmt::join(report.files, ", "));
-  return fmt::format("{}: {}", code_name(report.refusal->code), report.refusal->message);
+  return fmt::format("{}: {}", code_name(report.refusal->code),
+                     said_on_command_line(*report.refusal));
 }
 
 // Thickness, blank, number of bends and certificate, as far as known.

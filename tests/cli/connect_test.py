@@ -9,6 +9,9 @@ import pathlib
 import struct
 import sys
 
+import ezdxf
+from ezdxf.math import bulge_to_arc
+
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_cli import CliTest, main  # noqa: E402
 
@@ -44,6 +47,22 @@ def scaled(plates, scale):
     for bend in scaled_plates["bends"]:
         bend["inside_radius"] *= scale
     return scaled_plates
+
+
+def arcs_of_dxf(path):
+    """(x, y, radius) of each arc and circle that ezdxf reads, sorted."""
+    arcs = []
+    for entity in ezdxf.readfile(path).modelspace():
+        if entity.dxftype() == "CIRCLE":
+            arcs.append((entity.dxf.center.x, entity.dxf.center.y, entity.dxf.radius))
+        elif entity.dxftype() in ("LWPOLYLINE", "POLYLINE"):
+            points = list(entity.get_points("xyb")) if entity.dxftype() == "LWPOLYLINE" else [
+                (*vertex.dxf.location.vec2, vertex.dxf.get("bulge", 0)) for vertex in entity.vertices]
+            for (ax, ay, bulge), (bx, by, _) in zip(points, points[1:] + points[:1]):
+                if bulge:
+                    centre, _, _, radius = bulge_to_arc((ax, ay), (bx, by), bulge)
+                    arcs.append((centre.x, centre.y, radius))
+    return sorted(arcs)
 
 
 def facets_of_stl(data):
@@ -225,6 +244,11 @@ class ThroughItself(CliTest):
         report = self.json("report.json")
         self.assertEqual(report["status"], "refused")
         self.assertEqual([c["code"] for c in report["checks"]], ["self_intersection"])
+        # Tables name options as the command line has them, too.
+        said = self.run_cli("unfold", "part.step", "--all", "-o", "flat/", "--no-rules", status=4)[0]
+        self.assertIn("Set --write-anyway to", said)
+        said += self.run_cli("unfold", "part.step", "--check", "--no-rules", status=4)[0]
+        self.assertNotIn("`", said + (self.dir / "flat" / "summary.csv").read_text())
 
     def test_plate_that_ends_before_the_bend_is_accepted(self):
         plates = through_the_bend()
@@ -262,6 +286,57 @@ class PlatesOfAPart(CliTest):
         self.refused("plates", "missing.step", "-o", "plates.json", status=3)
         self.assertNotIn("plates.json", self.names())
         self.assertIn("-o FILE", self.refused("plates", "-", status=2))
+
+
+class RoundHoles(CliTest):
+    """Arcs of holes in the drawing, as another program reads them. A lies turned by 90 degrees, B goes
+    on behind the bend: (x, y) of A is drawn at (L - y, x), (x, z) of B at (120 - z, x)."""
+
+    ON_A = [{"slot": {"from": [30, 20, 0], "to": [80, 20, 0], "width": 9}},
+            {"slot": {"from": [110, 30, 0], "to": [150, 70, 0], "width": 6.5}},
+            {"circle": {"at": [40, 60, 0], "radius": 7}},
+            {"path": [[170, 40, 0], [180, 40, 0], {"through": [185, 45, 0], "to": [180, 50, 0]}, [170, 50, 0]]}]
+    ON_B = [{"slot": {"from": [60, 120, 50], "to": [60, 120, 90], "width": 12}}]
+    CENTRES_OF_A = [(30, 20, 4.5), (80, 20, 4.5), (110, 30, 3.25), (150, 70, 3.25), (40, 60, 7), (180, 45, 5)]
+    CENTRES_OF_B = [(60, 50, 6), (60, 90, 6)]
+
+    def write_plates(self):
+        plates = ell()
+        plates["plates"][0]["holes"] = self.ON_A
+        plates["plates"][1]["holes"] = self.ON_B
+        self.write("plates.json", json.dumps(plates))
+
+    def wanted(self):
+        length = flat_length(0.44)
+        return sorted([(length - y, x, r) for x, y, r in self.CENTRES_OF_A] +
+                      [(120 - z, x, r) for x, z, r in self.CENTRES_OF_B])
+
+    def check_equal(self, found, wanted):
+        self.assertEqual(len(found), len(wanted), found)
+        for numbers, drawn in zip(found, wanted):
+            for number, value in zip(numbers, drawn):
+                self.assertAlmostEqual(number, value, places=4)
+
+    def test_are_arcs_about_their_own_centres(self):
+        self.write_plates()
+        self.run_cli("connect", "plates.json", "--no-rules", "-o", "part.step", "--flat", "new.dxf")
+        self.run_cli("connect", "plates.json", "--no-rules", "--r12", "--flat", "r12.dxf")
+        self.run_cli("unfold", "part.step", "--no-rules", "-o", "again.dxf")
+        for drawing in ("new.dxf", "r12.dxf", "again.dxf"):
+            with self.subTest(drawing):
+                self.check_equal(arcs_of_dxf(self.dir / drawing), self.wanted())
+
+    def test_stay_so_in_the_plates_of_a_part(self):
+        """However the pattern lies: each radius with the distances from its centre to all others."""
+        def seen(arcs):
+            return sorted((r, *sorted(math.dist(c, (x, y)) for *c, _ in arcs)) for x, y, r in arcs)
+
+        self.write_plates()
+        self.run_cli("connect", "plates.json", "--no-rules", "-o", "part.step")
+        self.run_cli("plates", "part.step", "--with-bends", "-o", "found.json")
+        self.run_cli("connect", "found.json", "--no-rules", "--flat", "found.dxf")
+        found = [(x, y, round(r, 6)) for x, y, r in arcs_of_dxf(self.dir / "found.dxf")]
+        self.check_equal(seen(found), seen(self.wanted()))
 
 
 class Section(PlatesTest):

@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -122,6 +123,17 @@ class WrongUsage(CliTest):
                               ("--arc-tolerance", "0"), ("--tick-length", "0")):
             sentence = self.wrong("unfold", "part.step", option, value)
             self.assertIn(option, sentence)
+
+    def test_every_number_says_what_it_must_be(self):
+        """In the same words for all commands, and without a limit that is none."""
+        for command in ("unfold", "bend", "batch", "pack", "serve", "plates", "info", "studio"):
+            for option in re.findall(r"(--[a-z0-9-]+) (?:N|NUMBER|SECONDS|MIB)(?!\S)", self.run_cli(command, "--help")[0]):
+                for value in ("-3", "1e999"):
+                    with self.subTest(command=command, option=option, value=value):
+                        words = {"serve": ["--stdio"]}.get(command, ["part.step"])
+                        said = self.wrong(command, *words, f"{option}={value}")
+                        self.assertRegex(said, rf"{option}: must be an? (whole number|number|angle) .*, not \"{value}\"")
+                        self.assertNotRegex(said, r"\d{12}|\.\d*0\b")
 
     def test_words_that_are_none_of_those_allowed(self):
         for option, value in (("--profile", "autocad"), ("--splines", "lines"), ("--units", "cm"),

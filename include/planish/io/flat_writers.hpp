@@ -5,6 +5,7 @@
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -100,9 +101,11 @@ struct OutputFile {
   std::string content;
 };
 /// Writes all of them or none: each beside its target, then devices and pipes, and only when all
-/// of that is done are the files renamed, which hardly ever fails.
-/// Errors: those of `write_file`, of the first that cannot be written.
-Result<void> write_files(const std::vector<OutputFile>& files);
+/// of that is done, and what is to be done before they appear, are the files renamed, which hardly
+/// ever fails. Errors: those of `write_file`, of the first that cannot be written; that of
+/// `before_they_appear`.
+Result<void> write_files(const std::vector<OutputFile>& files,
+                         const std::function<Result<void>()>& before_they_appear = {});
 
 /// `cannot_write` where `write_file` would fail for what can be known beforehand: the target is a
 /// folder or write-protected, or its folder is missing or write-protected.
