@@ -174,6 +174,7 @@ Error no_relief_because(Error why) {
 std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   std::vector<Finding> overlaps = find_overlaps(given.sheet, report.layout, report.flat);
   const auto unmended = relieve(report, given, overlaps);
+  if (unmended && overlaps.empty()) return unmended;  // rips that cannot be cut
   offer_reliefs(overlaps, report, given);
   append(report.findings, overlaps);
   if (!given.checks.write_overlapping && !given.checks.write_anyway) {

@@ -17,6 +17,9 @@ constexpr Refusal relief_took_other{
     "A relief at {@at} would cut away {removed}, but the sheet has {within} there."};
 constexpr Refusal relief_parts_sheet{code::unsupported_shape,
                                      "A relief at {@at} would cut the sheet in two."};
+constexpr Refusal relief_takes_bend{
+    code::bad_option, "A relief at {@at}, {width} wide, would cut away the whole line of {@bend}.",
+    "Make `rip_width` smaller."};
 constexpr Refusal volume_wrong{
     code::pattern_wrong,
     "The flat area at K = ½ times the thickness is {ratio} of the solid's volume; it must be 1 "

@@ -97,6 +97,13 @@ bool parts(const FlatPattern& before, const FlatPattern& after, const Cutout& cu
   return !is_one_piece(after, kMeets) && is_one_piece(before, kMeets);
 }
 
+/// A bend that loses its whole line: it could not be bent any more, nor would a report have it.
+const FlatBend* lost_bend(const FlatPattern& before, const FlatPattern& after) {
+  for (std::size_t i = 0; i < before.bends.size(); ++i)
+    if (!before.bends[i].lines.empty() && after.bends[i].lines.empty()) return &before.bends[i];
+  return nullptr;
+}
+
 /// Cuts one out, and checks the area against that of the faces within it.
 Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout) {
   auto left = without_cutout(relieved.pattern, cutout);
@@ -112,6 +119,12 @@ Result<void> cut(Relieved& relieved, const SheetArea& area, const Cutout& cutout
                                             {"at", place::point(cutout.middle)}});
   if (parts(relieved.pattern, *left, cutout))
     return fail(refuse::relief_parts_sheet, {{"at", place::point(cutout.middle)}});
+  if (const FlatBend* lost = lost_bend(relieved.pattern, *left))
+    return fail(refuse::relief_takes_bend,
+                {{"at", place::point(cutout.middle)},
+                 {"bend", place::bend(lost->id)},
+                 {"width", 2 * cutout.half.y(), unit::mm}},
+                "rip_width");
   relieved.pattern = std::move(*left);
   relieved.removed += removed;
   relieved.cutouts.push_back(outline);
@@ -261,13 +274,16 @@ void cut_beside_bends(Relieved& relieved, const Sheet& sheet, const SheetArea& a
   relieved.findings.push_back(cut_beside(reliefs, shape));
 }
 
-/// A slit that cannot be given a width stays a line.
-void rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& options) {
+/// A slit that cannot be given a width stays a line. Rips that take a whole bend are refused.
+Result<void> rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& options) {
   std::vector<Vec2> places;
   const std::vector<Segment> slits = straight_slits(relieved.pattern);
-  for (const Segment& slit : slits)
-    if (cut(relieved, area, cutout_along(slit, options))) places.push_back((slit.a + slit.b) / 2);
-  if (slits.empty()) return;
+  for (const Segment& slit : slits) {
+    const auto done = cut(relieved, area, cutout_along(slit, options));
+    if (!done && done.error().code == code::bad_option) return done;
+    if (done) places.push_back((slit.a + slit.b) / 2);
+  }
+  if (slits.empty()) return {};
   const int ripped = static_cast<int>(places.size()),
             left = static_cast<int>(slits.size()) - ripped;
   if (places.empty()) places.push_back((slits.front().a + slits.front().b) / 2);
@@ -277,6 +293,7 @@ void rip_slits(Relieved& relieved, const SheetArea& area, const ReliefOptions& o
       : left > 0  ? say::rips_left_out
                   : say::rips_cut,
       {{"ripped", ripped}, {"left", left}, {"width", options.width, unit::mm}}, std::move(places)));
+  return {};
 }
 
 }  // namespace
@@ -299,7 +316,8 @@ Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const Fl
   relieved.pattern = with_slits_drawn_once(std::move(relieved.pattern));
   if (options.beside_bends != Relief::none)
     cut_beside_bends(relieved, sheet, area, options.beside_bends, rules);
-  if (options.width > 0.0) rip_slits(relieved, area, options);
+  if (options.width > 0.0)
+    if (auto done = rip_slits(relieved, area, options); !done) return pass_on(done);
   return relieved;
 }
 

@@ -20,7 +20,7 @@ struct Relieved {
 /// contour once, or rips them if they have a width (math.md#reliefs); beside bends, those that the
 /// rules ask for, if wanted. `covers`: those of the pattern. Errors: `overlap`, if a place is too
 /// large to be mended; those of `without_cutout`; `pattern_wrong`, if the area cut away is not what
-/// lies within the reliefs.
+/// lies within the reliefs; `bad_option`, if a rip takes the whole line of a bend.
 Result<Relieved> with_reliefs(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern,
                               const std::vector<DoubleCover>& covers, const ReliefOptions& options,
                               const Rules& rules);

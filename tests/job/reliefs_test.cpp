@@ -237,6 +237,21 @@ TEST(Reliefs, BesideBendsLeaveTheSheetInOnePiece) {
     }
 }
 
+TEST(Reliefs, NeverTakeABend) {
+  // The tongue is 20 mm wide: rips along both its sides leave the rest of the line between them.
+  const Laid part = lance();
+  const auto narrow = relieved_of(part, {.width = 6.0});
+  ASSERT_TRUE(narrow) << narrow.error().message;
+  EXPECT_NEAR(narrow->pattern.bends.front().length, 20.0 - 2 * 3.0, 1e-9);
+  for (const double width : {30.0, 44.0}) {
+    const auto wide = relieved_of(part, {.width = width});
+    ASSERT_FALSE(wide) << width;
+    EXPECT_EQ(wide.error().code, code::bad_option);
+    EXPECT_EQ(wide.error().where, "rip_width");
+    EXPECT_NE(wide.error().message.find("bend B1"), std::string::npos) << wide.error().message;
+  }
+}
+
 TEST(Reliefs, BesideBendsAreLeftOutIfNotAskedFor) {
   const Laid part = lance();
   const auto relieved = relieved_of(part);
