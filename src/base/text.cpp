@@ -39,6 +39,11 @@ std::string counted(double count, std::string_view noun) {
   return fmt::format("{} {}", number_text(count, 12), count == 1.0 ? one : many);
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 std::string lower_case(std::string_view text) {
   std::string letters(text);
   std::ranges::transform(letters, letters.begin(), small);

@@ -4,6 +4,7 @@
 
 #include <planish/batch/codes.hpp>
 #include <planish/batch/options.hpp>
+#include <planish/brep/step_archive.hpp>
 #include <planish/job/options.hpp>
 #include <planish/schema/text_file.hpp>
 
@@ -62,9 +63,10 @@ std::string settings_of(const BatchOptions& options) {
 }
 
 /// The size, the beginning and the end of a file: enough to deal files out evenly, without every
-/// machine reading all of them.
+/// machine reading all of them. A file in an archive is read.
 std::string sample_of(const fs::path& file) {
   constexpr std::streamoff kEnd = 4096;  // bytes
+  if (is_in_archive(file)) return read_in_archive(file).value_or("");
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream) return {};
   const auto size = static_cast<std::streamoff>(stream.tellg());

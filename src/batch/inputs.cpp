@@ -3,16 +3,16 @@
 #include <planish/base/text.hpp>
 #include <planish/batch/codes.hpp>
 #include <planish/batch/inputs.hpp>
+#include <planish/brep/step_archive.hpp>
 #include <planish/schema/text_file.hpp>
 #include <planish/shop/part_materials.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
+#include <functional>
 #include <map>
-#include <sstream>
 #include <system_error>
 
 // The files that the words of a command line mean: files, folders, and lists that may name lists.
@@ -40,17 +40,63 @@ struct ListLine {
   std::string times = {};  ///< "20"; empty: the line does not say
 };
 
-ListLine line_of(const std::string& text) {
-  const std::size_t blank = text.find_last_of(" \t");
-  if (blank == std::string::npos) return {text};
-  std::string last = text.substr(blank + 1);
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
+  return std::string(text.substr(first, text.find_last_not_of(kBlanks) + 1 - first));
+}
+
+/// The quantity that the last word of a line is: "20" of "x20" and "×20".
+std::string times_in(std::string word) {
   constexpr std::string_view kSign = "×";
-  if (last.starts_with(kSign)) last.replace(0, kSign.size(), "x");
-  const bool times = last.size() > 1 && (last[0] == 'x' || last[0] == 'X') &&
-                     std::isdigit(static_cast<unsigned char>(last[1]));
-  if (!times) return {text};
-  const std::size_t end = text.find_last_not_of(" \t", blank);
-  return {text.substr(0, end + 1), last.substr(1)};
+  if (word.starts_with(kSign)) word.replace(0, kSign.size(), "x");
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto counts = [&](char c) { return is_digit(c) || c == '.' || c == ','; };
+  const bool times = word.size() > 1 && (word[0] == 'x' || word[0] == 'X') && is_digit(word[1]) &&
+                     std::all_of(word.begin() + 1, word.end(), counts);
+  return times ? word.substr(1) : "";
+}
+
+/// A name, in quotes if wanted, and the quantity behind it.
+ListLine counted_line(std::string text) {
+  ListLine line;
+  const std::size_t blank = text.find_last_of(" \t");
+  if (blank != std::string::npos) line.times = times_in(text.substr(blank + 1));
+  if (!line.times.empty()) text = trimmed(text.substr(0, blank));
+  const bool quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
+  line.word = quoted ? text.substr(1, text.size() - 2) : text;
+  return line;
+}
+
+std::string without_comment(const std::string& text) {
+  for (std::size_t at = 1; at < text.size(); ++at)
+    if (text[at] == '#' && (text[at - 1] == ' ' || text[at - 1] == '\t'))
+      return trimmed(text.substr(0, at));
+  return text;
+}
+
+/// Reads a line. Names may hold blanks, "#", and what looks like a quantity: what `is_file` knows
+/// is taken whole.
+ListLine line_of(const std::string& text, const std::function<bool(const std::string&)>& is_file) {
+  ListLine line;
+  for (const std::string& one : {text, without_comment(text)}) {
+    if (is_file(one)) return {one};
+    line = counted_line(one);
+    if (is_file(line.word)) break;
+  }
+  return line;
+}
+
+/// The lines of a text, in whichever way they end.
+std::vector<std::string> lines_of(std::string_view text) {
+  const char end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+  std::vector<std::string> lines;
+  for (text = without_byte_order_mark(text); !text.empty();) {
+    const std::size_t length = std::min(text.find(end), text.size());
+    lines.push_back(trimmed(text.substr(0, length)));
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return lines;
 }
 
 std::optional<int> copies_in(const std::string& times) {
@@ -75,12 +121,11 @@ class Collecting {
     const fs::path path = beside / word;
     std::error_code none;
     if (fs::is_directory(path, none)) return add_folder(path, wanted);
-    if (!fs::is_regular_file(path, none))
-      return error_of(refuse::no_file_or_folder, {{"file", path.string()}}, path.string());
+    if (!is_file(path)) return no_file(path, beside);
     // In a list of many folders the names of files alone may be the same.
     const fs::path below = path.lexically_normal().lexically_relative(beside.lexically_normal());
     const bool is_below = !beside.empty() && !below.empty() && *below.begin() != "..";
-    take(path, is_below ? below.generic_string() : path.filename().string(), wanted);
+    take_all(path, is_below ? below.generic_string() : path.filename().string(), wanted);
     return std::nullopt;
   }
 
@@ -112,6 +157,26 @@ class Collecting {
   }
 
  private:
+  static bool is_file(const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(path, none) || is_in_archive(path);
+  }
+
+  /// In a list, the line may have meant a quantity.
+  static Error no_file(const fs::path& path, const fs::path& beside) {
+    const auto& refusal = beside.empty() ? refuse::no_file_or_folder : refuse::no_listed_file;
+    const std::string file = path.lexically_normal().string();
+    return error_of(refusal, {{"file", file}}, file);
+  }
+
+  /// Takes a file, or all STEP files of an archive that holds several.
+  void take_all(const fs::path& file, const std::string& name, const Wanted& wanted) {
+    const auto packed = step_files_in(file);
+    if (!packed || packed->size() < 2) return take(file, name, wanted);
+    for (const fs::path& one : *packed)
+      take(one, name + "/" + one.lexically_relative(file).generic_string(), wanted);
+  }
+
   void take(const fs::path& file, std::string name, const Wanted& wanted) {
     inputs_.push_back({file, std::move(name), wanted.copies, wanted.said_by});
   }
@@ -143,7 +208,8 @@ class Collecting {
                                 const Wanted& wanted) {
     const fs::path beside = list.has_parent_path() ? list.parent_path() : ".";
     std::error_code none;
-    ListLine line = fs::exists(beside / text, none) ? ListLine{text} : line_of(text);
+    const ListLine line = line_of(
+        text, [&](const std::string& name) { return fs::exists(beside / name, none); });
     Wanted mine = wanted;
     if (!line.times.empty()) {
       const auto copies = copies_in(line.times);
@@ -163,12 +229,11 @@ class Collecting {
       return error_of(refuse::list_in_itself, {{"file", list.string()}}, list.string());
     const auto text = schema::read_text(list, "list");
     if (!text) return text.error();
+    if (text->find('\0') != std::string::npos)
+      return error_of(refuse::list_not_utf8, {{"file", list.string()}}, list.string());
     lists_.push_back(whole);
-    std::istringstream lines(*text);
     int number = 0;
-    for (std::string line; std::getline(lines, line);) {
-      while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())))
-        line.pop_back();
+    for (const std::string& line : lines_of(*text)) {
       ++number;
       if (line.empty() || line.starts_with('#')) continue;
       auto error = add_line(line, list, number, wanted);
@@ -222,16 +287,18 @@ class Collecting {
     if (!file && entry.is_directory(failed))
       return pass_over(name, code::no_input, "a link to a folder");
     if (!file && !entry.exists(failed)) return pass_over(name, code::no_input, "a link to nothing");
-    if (file && is_input(entry.path())) return take(entry.path(), name, wanted);
+    if (file && is_input(entry.path())) return take_all(entry.path(), name, wanted);
     pass_over(name, code::no_input, "no file that planish reads");
   }
 
   bool is_input(const fs::path& file) const {
-    const std::string name = lower_case(file.filename().string());
-    for (const char* suffix :
-         {".step", ".stp", ".stpz", ".step.gz", ".stp.gz", ".step.zip", ".stp.zip"})
-      if (name.ends_with(suffix)) return true;
-    if (!name.ends_with(".json")) return false;
+    if (has_step_name(file)) return true;
+    const std::string suffix = lower_case(file.extension().string());
+    if (suffix == ".stpz" || suffix == ".gz" || suffix == ".zip") {
+      const auto packed = step_files_in(file);
+      return packed && !packed->empty();
+    }
+    if (suffix != ".json") return false;
     const auto input = job::read_input_file(file, "input file");
     return input && catalogue_.maker_for(input->name, input->content);
   }

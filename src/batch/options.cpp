@@ -2,10 +2,10 @@
 
 #include <planish/base/text.hpp>
 #include <planish/batch/options.hpp>
+#include <planish/brep/step_archive.hpp>
 #include <planish/job/options.hpp>
 #include <planish/job/part_materials.hpp>
 #include <planish/job/run.hpp>
-#include <planish/schema/text_file.hpp>
 #include <planish/shop/shop_checks.hpp>
 
 #include <nlohmann/json.hpp>
@@ -24,9 +24,10 @@ using Json = nlohmann::ordered_json;
 /// Whether a file may name one of the materials. Names that a STEP file writes otherwise than they
 /// are spelled may be anywhere.
 bool may_name(const Input& input, const std::vector<shop::ShopMaterial>& materials) {
-  const auto text = schema::read_text(input.file, "input file");
-  if (!text) return false;
-  const std::string lower = lower_case(*text);
+  if (step_files_in(input.file)) return true;  // what is packed is not looked into
+  const auto read = job::read_input_file(input.file, "input file");
+  if (!read) return false;
+  const std::string lower = lower_case(read->content);
   return std::ranges::any_of(materials, [&](const shop::ShopMaterial& material) {
     constexpr unsigned char kLastOfAscii = 0x7e;
     const bool plain = std::ranges::all_of(material.name, [](unsigned char c) {

@@ -13,6 +13,10 @@ constexpr Refusal ended_from_outside{code::worker_died,
 
 // Inputs.
 constexpr Refusal no_file_or_folder{code::cannot_read, "There is no file or folder {file}."};
+constexpr Refusal no_listed_file{code::cannot_read, "There is no file or folder {file}.",
+                                 "A quantity stands behind a blank: part.step x20."};
+constexpr Refusal list_not_utf8{code::invalid_input, "The list {file} is not text in UTF-8.",
+                                "Save it as UTF-8."};
 constexpr Refusal same_input_name{code::bad_option,
                                   "Two inputs are called {name}: {first} and {second}.",
                                   "Name the folder that contains both."};

@@ -1,14 +1,17 @@
 #include "packed_file.hpp"
 
+#include "brep_text.hpp"
 #include "refusals.hpp"
+#include "step_header.hpp"
 
-#include <planish/base/text.hpp>
+#include <planish/brep/step_archive.hpp>
 
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -27,6 +30,7 @@ constexpr std::size_t kMost = std::size_t{1} << 31;  // bytes
 constexpr std::uint32_t kEntry = 0x02014b50, kEnd = 0x06054b50;
 constexpr std::size_t kEntrySize = 46, kEndSize = 22, kLocalSize = 30, kLongestComment = 0xffff;
 constexpr unsigned kStored = 0, kDeflated = 8;
+constexpr int kGzipWindow = MAX_WBITS + 16;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint32_t number = 0;
@@ -94,7 +98,6 @@ std::optional<Error> complaint(Inflating::End end, const std::string& name) {
 }
 
 Result<std::string> gunzipped(std::string_view bytes, const std::string& name) {
-  constexpr int kGzipWindow = MAX_WBITS + 16;
   std::string text;
   do {
     Inflating member(bytes, kGzipWindow);
@@ -112,21 +115,28 @@ struct ZipEntry {
   std::size_t packed = 0, size = 0, local = 0;
 
   bool is_folder() const { return name.ends_with('/'); }
-  bool is_step() const {
-    const std::string lower = lower_case(name);
-    return std::ranges::any_of(std::array{".step", ".stp", ".p21"},
-                               [&](const char* suffix) { return lower.ends_with(suffix); });
-  }
+  bool is_step() const { return has_step_name(name); }
 };
 
-/// The entries of the central directory that the bytes hold; what a Mac adds is left out.
-std::vector<ZipEntry> entries_of(std::string_view bytes) {
-  if (bytes.size() < kEndSize) return {};
+/// A name in an archive as a path below it: programs of Windows write other slashes, and no name
+/// may lead out of the archive.
+std::string path_within(std::string name) {
+  std::ranges::replace(name, '\\', '/');
+  std::filesystem::path path;
+  for (const auto& step : std::filesystem::path(name).lexically_normal().relative_path())
+    if (step != "..") path /= step;
+  return path.generic_string();
+}
+
+/// The entries of the central directory that the bytes hold, if they hold one; what a Mac adds is
+/// left out.
+std::optional<std::vector<ZipEntry>> entries_of(std::string_view bytes) {
+  if (bytes.size() < kEndSize) return std::nullopt;
   std::size_t end = bytes.size() - kEndSize;
   const std::size_t first = end - std::min(end, kLongestComment);
   while (end > first && number_at(bytes, end, 4) != kEnd)
     --end;
-  if (number_at(bytes, end, 4) != kEnd) return {};
+  if (number_at(bytes, end, 4) != kEnd) return std::nullopt;
   std::vector<ZipEntry> entries;
   std::size_t at = number_at(bytes, end + 16, 4);
   for (auto count = number_at(bytes, end + 10, 2); count > 0; --count) {
@@ -134,7 +144,7 @@ std::vector<ZipEntry> entries_of(std::string_view bytes) {
     const std::size_t length = number_at(bytes, at + 28, 2);
     const std::size_t more = number_at(bytes, at + 30, 2) + number_at(bytes, at + 32, 2);
     if (end - at - kEntrySize < length + more) break;
-    ZipEntry entry{.name = std::string(bytes.substr(at + kEntrySize, length)),
+    ZipEntry entry{.name = path_within(std::string(bytes.substr(at + kEntrySize, length))),
                    .encrypted = (number_at(bytes, at + 8, 2) & 1u) != 0,
                    .method = number_at(bytes, at + 10, 2),
                    .checksum = number_at(bytes, at + 16, 4),
@@ -142,7 +152,7 @@ std::vector<ZipEntry> entries_of(std::string_view bytes) {
                    .size = number_at(bytes, at + 24, 4),
                    .local = number_at(bytes, at + 42, 4)};
     at += kEntrySize + length + more;
-    if (!entry.is_folder() && !entry.name.starts_with("__MACOSX/"))
+    if (!entry.is_folder() && !entry.name.empty() && !entry.name.starts_with("__MACOSX/"))
       entries.push_back(std::move(entry));
   }
   return entries;
@@ -169,25 +179,67 @@ Result<std::string> content_of(std::string_view bytes, const ZipEntry& entry,
   return text;
 }
 
+Result<std::vector<ZipEntry>> step_entries(std::string_view bytes, const std::string& name) {
+  const auto all = entries_of(bytes);
+  if (!all) return fail(refuse::damaged_archive, {{"file", name}}, name);
+  std::vector<ZipEntry> steps = *all;
+  std::erase_if(steps, [](const ZipEntry& entry) { return !entry.is_step(); });
+  if (!steps.empty()) return steps;
+  if (all->size() == 1) {
+    const auto content = content_of(bytes, all->front(), name);
+    if (!content || begins_as_shape(*content)) return *all;
+  }
+  return fail(refuse::archive_without_step, {{"file", name}, {"count", all->size()}}, name);
+}
+
 Result<std::string> unzipped(std::string_view bytes, const std::string& name) {
-  const std::vector<ZipEntry> all = entries_of(bytes);
-  std::vector<ZipEntry> entries = all;
-  std::erase_if(entries, [](const ZipEntry& entry) { return !entry.is_step(); });
-  if (entries.empty() && all.size() == 1) entries = all;
-  if (entries.empty()) return fail(refuse::archive_without_step, {{"file", name}}, name);
-  if (entries.size() > 1)
-    return fail(refuse::archive_of_several, {{"file", name}, {"count", entries.size()}}, name);
-  return content_of(bytes, entries.front(), name);
+  const auto entries = step_entries(bytes, name);
+  if (!entries) return pass_on(entries);
+  if (entries->size() > 1)
+    return fail(
+        refuse::archive_of_several,
+        {{"file", name}, {"count", entries->size()}, {"first", name + "/" + entries->front().name}},
+        name);
+  return content_of(bytes, entries->front(), name);
 }
 
 }  // namespace
 
-bool is_packed(std::string_view bytes) {
-  return bytes.starts_with(kGzip) || bytes.starts_with(kZip);
+bool begins_as_shape(std::string_view text) {
+  return begins_as_step(text) || is_kernel_shape(text);
 }
+
+bool is_archive(std::string_view bytes) { return bytes.starts_with(kZip); }
+
+bool is_packed(std::string_view bytes) { return bytes.starts_with(kGzip) || is_archive(bytes); }
 
 Result<std::string> unpacked(std::string_view bytes, const std::string& name) {
   return bytes.starts_with(kGzip) ? gunzipped(bytes, name) : unzipped(bytes, name);
+}
+
+std::string unpacked_beginning(std::string_view gzip) {
+  std::string text;
+  static_cast<void>(Inflating(gzip, kGzipWindow).into(text));  // which ends where the bytes do
+  return text;
+}
+
+Result<std::vector<std::string>> step_names_in(std::string_view archive, const std::string& name) {
+  const auto entries = step_entries(archive, name);
+  if (!entries) return pass_on(entries);
+  std::vector<std::string> names;
+  for (const ZipEntry& entry : *entries)
+    if (!std::ranges::count(names, entry.name)) names.push_back(entry.name);
+  return names;
+}
+
+Result<std::string> unpacked_entry(std::string_view archive, const std::string& entry,
+                                   const std::string& name) {
+  const auto all = entries_of(archive);
+  if (!all) return fail(refuse::damaged_archive, {{"file", name}}, name);
+  const auto found = std::ranges::find(*all, entry, &ZipEntry::name);
+  if (found == all->end())
+    return fail(refuse::not_in_archive, {{"file", name}, {"entry", entry}}, name);
+  return content_of(archive, *found, name + "/" + entry);
 }
 
 }  // namespace planish::brep

@@ -26,11 +26,13 @@ constexpr Refusal damaged_archive{code::truncated_file,
                                   "Copy or export it again."};
 constexpr Refusal archive_without_step{
     code::not_step,
-    "{file} is an archive in which no STEP file is found: it holds none, or is cut short.",
+    "{file} is an archive without a STEP file (.step, .stp, .p21): it holds {count:other file}.",
     "Pack the part as STEP AP203, AP214 or AP242."};
 constexpr Refusal archive_of_several{code::invalid_input,
                                      "{file} is an archive of {count:STEP file}.",
-                                     "Unpack it and give one of them, or all to `planish batch`."};
+                                     "Name one of them, such as {first}, or give the archive to "
+                                     "`planish batch`, which takes all."};
+constexpr Refusal not_in_archive{code::cannot_read, "The archive {file} has no file {entry}."};
 constexpr Refusal strange_archive{
     code::invalid_input,
     "{file} holds {entry} encrypted, or packed by another method than deflate.", "Unpack it."};

@@ -65,10 +65,14 @@ std::string application_protocol(const std::string& schema) {
 
 }  // namespace
 
+bool begins_as_step(std::string_view text) {
+  return trimmed_left(without_byte_order_mark(text)).starts_with("ISO-10303-21");
+}
+
 Result<StepHeader> read_step_header(std::string_view text, const std::string& name) {
   const std::string_view body = trimmed_left(text);
   if (body.empty()) return fail(refuse::empty_file, {{"file", name}}, name);
-  if (!body.starts_with("ISO-10303-21")) return fail(refuse::not_step, {{"file", name}}, name);
+  if (!begins_as_step(body)) return fail(refuse::not_step, {{"file", name}}, name);
   constexpr size_t kTail = 4096;  // comments may follow the end mark
   const std::string_view tail = body.substr(body.size() - std::min(kTail, body.size()));
   if (tail.find("END-ISO-10303-21") == std::string_view::npos)

@@ -13,6 +13,9 @@ struct StepHeader {
   std::string cad_system;  ///< FILE_NAME's originating system, else its preprocessor
 };
 
+/// Whether a text begins as a STEP file does.
+bool begins_as_step(std::string_view text);
+
 /// Checks that a text is a whole ISO 10303-21 exchange file and reads its header. Errors:
 /// `empty_file`, `not_step`, `truncated_file`, `no_solid` for one that holds nothing, each naming
 /// `name`.

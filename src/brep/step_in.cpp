@@ -9,6 +9,9 @@
 #include "refusals.hpp"
 #include "step_header.hpp"
 
+#include <planish/base/text.hpp>
+#include <planish/brep/step_archive.hpp>
+
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_TShape.hxx>
@@ -142,9 +145,8 @@ Result<StepFile> read_checked(const std::string& text, const std::string& path,
 /// not know.
 Result<StepFile> read_any(const std::string& bytes, const std::string& path,
                           const std::string& name, const Progress& progress) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (bytes.starts_with(kByteOrderMark))
-    return read_checked(bytes.substr(kByteOrderMark.size()), path, name, progress);
+  if (const auto plain = without_byte_order_mark(bytes); plain.size() < bytes.size())
+    return read_checked(std::string(plain), path, name, progress);
   if (!brep::is_packed(bytes)) return read_checked(bytes, path, name, progress);
   const auto text = brep::unpacked(bytes, name);
   if (!text) return pass_on(text);
@@ -156,6 +158,10 @@ Result<StepFile> read_any(const std::string& bytes, const std::string& path,
 
 Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress) {
   const std::string name = file.filename().string();
+  if (is_in_archive(file)) {
+    const auto text = read_in_archive(file);
+    return text ? read_any(*text, name, name, progress) : pass_on(text);
+  }
   std::error_code status;
   if (std::filesystem::is_directory(file, status))
     return fail(refuse::is_folder, {{"file", file.string()}}, file.string());

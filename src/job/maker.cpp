@@ -2,6 +2,7 @@
 #include "refusals.hpp"
 
 #include <planish/base/text.hpp>
+#include <planish/brep/step_archive.hpp>
 #include <planish/job/artifact.hpp>
 #include <planish/job/maker.hpp>
 #include <planish/schema/fail_at.hpp>
@@ -25,9 +26,10 @@ tl::unexpected<Error> not_made(const char* what) {
   return fail(refuse::not_made, {{"what", what}});
 }
 
-bool looks_like_json(const std::string& content) {
-  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  return first != std::string::npos && (content[first] == '{' || content[first] == '[');
+bool looks_like_json(std::string_view content) {
+  content = without_byte_order_mark(content);
+  const std::size_t first = content.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && (content[first] == '{' || content[first] == '[');
 }
 
 template <typename Text>
@@ -55,7 +57,7 @@ Result<const Report*> piece_of(const Made& made, int piece) {
 Result<void> Work::edit(const InputFile&) { return fail_at(refuse::not_edited, "/spec"); }
 
 Result<InputFile> read_input_file(const std::filesystem::path& file, const std::string& kind) {
-  auto content = read_text(file, kind);
+  auto content = is_in_archive(file) ? read_in_archive(file) : read_text(file, kind);
   if (!content) return pass_on(content);
   return InputFile{place_name(file.string()), std::move(*content),
                    file == "-" ? std::filesystem::path() : file.parent_path()};

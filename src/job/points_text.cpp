@@ -1,5 +1,6 @@
 #include "refusals.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/slit_json.hpp>
 
 #include <fmt/format.h>
@@ -51,9 +52,7 @@ bool take_number(std::string_view& line, double& number) {
 Result<std::vector<Vec3>> parse_points(const std::string& text, const std::string& name,
                                        double scale) {
   std::vector<Vec3> points;
-  std::string_view rest = text;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  std::string_view rest = without_byte_order_mark(text);
   for (int number = 1; !rest.empty(); ++number) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, length);

@@ -65,7 +65,7 @@ void JsonReading::parse(const std::string& text) {
     error_ = too_deep(text, *byte, what, name_ + ":");
     return;
   }
-  if (text.starts_with(kStepMark)) return refuse_whole(refuse::is_step);
+  if (without_byte_order_mark(text).starts_with(kStepMark)) return refuse_whole(refuse::is_step);
   RepeatedKeys repeated;
   try {
     document_ = Json::parse(

@@ -14,8 +14,6 @@
 namespace planish {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 std::string trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
   const size_t first = text.find_first_not_of(kBlanks);
@@ -135,8 +133,7 @@ char separator_of(std::string_view text) {
 }  // namespace
 
 Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::string& name) {
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
-    text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);
   if (text.find('\0') != std::string_view::npos) {
     return fail(refuse::not_plain_text, {}, name);
   }

@@ -17,6 +17,15 @@ TEST(Shortened, CutsBetweenCharacters) {
   EXPECT_EQ(shortened("\x80\x80\x80", 2), "…") << "bytes that are not UTF-8";
 }
 
+TEST(ByteOrderMark, IsTakenFromTheBeginningAlone) {
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"
+                                    "a"),
+            "a");
+  EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF"), "");
+  for (const char* text : {"", "a", "\xEF\xBB", "a\xEF\xBB\xBF"})
+    EXPECT_EQ(without_byte_order_mark(text), text);
+}
+
 TEST(Continued, BeginsSmallUnlessWithAName) {
   EXPECT_EQ(continued("The profile has no tip"), "the profile has no tip");
   EXPECT_EQ(continued("A bend is too tight"), "a bend is too tight");

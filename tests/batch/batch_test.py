@@ -3,6 +3,7 @@
 nothing lost when workers or the batch itself are ended."""
 
 import csv
+import gzip
 import json
 import math
 import os
@@ -13,6 +14,7 @@ import signal
 import subprocess
 import sys
 import time
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from batch_case import CLI, PARTS, SECONDS, SOURCE, BatchTest, main, step_files  # noqa: E402
@@ -140,6 +142,30 @@ class Results(BatchTest):
         self.batch("@in/list.txt", "-o", "other")
         self.assertEqual([one["input"] for one in self.reports("other")],
                          ["b.Step", "d.step", "deep/a.STP"])
+
+    def test_an_archive_is_a_folder_of_parts(self):
+        self.angles(3, "sent")
+        texts = [(self.dir / "sent" / f"angle-{i:03}.step").read_bytes() for i in range(3)]
+        (self.dir / "in").mkdir()
+        with zipfile.ZipFile(self.dir / "in" / "two.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("sub/left.step", texts[0])
+            archive.writestr("cut short.step", texts[1][:500])
+        (self.dir / "in" / "one.gz").write_bytes(gzip.compress(texts[2]))
+        (self.dir / "in" / "notes.gz").write_bytes(gzip.compress(b"Please cut."))
+        with zipfile.ZipFile(self.dir / "in" / "none.zip", "w") as archive:
+            archive.writestr("offer.pdf", "x")
+        self.batch("in", "-o", "out", "--jobs", "2")
+        self.assertEqual([(one["input"], one["status"]) for one in self.reports()],
+                         [("one.gz", "ok"), ("two.zip/cut short.step", "refused"), ("two.zip/sub/left.step", "ok")])
+        self.assertTrue((self.dir / "out/parts/two.zip/sub/left.step/left.dxf").is_file())
+        self.assertEqual({one["file"] for one in self.json("out/summary.json")["passed_over"]["files"]},
+                         {"none.zip", "notes.gz"})
+        self.batch("in/two.zip", "-o", "alone")
+        self.assertEqual(len(self.reports("alone")), 2)
+        for share in "12":
+            self.batch("in", "-o", "shared", "--shard", f"{share}/2")
+        self.batch("--merge", "shared", "-o", "shared")
+        self.assert_same_result("out", "shared")
 
     def test_bodies_of_an_assembly_have_folders_of_their_own(self):
         file = step_files.StepFile()

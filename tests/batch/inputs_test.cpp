@@ -102,6 +102,39 @@ TEST_F(Inputs, AreWantedAsOftenAsAListSays) {
   }
 }
 
+TEST_F(Inputs, HaveNamesWithBlanksInLists) {
+  for (const char* name : {"left x4.step", "right x5.step", "no 3 # x.step", "quoted one.step"})
+    write(name, "x");
+  write("parts.txt",
+        "\xEF\xBB\xBFleft x4.step\r\n  right x5.step\tx3 # of steel\r\n"
+        "no 3 # x.step x2\r\n\"quoted one.step\" ×7\r\n");
+  const auto inputs = inputs_of({"@" + at("parts.txt")}, "/tmp/none", job::built_in());
+  ASSERT_TRUE(inputs) << inputs.error().message;
+  std::map<std::string, int> copies;
+  for (const Input& input : inputs->files)
+    copies[input.name] = input.copies;
+  EXPECT_EQ(copies, (std::map<std::string, int>{{"left x4.step", 1},
+                                                {"right x5.step", 3},
+                                                {"no 3 # x.step", 2},
+                                                {"quoted one.step", 7}}));
+  write("absent.txt", "left x6.step\n");
+  const auto absent = inputs_of({"@" + at("absent.txt")}, "/tmp/none", job::built_in());
+  ASSERT_FALSE(absent);
+  EXPECT_EQ(absent.error().code, code::cannot_read) << "a name, not a quantity";
+  EXPECT_EQ(absent.error().where, at("left x6.step"));
+}
+
+TEST_F(Inputs, AreListedInAnyText) {
+  for (const char* name : {"a.step", "b.step"})
+    write(name, "x");
+  write("mac.txt", "a.step\rb.step x2\r");
+  EXPECT_EQ(names_of({"@" + at("mac.txt")}), "a.step b.step ");
+  write("wide.txt", std::string("\xFF\xFE"
+                                "a\0.\0s\0",
+                                8));
+  EXPECT_EQ(names_of({"@" + at("wide.txt")}), "invalid_input") << "UTF-16";
+}
+
 TEST_F(Inputs, AreNotCountedTwice) {
   write("a.step", "x");
   write("twice.txt", "a.step x2\na.step x3\n");

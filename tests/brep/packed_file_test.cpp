@@ -1,63 +1,17 @@
 #include "packed_file.hpp"
 
+#include "packed_bytes.hpp"
+
 #include <planish/brep/codes.hpp>
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <string>
-#include <vector>
 
 namespace planish::brep {
 namespace {
 
-std::string deflated(const std::string& text, int window) {
-  z_stream stream{};
-  EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string packed(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-std::string gzipped(const std::string& text) { return deflated(text, MAX_WBITS + 16); }
-
-std::string number(std::size_t value, int bytes) {
-  std::string text;
-  for (; bytes > 0; --bytes, value >>= 8)
-    text += static_cast<char>(value & 0xff);
-  return text;
-}
-
-struct Entry {
-  std::string name, text;
-  bool stored = false, encrypted = false;
-};
-
-/// APPNOTE.TXT 6.3.3: local headers, central directory, end.
-std::string zipped(const std::vector<Entry>& entries, const std::string& comment = "") {
-  std::string bytes, directory;
-  for (const Entry& entry : entries) {
-    const std::string packed = entry.stored ? entry.text : deflated(entry.text, -MAX_WBITS);
-    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(entry.text.data()),
-                           static_cast<uInt>(entry.text.size()));
-    const std::string common = number(20, 2) + number(entry.encrypted, 2) +
-                               number(entry.stored ? 0 : 8, 2) + number(0, 4) + number(sum, 4) +
-                               number(packed.size(), 4) + number(entry.text.size(), 4) +
-                               number(entry.name.size(), 2) + number(0, 2);
-    directory += number(0x02014b50, 4) + number(20, 2) + common + number(0, 2) + number(0, 2) +
-                 number(0, 2) + number(0, 4) + number(bytes.size(), 4) + entry.name;
-    bytes += number(0x04034b50, 4) + common + entry.name + packed;
-  }
-  return bytes + directory + number(0x06054b50, 4) + number(0, 4) + number(entries.size(), 2) +
-         number(entries.size(), 2) + number(directory.size(), 4) + number(bytes.size(), 4) +
-         number(comment.size(), 2) + comment;
-}
+using planish::test::gzipped, planish::test::zipped;
 
 const std::string kText = "ISO-10303-21; " + std::string(200'000, 'x') + " END-ISO-10303-21;";
 
@@ -98,6 +52,7 @@ TEST(PackedFile, IsTheOnlyStepFileOfAnArchive) {
 TEST(PackedFile, SaysWhyItCannotBeUnpacked) {
   EXPECT_EQ(code_of(zipped({{"a.step", kText}, {"b.stp", kText}})), "invalid_input");
   EXPECT_EQ(code_of(zipped({{"a.txt", kText}, {"b.txt", kText}})), "not_step");
+  EXPECT_EQ(code_of(zipped({{"a.txt", "Please cut."}})), "not_step");
   EXPECT_EQ(code_of(zipped({})), "not_step");
   EXPECT_EQ(code_of(zipped({{"a.step", kText, false, true}})), "invalid_input");
   std::string damaged = zipped({{"a.step", kText, true}});
@@ -105,10 +60,23 @@ TEST(PackedFile, SaysWhyItCannotBeUnpacked) {
   EXPECT_EQ(code_of(damaged), "truncated_file") << "the checksum says so";
 }
 
+TEST(PackedFile, IsOneOfAnArchiveByItsName) {
+  const std::string zip = zipped({{"a.txt", "Hello"},
+                                  {"sub\\b.STP", "ISO-1", true},
+                                  {"../../c.step", "ISO-2"},
+                                  {"c.step", "ISO-3"}});
+  EXPECT_EQ(step_names_in(zip, "a.zip"), (std::vector<std::string>{"sub/b.STP", "c.step"}));
+  EXPECT_EQ(unpacked_entry(zip, "sub/b.STP", "a.zip"), "ISO-1");
+  EXPECT_EQ(unpacked_entry(zip, "c.step", "a.zip"), "ISO-2") << "the first of the name";
+  const auto absent = unpacked_entry(zip, "d.step", "a.zip");
+  ASSERT_FALSE(absent);
+  EXPECT_EQ(absent.error().code, code::cannot_read);
+}
+
 TEST(PackedFile, CutShortAnywhereIsNoCrash) {
   const std::string zip = zipped({{"a.step", "ISO-10303-21;"}}), gzip = gzipped("ISO-10303-21;");
   for (std::size_t n = 4; n < zip.size(); ++n)
-    EXPECT_EQ(code_of(zip.substr(0, n)), "not_step") << n;
+    EXPECT_EQ(code_of(zip.substr(0, n)), "truncated_file") << n;
   for (std::size_t n = 3; n < gzip.size(); ++n)
     EXPECT_EQ(code_of(gzip.substr(0, n)), "truncated_file") << n;
   for (std::size_t n = 4; n < zip.size(); ++n)

@@ -2,6 +2,7 @@
 """Inputs that cannot be read: exit status 3, the reason in one sentence and in the JSON report."""
 
 import gzip
+import json
 import os
 import pathlib
 import signal
@@ -48,10 +49,12 @@ class UnreadableInput(CliTest):
         self.unreadable("empty_file", "-")
 
     def test_what_is_not_step(self):
-        for content in (b"hello\n", b"PK\x03\x04" + bytes(range(256)), b"solid cube\nendsolid\n"):
+        for content in (b"hello\n", b"solid cube\nendsolid\n"):
             self.write("other.step", content)
             self.unreadable("not_step", "other.step")
         self.unreadable("not_step", "-", stdin=b"hello\n")
+        self.write("cut.step", b"PK\x03\x04" + bytes(range(256)))
+        self.unreadable("truncated_file", "cut.step")
 
     def test_truncated_file(self):
         whole = step_files.angle()
@@ -126,6 +129,13 @@ class OtherForms(CliTest):
             archive.writestr("b.step", text)
         said = self.refused("unfold", "two.zip", "-o", "out.dxf", status=3)
         self.assertIn("an archive of 2 STEP files", said)
+        self.assertIn("two.zip/a.step", said)
+        self.run_cli("unfold", "two.zip/a.step", "-q", "-o", "a.dxf")
+        self.assertIn("no file c.step", self.refused("unfold", "two.zip/c.step", "-o", "c.dxf", status=3))
+        with zipfile.ZipFile(self.dir / "none.zip", "w") as archive:
+            archive.writestr("offer.txt", "Please cut.")
+        self.assertIn("an archive without a STEP file (.step, .stp, .p21): it holds 1 other file",
+                      self.refused("unfold", "none.zip", "-o", "out.dxf", status=3))
         self.write("short.step.gz", gzip.compress(text)[:-100])
         self.assertIn("[truncated_file]", self.refused("unfold", "short.step.gz", "-o", "out.dxf", status=3))
 
@@ -196,6 +206,34 @@ class UnwritableOutput(CliTest):
             done = subprocess.run([CLI, "info", "part.step"], cwd=self.dir, stdout=full,
                                   stderr=subprocess.PIPE, timeout=SECONDS, check=False)
         self.assertEqual(done.returncode, 3, done.stderr)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_no_file_is_left_where_the_report_cannot_be_printed(self):
+        self.angle()
+        plates = {"format": "planish/plates", "version": 1, "units": "mm", "thickness": 1, "plates": [
+            {"id": "A", "outline": [[0, 0, 0], [9, 0, 0], [9, 9, 0]]}]}
+        self.write("plates.json", json.dumps(plates))
+        for words in (["unfold", "part.step"], ["unfold", "part.step", "--json", "-"],
+                      ["unfold", "part.step", "--all", "-o", "flat/", "--json", "-"],
+                      ["unfold", "part.step", "-o", "a.svg", "--json", "r.json"],
+                      ["connect", "plates.json", "-o", "a.step", "--flat", "a.dxf"], ["plates", "part.step", "-o", "-"],
+                      ["schema", "report"]):
+            with self.subTest(words=words), open("/dev/full", "wb") as full:
+                done = subprocess.run([CLI, *words], cwd=self.dir, stdout=full, stderr=subprocess.PIPE,
+                                      timeout=SECONDS, check=False)
+                self.assertEqual(done.returncode, 3, done.stderr)
+                self.assertEqual(done.stderr, b"planish: cannot write to standard output [cannot_write]\n")
+                files = [path for path in self.dir.rglob("*") if path.is_file()]
+                self.assertEqual(sorted(path.name for path in files), ["part.step", "plates.json"])
+
+    def test_files_appear_though_nobody_reads_the_report(self):
+        self.angle()
+        read, write = os.pipe()
+        os.close(read)
+        with os.fdopen(write, "wb") as nobody:
+            subprocess.run([CLI, "unfold", "part.step", "--json", "-"], cwd=self.dir, stdout=nobody,
+                           stderr=subprocess.PIPE, timeout=SECONDS, check=False)
+        self.assertEqual(self.names(), ["part.dxf", "part.step"])
 
 
 class Interrupted(CliTest):

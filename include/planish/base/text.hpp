@@ -24,6 +24,9 @@ std::string counted(Count count, std::string_view noun) {
   return counted(static_cast<double>(count), noun);
 }
 
+/// Without the mark (U+FEFF) that some editors write before text in UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// With ASCII letters in lower case; other bytes stay.
 std::string lower_case(std::string_view text);
 

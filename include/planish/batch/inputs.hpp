@@ -37,13 +37,14 @@ struct Inputs {
 };
 
 /// The files that words of a command line stand for, each once, in the byte order of their names:
-/// files; folders, with all STEP files and makers' JSON files below them; lists ("@parts.txt": a
-/// word a line, relative to the list's folder, # begins a comment; " x20" behind it: 20 of each).
+/// files; folders, with all STEP files and makers' JSON files below them; of packed files that hold
+/// several, each STEP file; lists ("@parts.txt" in UTF-8: a word a line, relative to the list's
+/// folder, in quotes if wanted, # begins a comment; " x20" behind it: 20 of each).
 /// All else in a folder is passed over, and so is a folder that cannot be read; nobody hears of
 /// what is hidden. `out` is the folder of the results. Errors: `cannot_read` (a word that is no
 /// file or folder, a list that cannot be read), `no_input` (there are none), `bad_option` (two of
 /// one name; `out` in one of the folders), `invalid_input` (a file that lists name with different
-/// quantities).
+/// quantities; a list that is no text in UTF-8).
 Result<Inputs> inputs_of(const std::vector<std::string>& words, const std::filesystem::path& out,
                          const job::Catalogue& catalogue);
 

@@ -48,9 +48,10 @@ struct StepFile {
 };
 
 /// Reads a STEP file (AP203, AP214, AP242), or a shape in the kernel's own form (.brep, text or
-/// binary; lengths are mm), also packed: by gzip, or alone in a ZIP archive. Identical bodies are
-/// merged (`quantity`); mirror images are not identical. Errors: `cannot_read`, `empty_file`,
-/// `not_step`, `truncated_file`, `invalid_input`, `shell_not_solid`, `no_solid`, `cancelled`.
+/// binary; lengths are mm), also packed: by gzip, alone in a ZIP archive, or as the path names it
+/// there ("parts.zip/left.step"). Identical bodies are merged (`quantity`); mirror images are not
+/// identical. Errors: `cannot_read`, `empty_file`, `not_step`, `truncated_file`, `invalid_input`,
+/// `shell_not_solid`, `no_solid`, `cancelled`.
 Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress = {});
 /// The same from memory; `name` is used in messages.
 Result<StepFile> read_step_text(const std::string& text, const std::string& name,
