@@ -1,5 +1,6 @@
 #include "guarded.hpp"
 #include "step_out.hpp"
+#include "support/bent_bracket.hpp"
 
 #include <planish/brep/step.hpp>
 #include <planish/sheet/pattern_facts.hpp>
@@ -146,33 +147,11 @@ TEST(RoundedEdges, ThatAreOneFaceFromSkinToSkinReachToTheirMiddle) {
   EXPECT_NEAR(outer_cutting_length(both), 320.0, 1e-6);
 }
 
-/// Bent up by 90° between two flanges of 40 mm, 60 mm wide.
-TopoDS_Shape bent_bracket() {
-  const double t = 2, r = 6, length = 40, x = length + r + t, z = t + r;
-  const double root = std::sqrt(0.5);
-  const auto at = [](double px, double pz) { return gp_Pnt(px, 0, pz); };
-  BRepBuilderAPI_MakeWire wire;
-  const auto line = [&](const gp_Pnt& a, const gp_Pnt& b) {
-    wire.Add(BRepBuilderAPI_MakeEdge(a, b).Edge());
-  };
-  const auto bend = [&](const gp_Pnt& a, double radius, const gp_Pnt& b) {
-    const gp_Pnt middle = at(length + radius * root, z - radius * root);
-    wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(a, middle, b).Value()).Edge());
-  };
-  line(at(0, 0), at(length, 0));
-  bend(at(length, 0), r + t, at(x, z));
-  line(at(x, z), at(x, z + length));
-  line(at(x, z + length), at(x - t, z + length));
-  line(at(x - t, z + length), at(x - t, z));
-  bend(at(x - t, z), r, at(length, t));
-  line(at(length, t), at(0, t));
-  line(at(0, t), at(0, 0));
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 60, 0))
-      .Shape();
-}
+constexpr BentBracket kBracket{
+    .thickness = 2, .inside_radius = 6, .first = 40, .second = 40, .width = 60};
 
 TEST(RoundedEdges, GoRoundBends) {
-  expect_same_blank(bent_bracket(), [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) {
+  expect_same_blank(bent_bracket(kBracket), [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) {
     if (a.Distance(b) < 2 + 1e-6) return false;
     const auto all = [&](const std::function<bool(const gp_Pnt&)>& on) {
       return on(a) && on(m) && on(b);
@@ -185,7 +164,8 @@ TEST(RoundedEdges, GoRoundBends) {
 }
 
 TEST(RoundedEdges, OfAWindowAcrossABendLeaveIt) {
-  const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(), block({30, 24, -1}, {60, 36, 30}));
+  const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kBracket),
+                                            block({30, 24, -1}, {60, 36, 30}));
   expect_same_blank(part, [](const gp_Pnt& a, const gp_Pnt& m, const gp_Pnt& b) {
     const auto within = [](const gp_Pnt& p) { return p.Y() > 23.9 && p.Y() < 36.1; };
     return within(a) && within(m) && within(b) && std::abs(a.Distance(b) - 2) > 1e-6;
@@ -204,7 +184,7 @@ TEST(RoundedEdges, OfARolledSheetLeaveItsOutline) {
 TEST(RoundedEdges, OfADrilledHoleInABendLeaveAnOpening) {
   const double root = std::sqrt(0.5);
   const gp_Ax2 axis(gp_Pnt(40 + 2 * root, 30, 8 - 2 * root), gp_Dir(root, 0, -root));
-  const TopoDS_Shape drilled = BRepAlgoAPI_Cut(bent_bracket(),
+  const TopoDS_Shape drilled = BRepAlgoAPI_Cut(bent_bracket(kBracket),
                                                BRepPrimAPI_MakeCylinder(axis, 3, 12).Shape());
   const FlatPattern plain = pattern_of(drilled);
   const Wanted of_hole = [](const gp_Pnt& a, const gp_Pnt&, const gp_Pnt& b) {

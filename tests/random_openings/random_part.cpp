@@ -1,5 +1,7 @@
 #include "random_part.hpp"
 
+#include "support/bent_bracket.hpp"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -468,33 +470,14 @@ void add_plate(Random& random, Part& part) {
 void add_bracket(Random& random, Part& part) {
   const double t = part.thickness, r = random.between(0.5, 2.0) * t;
   const double first = kCell * (1 + random.below(2)), second = kCell, width = 2 * kCell;
-  const double x = first + r + t, z = t + r;
-  const auto at = [](double px, double pz) { return gp_Pnt(px, 0.0, pz); };
-  const double root = std::sqrt(0.5);
-  BRepBuilderAPI_MakeWire wire;
-  const auto line = [&](const gp_Pnt& a, const gp_Pnt& b) {
-    wire.Add(BRepBuilderAPI_MakeEdge(a, b).Edge());
-  };
-  const auto arc = [&](const gp_Pnt& a, double radius, const gp_Pnt& b) {
-    const gp_Pnt m = at(first + radius * root, z - radius * root);
-    wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(a, m, b).Value()).Edge());
-  };
-  line(at(0, 0), at(first, 0));
-  arc(at(first, 0), r + t, at(x, z));
-  line(at(x, z), at(x, z + second));
-  line(at(x, z + second), at(x - t, z + second));
-  line(at(x - t, z + second), at(x - t, z));
-  arc(at(x - t, z), r, at(first, t));
-  line(at(first, t), at(0, t));
-  line(at(0, t), at(0, 0));
-  const TopoDS_Face face = BRepBuilderAPI_MakeFace(wire.Wire()).Face();
-  part.shape = BRepPrimAPI_MakePrism(face, gp_Vec(0, width, 0)).Shape();
+  part.shape = test::bent_bracket({t, r, first, second, width});
   part.how = fmt::format("bracket, inside radius {:.2f}", r);
   const double run = first + second + (r + t / 2) * pi / 2;
   part.blank_area = width * run;
   part.blank_perimeter = 2 * (width + run);
   part.flanges = {{gp_Ax3(), {first, width}},
-                  {gp_Ax3(at(x, z), gp_Dir(-1, 0, 0), gp_Dir(0, 0, 1)), {second, width}}};
+                  {gp_Ax3(gp_Pnt(first + r + t, 0, t + r), gp_Dir(-1, 0, 0), gp_Dir(0, 0, 1)),
+                   {second, width}}};
   if (!random.one_in(3)) return;
   // Both long sides, along both skins and round the bend.
   Side side{random.one_in(2) ? Edge::fillet : Edge::chamfer, random.between(0.05, 0.4) * t, 0.0};
