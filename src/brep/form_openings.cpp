@@ -93,28 +93,12 @@ Vec2 centroid(const std::vector<Vec2>& ring) {
   return ring.front() + sum / area;
 }
 
-Curve2 scaled_about(Curve2 curve, const Vec2& centre, double factor) {
-  const auto moved = [&](const Vec2& p) -> Vec2 { return centre + factor * (p - centre); };
-  if (auto* segment = std::get_if<Segment>(&curve)) {
-    *segment = {moved(segment->a), moved(segment->b)};
-  } else if (auto* arc = std::get_if<Arc>(&curve)) {
-    arc->center = moved(arc->center);
-    arc->radius *= factor;
-  } else {
-    for (Vec2& pole : std::get<CubicSpline>(curve).poles)
-      pole = moved(pole);
-  }
-  return curve;
-}
-
 /// The section shrunk about its centroid to an area: a circle about the middle of a round one.
 Loop shrunk(const Section& section, double area, double chord) {
   const Vec2 centre = section.loop.size() == 1 && std::holds_alternative<Arc>(section.loop.front())
                           ? std::get<Arc>(section.loop.front()).center
                           : centroid(sampled(section.loop, chord));
-  return mapped(section.loop, [&](const Curve2& curve) {
-    return scaled_about(curve, centre, std::sqrt(area / section.area));
-  });
+  return scaled(section.loop, std::sqrt(area / section.area), centre);
 }
 
 BorderLoop as_borders(const Loop& loop) {

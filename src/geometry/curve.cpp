@@ -224,6 +224,25 @@ Loop transformed(const Loop& loop, const Isometry2& motion) {
   return mapped(loop, [&](const Curve2& curve) { return transformed(curve, motion); });
 }
 
+Curve2 scaled(const Curve2& curve, double factor, const Vec2& about) {
+  const auto moved = [&](const Vec2& p) -> Vec2 { return about + factor * (p - about); };
+  Curve2 made = curve;
+  if (auto* segment = std::get_if<Segment>(&made)) {
+    *segment = {moved(segment->a), moved(segment->b)};
+  } else if (auto* arc = std::get_if<Arc>(&made)) {
+    arc->center = moved(arc->center);
+    arc->radius *= factor;
+  } else {
+    for (Vec2& pole : std::get<CubicSpline>(made).poles)
+      pole = moved(pole);
+  }
+  return made;
+}
+
+Loop scaled(const Loop& loop, double factor, const Vec2& about) {
+  return mapped(loop, [&](const Curve2& curve) { return scaled(curve, factor, about); });
+}
+
 std::vector<Vec2> sampled(const Curve2& curve, double chord) {
   PLANISH_ASSERT(chord > 0.0);
   return std::visit(Overloaded{

@@ -57,20 +57,6 @@ Loop with_short_arcs(const Loop& loop) {
   return result;
 }
 
-Curve2 scaled(Curve2 curve, double scale) {
-  if (auto* s = std::get_if<Segment>(&curve)) {
-    s->a *= scale;
-    s->b *= scale;
-  } else if (auto* arc = std::get_if<Arc>(&curve)) {
-    arc->center *= scale;
-    arc->radius *= scale;
-  } else {
-    for (Vec2& pole : std::get<CubicSpline>(curve).poles)
-      pole *= scale;
-  }
-  return curve;
-}
-
 /// Where `next` starts. Prefers the end that is a stored point to one computed from an arc's angle,
 /// so that the designer's coordinates are written.
 Vec2 joint(const Curve2& previous, const Curve2& next) {

@@ -58,6 +58,15 @@ RC_GTEST_PROP(RigidMotion, MovesEveryPoint, ()) {
             1e-12 * (extent(c) + expected.norm()));
 }
 
+RC_GTEST_PROP(Scaled, MovesEveryPointAwayFromTheMiddle, ()) {
+  const Curve2 c = *any_curve();
+  const Vec2 about = *point_in(-100, 100);
+  const double factor = *test::number_in(0.01, 100), t = *test::number_in(0, 1);
+  const Vec2 expected = about + factor * (point_at(c, t) - about);
+  RC_ASSERT((point_at(scaled(c, factor, about), t) - expected).norm() <=
+            1e-12 * (factor * (extent(c) + about.norm()) + expected.norm()));
+}
+
 RC_GTEST_PROP(Reversed, RunsThroughTheSamePointsBackwards, ()) {
   const Curve2 c = *any_curve();
   const double t = *test::number_in(0, 1);

@@ -74,23 +74,6 @@ inline rc::Gen<Isometry2> any_motion() {
   });
 }
 
-inline Curve2 scaled(const Curve2& curve, double factor) {
-  if (const auto* s = std::get_if<Segment>(&curve)) return Segment{factor * s->a, factor * s->b};
-  if (const auto* a = std::get_if<Arc>(&curve)) {
-    return Arc{factor * a->center, factor * a->radius, a->start, a->sweep};
-  }
-  CubicSpline s = std::get<CubicSpline>(curve);
-  for (Vec2& pole : s.poles)
-    pole *= factor;
-  return s;
-}
-inline Loop scaled(const Loop& loop, double factor) {
-  Loop made;
-  for (const Curve2& c : loop)
-    made.push_back(scaled(c, factor));
-  return made;
-}
-
 /// The size rounding is measured against: of the shape and of its coordinates.
 inline double extent(const Curve2& curve) {
   const Box2 box = bounds(curve);

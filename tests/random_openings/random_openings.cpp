@@ -103,28 +103,14 @@ std::string wrong_outline(const FlatPattern& flat, const Part& part) {
 }
 
 /// An opening drawn 0.2 mm larger or smaller about its middle.
-Curve2 scaled(Curve2 curve, const Vec2& about, double factor) {
-  const auto moved = [&](const Vec2& p) -> Vec2 { return about + factor * (p - about); };
-  if (auto* segment = std::get_if<Segment>(&curve)) {
-    *segment = {moved(segment->a), moved(segment->b)};
-  } else if (auto* arc = std::get_if<Arc>(&curve)) {
-    arc->center = moved(arc->center);
-    arc->radius *= factor;
-  } else {
-    for (Vec2& pole : std::get<CubicSpline>(curve).poles)
-      pole = moved(pole);
-  }
-  return curve;
-}
-
 std::string unnoticed(const Sheet& sheet, const FlatPattern& flat) {
   for (std::size_t i = 0; i < flat.openings.size(); ++i)
     for (const double by : {-0.2, 0.2}) {
       FlatPattern wrong = flat;
       const Box2 box = bounds(flat.openings[i].loop);
       const double factor = 1.0 + by / box.size().maxCoeff();
-      for (Curve2& curve : wrong.openings[i].loop)
-        curve = scaled(curve, (box.lo + box.hi) / 2, factor);
+      Loop& loop = wrong.openings[i].loop;
+      loop = scaled(loop, factor, (box.lo + box.hi) / 2);
       const auto certificate = certify(sheet, wrong, {});
       if (!certificate || certificate->opening_error.value_or(0.0) < 0.02)
         return fmt::format("an opening wrong by {} mm is not noticed", by);

@@ -59,6 +59,9 @@ Loop reversed(const Loop& loop);
 /// Exact for segments, arcs and splines; reflections reverse an arc's sweep.
 Curve2 transformed(const Curve2& curve, const Isometry2& motion);
 Loop transformed(const Loop& loop, const Isometry2& motion);
+/// Scaled by a factor above 0 about a point. Exact for segments, arcs and splines.
+Curve2 scaled(const Curve2& curve, double factor, const Vec2& about = Vec2::Zero());
+Loop scaled(const Loop& loop, double factor, const Vec2& about = Vec2::Zero());
 
 /// Length: exact for segments and arcs, relative error below 1e-12 for splines (adaptive Gauss).
 double length(const Curve2& curve);
