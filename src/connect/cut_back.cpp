@@ -23,10 +23,11 @@ struct Piece {
 };
 
 struct Side {
+  int number = 0;
   Vec2 start, along, inwards;
   double length = 0.0;
   std::vector<Piece> pieces;
-  double corner = 0.0;  ///< cut off at its start
+  double corner = 0.0, square = 0.0;  ///< cut off at its start
 
   Vec2 at(double x, double depth) const { return start + x * along + depth * inwards; }
 };
@@ -113,12 +114,16 @@ void settle_corners(std::vector<Side>& sides) {
   }
 }
 
-std::vector<Side> sides(const PlacedPlate& plate, const std::vector<EdgeCut>& cuts, double relief) {
+std::vector<Side> sides(const PlacedPlate& plate, int ring, const std::vector<EdgeCut>& cuts,
+                        double relief) {
   std::vector<Side> all;
-  const std::size_t n = plate.outline.size();
+  const std::vector<Vec2>& corners = plate.ring(ring);
+  const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 &a = plate.outline[i], &b = plate.outline[(i + 1) % n];
-    Side side{a, (b - a).normalized(), {}, (b - a).norm(), {}, cuts[i].corner};
+    const Vec2 &a = corners[i], &b = corners[(i + 1) % n];
+    const int number = plate.edge_number({ring, static_cast<int>(i)});
+    Side side{number,         a,  (b - a).normalized(), {},
+              (b - a).norm(), {}, cuts[i].corner,       cuts[i].square};
     side.inwards = Vec2(-side.along.y(), side.along.x());
     side.pieces = pieces_of(cuts[i].strips, side.length, relief);
     all.push_back(std::move(side));
@@ -127,14 +132,63 @@ std::vector<Side> sides(const PlacedPlate& plate, const std::vector<EdgeCut>& cu
   return all;
 }
 
-/// Where an edge begins after another one: one point, or two with a new edge between.
-std::vector<Vec2> corner_between(const Side& before, const Side& after) {
+/// Beside a strip that ends at a corner which turns inwards, the edge there would press on the
+/// bend: a relief, from that edge to the strip's end, where `along` and `inwards` begin.
+std::vector<Vec2> relief_at(const Vec2& along, const Vec2& inwards, double depth,
+                            const Vec2& beside, double length, double relief) {
+  const double deeper = kDeeper * relief, out = -beside.dot(inwards), on = beside.dot(along);
+  std::vector<Vec2> local{{-relief, depth + deeper}, {0.0, depth + deeper}, {0.0, depth}};
+  double used = deeper / out;
+  if (used * on > -relief) {
+    local.insert(local.begin(), {{used * on, -deeper}, {-relief, -deeper}});
+  } else {
+    used = -relief / on;
+    local.insert(local.begin(), {-relief, -used * out});
+  }
+  if (used > 0.5 * length) return {};
+  return mapped(local, [&](const Vec2& p) -> Vec2 { return p.x() * along + p.y() * inwards; });
+}
+
+std::vector<Vec2> relief_between(const Side& before, const Side& after, double relief) {
+  const Piece &last = before.pieces.back(), &first = after.pieces.front();
+  constexpr double kTurns = 0.02;  // sine
+  if (last.is_strip == first.is_strip || cross(before.along, after.along) > -kTurns) return {};
+  std::vector<Vec2> points = first.is_strip ? relief_at(after.along, after.inwards, first.depth,
+                                                        -before.along, before.length, relief)
+                                            : relief_at(-before.along, before.inwards, last.depth,
+                                                        after.along, after.length, relief);
+  if (last.is_strip) std::ranges::reverse(points);
+  for (Vec2& p : points)
+    p += after.start;
+  return points;
+}
+
+/// A corner cut off square to both of its edges; an obtuse one no deeper than twice its width.
+std::vector<Vec2> square_corner(const Side& before, const Side& after) {
+  constexpr double kDeepest = 2.0;
+  const double width = after.square, turn = cross(before.along, after.along);
+  const double depth = width * (1.0 + before.along.dot(after.along)) / turn;
+  std::vector<Vec2> points{before.at(before.length - width, 0.0)};
+  if (depth <= kDeepest * width) {
+    points.push_back(after.at(width, depth));
+  } else {
+    points.push_back(before.at(before.length - width, kDeepest * width));
+    points.push_back(after.at(width, kDeepest * width));
+  }
+  points.push_back(after.at(width, 0.0));
+  return points;
+}
+
+/// Where an edge begins after another one: one point, or several with new edges between.
+std::vector<Vec2> corner_between(const Side& before, const Side& after, double relief) {
   const double in = before.pieces.back().depth, out = after.pieces.front().depth;
   const Vec2 p = before.at(before.length, in), q = after.at(0.0, out);
   if (in == 0.0 && out == 0.0) {
+    if (after.square > 0.0) return square_corner(before, after);
     if (after.corner == 0.0) return {after.start};
     return {before.at(before.length - after.corner, 0.0), after.at(after.corner, 0.0)};
   }
+  if (auto notch = relief_between(before, after, relief); !notch.empty()) return notch;
   const double turn = cross(before.along, after.along);
   if (std::abs(turn) <= tolerance::kComputed) return in == out ? std::vector{q} : std::vector{p, q};
   return {p + cross(q - p, after.along) / turn * before.along};
@@ -144,65 +198,94 @@ std::vector<Vec2> corner_between(const Side& before, const Side& after) {
 struct Numbered {
   std::vector<Vec2> corners;
   std::vector<int> numbers;
-  int next = 0;  ///< number of the next new edge
-  std::vector<int> cut_corners = {};
-
-  void add(const Vec2& corner, std::optional<int> number) {
-    corners.push_back(corner);
-    numbers.push_back(number ? *number : next++);
-  }
 };
 
-Numbered outline_of(const std::vector<Side>& sides, int first_new) {
-  Numbered outline{{}, {}, first_new};
+/// Numbers new edges on from `next`, and notes those of corners that were cut off.
+Numbered ring_of(const std::vector<Side>& sides, double relief, int& next,
+                 std::vector<int>& cut_corners) {
+  Numbered ring;
+  const auto add = [&](const Vec2& corner, std::optional<int> number) {
+    ring.corners.push_back(corner);
+    ring.numbers.push_back(number ? *number : next++);
+  };
   const std::size_t n = sides.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Side& side = sides[i];
     const auto number = [&](const Piece& piece) {
-      return piece.keeps_number ? std::optional(static_cast<int>(i)) : std::nullopt;
+      return piece.keeps_number ? std::optional(side.number) : std::nullopt;
     };
-    const auto start = corner_between(sides[(i + n - 1) % n], side);
-    if (start.size() > 1 && side.corner > 0.0) outline.cut_corners.push_back(outline.next);
-    if (start.size() > 1) outline.add(start.front(), std::nullopt);
-    outline.add(start.back(), number(side.pieces.front()));
+    const auto start = corner_between(sides[(i + n - 1) % n], side, relief);
+    for (std::size_t k = 0; k + 1 < start.size(); ++k) {
+      if (side.corner + side.square > 0.0) cut_corners.push_back(next);
+      add(start[k], std::nullopt);
+    }
+    add(start.back(), number(side.pieces.front()));
     for (std::size_t k = 1; k < side.pieces.size(); ++k) {
       const Piece &last = side.pieces[k - 1], &piece = side.pieces[k];
-      if (last.depth != piece.depth) outline.add(side.at(piece.from, last.depth), std::nullopt);
-      outline.add(side.at(piece.from, piece.depth), number(piece));
+      if (last.depth != piece.depth) add(side.at(piece.from, last.depth), std::nullopt);
+      add(side.at(piece.from, piece.depth), number(piece));
     }
   }
-  return outline;
+  return ring;
 }
 
-bool remains_whole(const PlacedPlate& plate, const std::vector<Vec2>& outline) {
-  const std::size_t n = outline.size();
+bool remains_simple(const std::vector<Vec2>& before, const std::vector<Vec2>& ring, double extent) {
+  const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
-    if ((outline[(i + 1) % n] - outline[i]).norm() <= tolerance::kFileDigits * plate.extent)
+    if ((ring[(i + 1) % n] - ring[i]).norm() <= tolerance::kFileDigits * extent) return false;
+  return self_crossings(ring).empty() && ring_area(ring) * ring_area(before) > 0.0;
+}
+
+/// Whether the rings of a plate lie apart, as they were: the holes in the outline, beside each
+/// other.
+bool lie_apart(const PlacedPlate& plate) {
+  const auto outside = [](const std::vector<Vec2>& ring) {
+    return [&ring](const Vec2& p) { return !inside({ring}, p); };
+  };
+  for (std::size_t h = 0; h < plate.holes.size(); ++h) {
+    if (std::ranges::any_of(plate.holes[h], outside(plate.outline)) ||
+        !std::ranges::all_of(plate.outline, outside(plate.holes[h])))
       return false;
-  if (!self_crossings(outline).empty() || ring_area(outline) <= 0.0) return false;
-  return std::ranges::all_of(plate.holes, [&](const std::vector<Vec2>& hole) {
-    return std::ranges::all_of(hole, [&](const Vec2& p) { return inside({outline}, p); });
-  });
+    for (std::size_t k = 0; k < plate.holes.size(); ++k)
+      if (k != h && !std::ranges::all_of(plate.holes[k], outside(plate.holes[h]))) return false;
+  }
+  return true;
+}
+
+/// A plate cut back; empty if it would not remain whole.
+std::optional<PlacedPlate> cut_plate(const PlacedPlate& plate, const PlateCuts& cuts,
+                                     double relief) {
+  PlacedPlate cut = plate;
+  int next = plate.all_edges();
+  for (int r = 0; r < plate.ring_count(); ++r) {
+    if (!plate.is_polygon(r)) {
+      cut.numbers.emplace_back();
+      continue;
+    }
+    Numbered ring = ring_of(sides(plate, r, cuts[r], relief), relief, next, cut.cut_corners);
+    if (!remains_simple(plate.ring(r), ring.corners, plate.extent)) return std::nullopt;
+    (r == 0 ? cut.outline : cut.holes[r - 1]) = std::move(ring.corners);
+    cut.numbers.push_back(std::move(ring.numbers));
+  }
+  if (!lie_apart(cut)) return std::nullopt;
+  cut.area = ring_area(cut.outline);
+  return cut;
 }
 
 }  // namespace
 
-std::optional<double> cut_back(PlacedPlate& plate, const std::vector<EdgeCut>& cuts,
-                               double relief) {
+std::optional<double> cut_back(PlacedPlate& plate, const PlateCuts& cuts, double relief) {
   double deepest = 0.0;
-  for (const EdgeCut& cut : cuts) {
-    deepest = std::max(deepest, cut.corner);
-    for (const CutStrip& strip : cut.strips)
-      deepest = std::max(deepest, strip.depth);
-  }
+  for (const std::vector<EdgeCut>& ring : cuts)
+    for (const EdgeCut& cut : ring) {
+      deepest = std::max({deepest, cut.corner, cut.square});
+      for (const CutStrip& strip : cut.strips)
+        deepest = std::max(deepest, strip.depth);
+    }
   if (deepest == 0.0) return std::nullopt;
-  Numbered outline = outline_of(sides(plate, cuts, relief), plate.all_edges());
-  if (!remains_whole(plate, outline.corners)) return std::nullopt;
-  plate.given_edges = plate.edges_of(0);
-  plate.outline = std::move(outline.corners);
-  plate.numbers = std::move(outline.numbers);
-  plate.cut_corners = std::move(outline.cut_corners);
-  plate.area = ring_area(plate.outline);
+  auto cut = cut_plate(plate, cuts, relief);
+  if (!cut) return std::nullopt;
+  plate = std::move(*cut);
   return deepest;
 }
 

@@ -100,20 +100,20 @@ void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   const bool ascending = corners.front().x() < corners.back().x();
   const double height = fold.reference_inside ? 0.0 : -2.0 * fold.reach;
   const double from = ascending ? fold.low : fold.high, to = ascending ? fold.high : fold.low;
-  const int n = plate.edge_count(), edge = on.fit->runs[on.side].first;
+  const EdgePlace edge{on.fit->runs[on.side].ring, on.fit->runs[on.side].first};
   const auto& at_corner = fold.at_corner[on.side];
   // On the edge beside a corner of the plate, at the height of the fold; else on the run.
   const auto step = [&](const Vec2& corner, int beyond, bool corner_here, double end) -> Vec2 {
     if (!fold.reference_inside || !corner_here) return {end, corner.y()};
-    const Vec2 far = on.fit->surface.local(on.side, plate.corner((beyond + n) % n));
+    const Vec2 far = on.fit->surface.local(on.side, plate.corner(edge, beyond));
     const double share = corner.y() / (far.y() - corner.y());
     return {corner.x() - share * (far.x() - corner.x()), 0.0};
   };
   const std::vector<Vec2> path{corners.front(),
-                               step(corners.front(), edge - 1, at_corner[ascending ? 0 : 1], from),
+                               step(corners.front(), -1, at_corner[ascending ? 0 : 1], from),
                                {from, height},
                                {to, height},
-                               step(corners.back(), edge + 2, at_corner[ascending ? 1 : 0], to),
+                               step(corners.back(), 2, at_corner[ascending ? 1 : 0], to),
                                corners.back()};
   for (std::size_t j = 0; j + 1 < path.size(); ++j)
     append(outline, plate.frame.local2(on.fit->surface.point(on.side, path[j])),

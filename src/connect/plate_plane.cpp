@@ -267,8 +267,12 @@ Eigen::AlignedBox3d PlacedPlate::box() const {
   return box;
 }
 
+Vec3 PlacedPlate::corner(const EdgePlace& edge, int further) const {
+  const int n = static_cast<int>(ring(edge.ring).size());
+  return frame.point(ring(edge.ring)[((edge.corner + further) % n + n) % n]);
+}
+
 int PlacedPlate::edges_of(int r) const {
-  if (r == 0 && !numbers.empty()) return given_edges;
   return is_polygon(r) ? static_cast<int>(ring(r).size()) : 0;
 }
 
@@ -276,22 +280,23 @@ int PlacedPlate::all_edges() const {
   int count = 0;
   for (int r = 0; r < ring_count(); ++r)
     count += edges_of(r);
-  return numbers.empty() ? count : std::max(count, 1 + std::ranges::max(numbers));
+  return count;
 }
 
 int PlacedPlate::edge_number(const EdgePlace& place) const {
-  if (place.ring == 0) return numbers.empty() ? place.corner : numbers[place.corner];
+  if (!numbers.empty()) return numbers[place.ring][place.corner];
   int before = 0;
   for (int r = 0; r < place.ring; ++r)
     before += edges_of(r);
-  const bool other_way = turned[place.ring - 1];
+  const bool other_way = place.ring > 0 && turned[place.ring - 1];
   const int count = edges_of(place.ring);
   return before + (other_way ? renumbered(place.corner, count) : place.corner);
 }
 
 EdgePlace PlacedPlate::place_of(int edge) const {
-  if (const auto known = std::ranges::find(numbers, edge); known != numbers.end())
-    return {0, static_cast<int>(known - numbers.begin())};
+  for (int r = 0; r < std::ssize(numbers); ++r)
+    if (const auto known = std::ranges::find(numbers[r], edge); known != numbers[r].end())
+      return {r, static_cast<int>(known - numbers[r].begin())};
   int r = 0;
   while (edge >= edges_of(r))
     edge -= edges_of(r++);

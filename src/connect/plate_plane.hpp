@@ -25,14 +25,14 @@ struct PlacedPlate {
   std::vector<std::vector<Vec2>> holes;
   std::vector<bool> turned;  ///< by hole: it runs against the plate's order
   std::vector<Loop> shapes;  ///< by hole: its curves, if it is no polygon; then it has no edges
-  /// Of a trimmed outline: its edges' numbers, and how many edges it had before.
-  std::vector<int> numbers;
-  int given_edges = 0;
-  std::vector<int> cut_corners = {};  ///< numbers of those where only a corner was cut off
-  double extent = 0.0;                ///< diagonal of its bounding box, mm
+  std::vector<std::vector<int>> numbers;  ///< of the edges of a trimmed plate, by ring
+  std::vector<int> cut_corners = {};      ///< numbers of those where only a corner was cut off
+  double extent = 0.0;                    ///< diagonal of its bounding box, mm
   double area = 0.0;
 
   Vec3 corner(int i) const { return frame.point(outline[i]); }
+  /// The corner at which an edge begins, or one so many further on around its ring.
+  Vec3 corner(const EdgePlace& edge, int further = 0) const;
   Eigen::AlignedBox3d box() const;  ///< of the outline, in space
   bool is_polygon(int ring) const { return ring == 0 || shapes[ring - 1].empty(); }
   /// Edges of a ring that can carry a bend.

@@ -74,13 +74,12 @@ std::optional<Common> longest_common(const FitTask& task, const ConnectOptions& 
 }
 
 /// The edge beside a corner of the fold, from there.
-Segment edge_beside(const PlacedPlate& plate, const BendFrame& frame, int side, int edge,
-                    bool at_low) {
-  const int n = plate.edge_count();
-  const auto at = [&](int i) { return frame.local(side, plate.corner((i % n + n) % n)); };
-  const bool ascending = at(edge).x() < at(edge + 1).x();
+Segment edge_beside(const PlacedPlate& plate, const BendFrame& frame, int side,
+                    const EdgePlace& edge, bool at_low) {
+  const auto at = [&](int further) { return frame.local(side, plate.corner(edge, further)); };
+  const bool ascending = at(0).x() < at(1).x();
   const bool first = ascending == at_low;
-  return {first ? at(edge) : at(edge + 1), first ? at(edge - 1) : at(edge + 2)};
+  return {first ? at(0) : at(1), first ? at(-1) : at(2)};
 }
 
 /// Where it crosses the line at the height `reach`; empty if the plate ends below that.
@@ -102,12 +101,11 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
             .high = common.high};
   for (int side = 0; side < 2; ++side) {
     const PlacedPlate& plate = *task.plates[side];
-    const int edge = common.edges[side];
+    const EdgePlace edge = plate.place_of(common.edges[side]);
     const double near = near_line(plate);
-    const auto x = [&](int i) {
-      return common.frame.local(side, plate.corner(i % plate.edge_count())).x();
-    };
-    const double from = std::min(x(edge), x(edge + 1)), to = std::max(x(edge), x(edge + 1));
+    const double first = common.frame.local(side, plate.corner(edge)).x();
+    const double last = common.frame.local(side, plate.corner(edge, 1)).x();
+    const double from = std::min(first, last), to = std::max(first, last);
     for (const bool low : {true, false}) {
       const Segment beside = edge_beside(plate, common.frame, side, edge, low);
       // A plate that goes on past the line beside the fold is cut as if inside an edge.

@@ -3,6 +3,7 @@
 #include "bend_frame.hpp"
 #include "cut_back.hpp"
 #include "tolerances.hpp"
+#include "touches.hpp"
 
 #include <planish/base/union_find.hpp>
 #include <planish/geometry/plane.hpp>
@@ -12,10 +13,11 @@
 #include <optional>
 #include <utility>
 
-// Where plates touch as a designer draws a box, and by how much each has to give way. A bend of the
-// radius R of the middle surface touches both plates R / tan(β/2) from the line in which their
-// planes meet; as much is cut off along an edge that they share. At a corner that they share the
-// edges run up to that line, so the corner is cut off where a bend would still have that radius.
+// By how much plates that touch give way. A bend of the radius R of the middle surface touches both
+// plates R / tan(β/2) from the line in which their planes meet; as much is cut off along an edge
+// that they share. At a corner that they share the edges run up to that line, so the corner is cut
+// off where a bend would still have that radius. Edges that are folded stay, and are cut back when
+// the fold is fitted: so where two folds of a plate meet, its corner is cut off square to them.
 
 namespace planish::connect_detail {
 namespace {
@@ -24,71 +26,48 @@ namespace {
 constexpr double kMostCut = 0.25;
 // Edges at less than this angle (sine) to the intersection line run along it.
 constexpr double kAlong = 0.02;
-// Edges and corners nearer than this are meant to be one, mm: drawings are rounded.
-constexpr double kTouching = 0.05;
-
-struct Line {
-  Vec3 from, to;
-  double length() const { return (to - from).norm(); }
-  Vec3 along() const { return (to - from).normalized(); }
-  double off(const Vec3& p) const { return (p - from).cross(along()).norm(); }
-};
-
-Line edge_of(const PlacedPlate& plate, int i) {
-  return {plate.corner(i), plate.corner((i + 1) % plate.edge_count())};
-}
+// Inside radius for which open joints beside folds are cut back, as a share of the thickness: the
+// relief between two folds at a right angle is then as wide as the sheet is thick.
+constexpr double kOpenRadius = 0.5;
 
 /// From an edge into its plate.
-Vec3 inwards(const PlacedPlate& plate, int i) {
-  return plate.frame.z.cross(edge_of(plate, i).along());
+Vec3 inwards(const PlacedPlate& plate, const EdgePlace& edge) {
+  return plate.frame.z.cross(edge_of(plate, edge).along());
 }
 
-/// From where to where edge i of one plate runs along edge j of the other; empty if it does not.
-std::optional<std::pair<double, double>> common(const Line& a, const Line& b, double least) {
-  if (a.off(b.from) > kTouching || a.off(b.to) > kTouching) return std::nullopt;
-  const double p = (b.from - a.from).dot(a.along()), q = (b.to - a.from).dot(a.along());
-  const double from = std::max(0.0, std::min(p, q)), to = std::min(a.length(), std::max(p, q));
-  if (to - from <= least) return std::nullopt;
-  return std::pair{from, to};
-}
+/// A corner of a plate at which a fold begins or ends.
+struct FoldEnd {
+  int plate = 0, ring = 0, corner = 0;
+  double reach = 0.0;  ///< by how much the fold cuts the plate back
+};
 
 class Trimming {
  public:
   Trimming(const PlateStructure& structure, const std::vector<PlacedPlate>& plates)
-      : structure_(structure),
-        plates_(plates),
-        cuts_(plates.size()),
-        touching_(static_cast<int>(plates.size())) {
-    for (std::size_t p = 0; p < plates.size(); ++p)
-      cuts_[p].resize(plates[p].outline.size());
-    for_each_pair([this](int a, int b) { find_shared_edges(a, b); });
-    for_each_pair([this](int a, int b) { find_shared_corners(a, b); });
+      : structure_(structure), plates_(plates), touches_(touches_of(structure, plates)) {
+    for (const PlacedPlate& plate : plates) {
+      PlateCuts& cuts = cuts_.emplace_back();
+      for (int r = 0; r < plate.ring_count(); ++r)
+        cuts.emplace_back(plate.ring(r).size());
+    }
+    for (const Touch& touch : touches_)
+      if (!touch.corner) cut_edges(touch);
+    for (const Touch& touch : touches_)
+      if (touch.corner) cut_corners(touch);
+    settle_folds();
   }
 
-  bool all_touch() {
-    for (int p = 1; p < std::ssize(plates_); ++p)
-      if (!touching_.same(p, 0)) return false;
-    return plates_.size() > 1;
+  bool all_touch() const {
+    UnionFind touching(static_cast<int>(plates_.size()));
+    for (const Touch& touch : touches_)
+      touching.unite(touch.plates[0], touch.plates[1]);
+    return plates_.size() > 1 && touching.count() == 1;
   }
 
-  const std::vector<EdgeCut>& cuts(std::size_t plate) const { return cuts_[plate]; }
+  const PlateCuts& cuts(std::size_t plate) const { return cuts_[plate]; }
   const std::vector<SharedEdge>& shared() const { return shared_; }
 
  private:
-  template <typename Look>
-  void for_each_pair(const Look& look) {
-    for (int a = 0; a < std::ssize(plates_); ++a)
-      for (int b = a + 1; b < std::ssize(plates_); ++b)
-        if (near(plates_[a], plates_[b]) &&
-            plane_pair(plates_[a], plates_[b], kDrawn) == PlanePair::crossing)
-          look(a, b);
-  }
-
-  static bool near(const PlacedPlate& a, const PlacedPlate& b) {
-    return a.box().intersects(Eigen::AlignedBox3d(b.box().min() - Vec3::Constant(kTouching),
-                                                  b.box().max() + Vec3::Constant(kTouching)));
-  }
-
   // The radius of the middle surface of the bend between two plates.
   double radius(int a, int b) const {
     std::optional<double> inside = structure_.defaults.inside_radius;
@@ -98,6 +77,7 @@ class Trimming {
       };
       if (joins(a) && joins(b) && bend.inside_radius) inside = bend.inside_radius;
     }
+    if (inside == 0.0) inside = kOpenRadius * structure_.thickness;
     return inside.value_or(structure_.thickness) + 0.5 * structure_.thickness;
   }
 
@@ -108,43 +88,52 @@ class Trimming {
     return cut;
   }
 
-  void find_shared_edges(int a, int b) {
-    for (int i = 0; i < plates_[a].edge_count(); ++i)
-      for (int j = 0; j < plates_[b].edge_count(); ++j) {
-        const Line first = edge_of(plates_[a], i), second = edge_of(plates_[b], j);
-        const auto on_first = common(first, second, structure_.thickness);
-        const auto on_second = common(second, first, structure_.thickness);
-        if (!on_first || !on_second) continue;
-        touching_.unite(a, b);
-        const auto cut = depth(a, b, inwards(plates_[a], i), inwards(plates_[b], j));
-        if (!cut) continue;
-        // Of edges that miss each other, one may reach over the line where the planes meet.
-        const double missed = std::max(first.off(second.from), first.off(second.to));
-        const double back = *cut + (missed > kDrawn ? missed : 0.0);
-        cuts_[a][i].strips.push_back({on_first->first, on_first->second, back});
-        cuts_[b][j].strips.push_back({on_second->first, on_second->second, back});
-        shared_.push_back({{a, b},
-                           first.from + on_first->first * first.along(),
-                           first.from + on_first->second * first.along()});
-      }
+  EdgeCut& cut_at(int plate, const EdgePlace& edge) { return cuts_[plate][edge.ring][edge.corner]; }
+
+  void cut_edges(const Touch& touch) {
+    const auto [a, b] = touch.plates;
+    const auto& [i, j] = touch.edges;
+    const Vec3 into_a = inwards(plates_[a], i), into_b = inwards(plates_[b], j);
+    const Line first = edge_of(plates_[a], i), second = edge_of(plates_[b], j);
+    if (touch.folded) {
+      note_fold(touch, 0.5 * structure_.thickness / std::tan(0.5 * angle_between(into_a, into_b)));
+    } else {
+      const auto cut = depth(a, b, into_a, into_b);
+      if (!cut) return;
+      // Of edges that miss each other, one may reach over the line where the planes meet.
+      const double missed = std::max(first.off(second.from), first.off(second.to));
+      const double back = *cut + (missed > kDrawn ? missed : 0.0);
+      cut_at(a, i).strips.push_back({touch.ranges[0][0], touch.ranges[0][1], back});
+      cut_at(b, j).strips.push_back({touch.ranges[1][0], touch.ranges[1][1], back});
+    }
+    shared_.push_back({{a, b},
+                       first.from + touch.ranges[0][0] * first.along(),
+                       first.from + touch.ranges[0][1] * first.along()});
   }
 
-  bool cut_already(int plate, int corner) const {
-    const int n = plates_[plate].edge_count();
-    return !cuts_[plate][corner].strips.empty() ||
-           !cuts_[plate][(corner + n - 1) % n].strips.empty();
+  EdgePlace before(int plate, const EdgePlace& edge) const {
+    const int n = static_cast<int>(plates_[plate].ring(edge.ring).size());
+    return {edge.ring, (edge.corner + n - 1) % n};
   }
 
-  void find_shared_corners(int a, int b) {
-    for (int i = 0; i < plates_[a].edge_count(); ++i)
-      for (int j = 0; j < plates_[b].edge_count(); ++j) {
-        if ((plates_[a].corner(i) - plates_[b].corner(j)).norm() > kTouching) continue;
-        touching_.unite(a, b);
-        if (cut_already(a, i) || cut_already(b, j)) continue;
-        cut_corner(a, i, b);
-        cut_corner(b, j, a);
-        shared_.push_back({{a, b}, plates_[a].corner(i), plates_[a].corner(i)});
-      }
+  bool cut_already(int plate, const EdgePlace& corner) {
+    return !cut_at(plate, corner).strips.empty() ||
+           !cut_at(plate, before(plate, corner)).strips.empty();
+  }
+
+  bool folded(int a, int b) const {
+    return std::ranges::any_of(touches_, [&](const Touch& touch) {
+      return touch.folded && touch.plates == std::array{a, b};
+    });
+  }
+
+  void cut_corners(const Touch& touch) {
+    const auto [a, b] = touch.plates;
+    const auto& [i, j] = touch.edges;
+    if (cut_already(a, i) || cut_already(b, j) || folded(a, b)) return;
+    cut_corner(a, i.corner, b);
+    cut_corner(b, j.corner, a);
+    shared_.push_back({{a, b}, plates_[a].corner(i.corner), plates_[a].corner(i.corner)});
   }
 
   // Where edges run from a shared corner away from the intersection line, they have the depth of
@@ -167,27 +156,99 @@ class Trimming {
       if (sine > kAlong) least = std::min(least, sine);
       shortest = std::min(shortest, edge.norm());
     }
-    double& corner_cut = cuts_[own][corner].corner;
+    double& corner_cut = cut_at(own, {0, corner}).corner;
     corner_cut = std::max(corner_cut, std::min(*cut / least, kMostCut * shortest));
+  }
+
+  // The ends of a fold that lie in corners of both plates, pair by pair.
+  void note_fold(const Touch& touch, double reach) {
+    const auto end_of = [&](std::size_t side, bool at_end) -> std::optional<FoldEnd> {
+      const int plate = touch.plates[side];
+      const EdgePlace& edge = touch.edges[side];
+      const double length = edge_of(plates_[plate], edge).length();
+      const double off = at_end ? length - touch.ranges[side][1] : touch.ranges[side][0];
+      if (off > kMeantAsOne) return std::nullopt;
+      const int n = static_cast<int>(plates_[plate].ring(edge.ring).size());
+      return FoldEnd{plate, edge.ring, (edge.corner + (at_end ? 1 : 0)) % n, reach};
+    };
+    const Vec3 along = edge_of(plates_[touch.plates[0]], touch.edges[0]).along();
+    const Vec3 other = edge_of(plates_[touch.plates[1]], touch.edges[1]).along();
+    for (const bool at_end : {false, true})
+      fold_ends_.push_back({end_of(0, at_end), end_of(1, at_end == (along.dot(other) > 0.0))});
+  }
+
+  /// How far from a corner along its edges a plate lets a fold begin.
+  double setback(const FoldEnd& end) {
+    double reach = 0.0;
+    int folds = 0;
+    for (const auto& ends : fold_ends_)
+      for (const auto& one : ends)
+        if (one && one->plate == end.plate && one->ring == end.ring && one->corner == end.corner) {
+          reach += one->reach;
+          ++folds;
+        }
+    const auto [strips, sine] = strips_at(end);
+    const EdgeCut& cut = cut_at(end.plate, {end.ring, end.corner});
+    double back = std::max(cut.corner, cut.square);
+    if (folds > 1 && sine > kAlong) back = std::max(back, reach / sine);
+    for (const CutStrip* strip : strips)
+      back = std::max(back, strip->depth / std::max(sine, kAlong));
+    return back;
+  }
+
+  /// The strips that end at a corner, and the sine of the angle between its edges: 0 if it turns
+  /// inwards.
+  std::pair<std::vector<CutStrip*>, double> strips_at(const FoldEnd& end) {
+    const EdgePlace after{end.ring, end.corner}, ahead = before(end.plate, after);
+    const PlacedPlate& plate = plates_[end.plate];
+    const Line first = edge_of(plate, ahead), second = edge_of(plate, after);
+    std::vector<CutStrip*> strips;
+    for (CutStrip& strip : cut_at(end.plate, ahead).strips)
+      if (first.length() - strip.to <= kMeantAsOne) strips.push_back(&strip);
+    for (CutStrip& strip : cut_at(end.plate, after).strips)
+      if (strip.from <= kMeantAsOne) strips.push_back(&strip);
+    return {strips, std::max(0.0, first.along().cross(second.along()).dot(plate.frame.z))};
+  }
+
+  void set_back(const FoldEnd& end, double by) {
+    const auto [strips, sine] = strips_at(end);
+    for (CutStrip* strip : strips)
+      strip->depth = std::max(strip->depth, by * sine);
+    const PlacedPlate& plate = plates_[end.plate];
+    const EdgePlace after{end.ring, end.corner};
+    const double shortest = std::min(edge_of(plate, after).length(),
+                                     edge_of(plate, before(end.plate, after)).length());
+    if (!strips.empty() || by > kMostCut * shortest) return;
+    EdgeCut& cut = cut_at(end.plate, after);
+    (cut.corner > 0.0 ? cut.corner : cut.square) = by;
+  }
+
+  /// Both plates of a fold begin at the same distance from a corner. One that is cut back further
+  /// asks that of its neighbour, which may ask it of the next one.
+  void settle_folds() {
+    for (std::size_t pass = 0; pass < plates_.size(); ++pass)
+      for (const auto& [a, b] : fold_ends_) {
+        if (!a || !b) continue;
+        const double first = setback(*a), second = setback(*b);
+        if (first <= 0.0 || second <= 0.0) continue;
+        set_back(*a, std::max(first, second));
+        set_back(*b, std::max(first, second));
+      }
   }
 
   const PlateStructure& structure_;
   const std::vector<PlacedPlate>& plates_;
-  std::vector<std::vector<EdgeCut>> cuts_;  ///< by plate, by edge
+  std::vector<Touch> touches_;
+  std::vector<PlateCuts> cuts_;
   std::vector<SharedEdge> shared_;
-  UnionFind touching_;
+  std::vector<std::array<std::optional<FoldEnd>, 2>> fold_ends_;  ///< by fold, by end
 };
-
-bool folds_sharply(const PlateStructure& structure) {
-  const auto sharp = [](const auto& with) { return with.inside_radius == 0.0; };
-  return sharp(structure.defaults) || std::ranges::any_of(structure.bends, sharp);
-}
 
 }  // namespace
 
 Trimmed trimmed_where_touching(const PlateStructure& structure, std::vector<PlacedPlate> plates) {
   Trimmed result{std::move(plates), {}, {}};
-  if (!structure.trim.value_or(true) || folds_sharply(structure)) return result;
+  if (!structure.trim.value_or(true)) return result;
   Trimming trimming(structure, result.plates);
   if (!structure.trim && !trimming.all_touch()) return result;
   result.shared = trimming.shared();

@@ -19,8 +19,9 @@ struct Trimmed {
 /// Cuts plates back along the edges that they share, by what a bend of the wanted inside radius
 /// needs (by default the thickness), and at corners that they share. What a bend would have to be
 /// placed on keeps its number; edges that come of it are numbered on from the plate's last. A plate
-/// that would not remain whole stays as it is. Without `structure.trim` only if all plates touch,
-/// directly or through others, and none is to be folded sharply.
+/// that would not remain whole stays as it is. Edges of folds (inside radius 0) stay, and the
+/// joints beside them open. Without `structure.trim` only if all plates touch, directly or through
+/// others.
 Trimmed trimmed_where_touching(const PlateStructure& structure, std::vector<PlacedPlate> plates);
 
 }  // namespace planish::connect_detail

@@ -34,13 +34,13 @@ TEST(CutBack, MovesEdgesInParallelAndCornersToWhereTheyMeet) {
   using namespace connect_detail;
   auto plate = placed(rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0}), "/plates/0", 1e-3);
   ASSERT_TRUE(plate);
-  std::vector<EdgeCut> cuts(4);
-  cuts[0].strips = {{0, 200, 3}};
-  cuts[1].strips = {{0, 100, 5}};
-  cuts[3].corner = 10;
+  PlateCuts cuts{std::vector<EdgeCut>(4)};
+  cuts[0][0].strips = {{0, 200, 3}};
+  cuts[0][1].strips = {{0, 100, 5}};
+  cuts[0][3].corner = 10;
   EXPECT_EQ(cut_back(*plate, cuts, 2.0), 10.0);
   EXPECT_NEAR(plate->area, 195 * 97 - 0.5 * 10 * 10, 1e-9);
-  EXPECT_EQ(plate->numbers, (std::vector{0, 1, 2, 4, 3}));
+  EXPECT_EQ(plate->numbers.at(0), (std::vector{0, 1, 2, 4, 3}));
   EXPECT_EQ(plate->all_edges(), 5);
   for (int number = 0; number < 5; ++number)
     EXPECT_EQ(plate->edge_number(plate->place_of(number)), number);
@@ -50,11 +50,11 @@ TEST(CutBack, LeavesAPlateAloneThatWouldNotRemainWhole) {
   using namespace connect_detail;
   auto plate = placed(rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0}), "/plates/0", 1e-3);
   ASSERT_TRUE(plate);
-  std::vector<EdgeCut> cuts(4);
-  cuts[0].strips = {{0, 200, 120}};
+  PlateCuts cuts{std::vector<EdgeCut>(4)};
+  cuts[0][0].strips = {{0, 200, 120}};
   EXPECT_FALSE(cut_back(*plate, cuts, 2.0));
   EXPECT_NEAR(plate->area, 200 * 100, 1e-9);
-  EXPECT_FALSE(cut_back(*plate, std::vector<EdgeCut>(4), 2.0));
+  EXPECT_FALSE(cut_back(*plate, PlateCuts{std::vector<EdgeCut>(4)}, 2.0));
 }
 
 }  // namespace

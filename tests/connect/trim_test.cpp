@@ -128,6 +128,88 @@ TEST(Trimming, TakesEdgesThatMissEachOtherByRounding) {
   }
 }
 
+/// A prism without its lid, as a designer draws it: a regular floor of n edges and its walls.
+PlateStructure drawn_prism(int n, double radius, double h, double thickness) {
+  PlateStructure s;
+  s.thickness = thickness;
+  const auto corner = [&](int i) {
+    return Vec3(radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n), 0);
+  };
+  s.plates.push_back({"floor", {}, {}});
+  for (int i = 0; i < n; ++i) {
+    s.plates[0].outline.push_back(corner(i));
+    s.plates.push_back(rectangle_plate("wall" + std::to_string(i), corner(i),
+                                       corner(i + 1) - corner(i), {0, 0, h}));
+  }
+  return s;
+}
+
+TEST(Trimming, FoldsABoxSharplyAndCutsItsCornersBack) {
+  // A fold runs t/2 within the line where the planes meet. Floor and walls begin t from a corner.
+  const double t = 2, k = 0.5, a = 200 - t, b = 100 - t, around = 2 * (a - t) + 2 * (b - t);
+  for (const bool given : {false, true}) {
+    PlateStructure box = drawn_box();
+    box.defaults.inside_radius = 0.0;
+    if (given)
+      for (const char* wall : {"front", "back", "left", "right"})
+        box.bends.push_back({.between = {"floor", wall}, .inside_radius = 0.0});
+    const auto made = connect(box);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->bends.size(), 4u);
+    for (const FittedBend& bend : made->bends)
+      EXPECT_EQ(bend.kind, BendKind::sharp);
+    EXPECT_EQ(made->left_open.size(), 4u);
+    const double corners = 4 * (t / 2) * (t / 2);
+    EXPECT_NEAR(area_when_flat(*made),
+                a * b - corners + around * (50 - t / 2) + around * pi / 2 * k * t, 1e-6);
+  }
+}
+
+TEST(Trimming, FoldsPrismsSharply) {
+  const double t = 2, k = 0.5, h = 40, radius = 100;
+  for (const int n : {3, 5, 6, 8}) {
+    PlateStructure prism = drawn_prism(n, radius, h, t);
+    prism.defaults.inside_radius = 0.0;
+    const auto made = connect(prism);
+    ASSERT_TRUE(made) << n << ": " << made.error().message;
+    ASSERT_EQ(made->bends.size(), static_cast<std::size_t>(n));
+    // Where both folds of a corner begin: t/2 to each, t/tan of half the angle between walls.
+    const double half = pi / 2 - pi / n, inner = radius * std::cos(pi / n) - t / 2;
+    const double back = std::max(t / std::sin(2 * half), t / std::tan(half));
+    const double side = 2 * radius * std::sin(pi / n) - 2 * back;
+    const double ear = (back - t / 2 / std::tan(half)) * (back * std::tan(half) - t / 2);
+    const double floor = n * inner * inner * std::tan(pi / n) - n * ear;
+    EXPECT_NEAR(area_when_flat(*made), floor + n * side * (h - t / 2 + pi / 2 * k * t), 1e-6) << n;
+  }
+}
+
+TEST(Trimming, CutsOpeningsBackForTabsDrawnFromTheirEdges) {
+  // t 2, cut 3 deep; the reliefs beside the tab reach 1 before its edge and 1 deeper.
+  const double t = 2, k = 0.5, bend = 100 * pi / 2 * (t + k * t);
+  const std::vector<Vec3> hole{{50, 20, 0}, {150, 20, 0}, {150, 80, 0}, {50, 80, 0}};
+  for (const bool reversed : {false, true}) {
+    PlateStructure s;
+    s.thickness = t;
+    s.plates = {rectangle_plate("frame", {0, 0, 0}, {200, 0, 0}, {0, 100, 0}),
+                rectangle_plate("tab", {50, 20, 0}, {100, 0, 0}, {0, 0, -30})};
+    s.plates[0].holes = {hole};
+    if (reversed) std::ranges::reverse(s.plates[0].holes[0]);
+    const auto made = connect(s);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->bends.size(), 1u);
+    EXPECT_EQ(made->bends[0].edges[0], std::vector{reversed ? 6 : 4});
+    EXPECT_NEAR(area_when_flat(*made),
+                200 * 100 - 100 * (60 + 3) - 2 * t * (1 + 3 + 1) + 100 * (30 - 3) + bend, 1e-6);
+    // The frame is as one with a notch up to its edge.
+    s.plates[0].holes.clear();
+    s.plates[0].outline = {{0, 0, 0},    {200, 0, 0}, {200, 80, 0}, {150, 80, 0},
+                           {150, 20, 0}, {50, 20, 0}, {50, 80, 0},  {0, 80, 0}};
+    const auto notched = connect(s);
+    ASSERT_TRUE(notched) << notched.error().message;
+    EXPECT_NEAR(area_when_flat(*notched), area_when_flat(*made) - 200 * 20, 1e-6);
+  }
+}
+
 TEST(PlatesThatTouch, AreNotJoinedRoundTheirBacks) {
   // A wall of 5 mm on a sheet of 4 mm leaves no room for a bend of that radius.
   PlateStructure s;
