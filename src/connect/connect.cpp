@@ -155,6 +155,15 @@ Result<Connection> joined(const PlateStructure& structure, const Trimmed& trimme
   return connection;
 }
 
+/// How many of the edges that plates share are between plates that a bend joins.
+std::ptrdiff_t joints_on(const std::vector<SharedEdge>& shared, const Connection& made) {
+  return std::ranges::count_if(shared, [&](const SharedEdge& edge) {
+    return edge.from != edge.to && std::ranges::any_of(made.bends, [&](const FittedBend& bend) {
+             return std::ranges::is_permutation(bend.plates, edge.plates);
+           });
+  });
+}
+
 }  // namespace
 
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
@@ -163,11 +172,19 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   if (auto whole = check_whole(structure); !whole) return pass_on(whole);
   auto plates = place_all(structure, options);
   if (!plates) return pass_on(plates);
+  if (structure.trim == false) return joined(structure, {*plates}, options, progress);
   const Trimmed trimmed = trimmed_where_touching(structure, *plates);
-  auto connection = joined(structure, trimmed, options, progress);
+  if (structure.trim == true || (trimmed.all_touch && trimmed.cut.empty()))
+    return joined(structure, trimmed, options, progress);
   // What was not asked for must not stand in the way.
-  if (connection || structure.trim || trimmed.cut.empty()) return connection;
-  return joined(structure, {std::move(*plates), {}, {}}, options, progress);
+  auto first = joined(structure, trimmed.all_touch ? trimmed : Trimmed{*plates}, options, progress);
+  if (trimmed.cut.empty() || (first && trimmed.all_touch)) return first;
+  if (trimmed.all_touch) return joined(structure, {std::move(*plates)}, options, progress);
+  // Where only some plates touch, they may be meant to: but not to be joined elsewhere instead.
+  auto second = joined(structure, trimmed, options, progress);
+  const bool better = second && (!first || joints_on(trimmed.shared, *second) >
+                                               joints_on(trimmed.shared, *first));
+  return better ? second : first;
 }
 
 }  // namespace planish

@@ -247,10 +247,9 @@ class Trimming {
 }  // namespace
 
 Trimmed trimmed_where_touching(const PlateStructure& structure, std::vector<PlacedPlate> plates) {
-  Trimmed result{std::move(plates), {}, {}};
-  if (!structure.trim.value_or(true)) return result;
-  Trimming trimming(structure, result.plates);
-  if (!structure.trim && !trimming.all_touch()) return result;
+  Trimmed result{std::move(plates)};
+  const Trimming trimming(structure, result.plates);
+  result.all_touch = trimming.all_touch();
   result.shared = trimming.shared();
   std::vector<PlacedPlate> cut = result.plates;
   for (std::size_t p = 0; p < cut.size(); ++p)

@@ -12,16 +12,16 @@ namespace planish::connect_detail {
 /// Plates cut back where they touch, so that bends fit between them (math.md#trimming).
 struct Trimmed {
   std::vector<PlacedPlate> plates;
-  std::vector<TrimmedPlate> cut;   ///< those that were
-  std::vector<SharedEdge> shared;  ///< stretches of edges that two plates have in common
+  std::vector<TrimmedPlate> cut = {};   ///< those that were
+  std::vector<SharedEdge> shared = {};  ///< stretches of edges that two plates have in common
+  bool all_touch = false;               ///< directly or through others
 };
 
 /// Cuts plates back along the edges that they share, by what a bend of the wanted inside radius
 /// needs (by default the thickness), and at corners that they share. What a bend would have to be
 /// placed on keeps its number; edges that come of it are numbered on from the plate's last. A plate
 /// that would not remain whole stays as it is. Edges of folds (inside radius 0) stay, and the
-/// joints beside them open. Without `structure.trim` only if all plates touch, directly or through
-/// others.
+/// joints beside them open.
 Trimmed trimmed_where_touching(const PlateStructure& structure, std::vector<PlacedPlate> plates);
 
 }  // namespace planish::connect_detail

@@ -92,7 +92,7 @@ struct PlateStructure {
   /// given, any.
   std::optional<double> largest_span = std::nullopt;
   /// Whether plates that touch are cut back so that bends fit between them (math.md#trimming).
-  /// Empty: if all of them touch.
+  /// Empty: if all of them touch, or if then more are joined where they do.
   std::optional<bool> trim = std::nullopt;
   std::string root;  ///< id of the plate that stays where it is; empty: the largest
 };
