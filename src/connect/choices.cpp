@@ -118,7 +118,8 @@ class Trial {
 
   bool tired() const { return tries_ >= kMostTries; }
 
-  const Error& first_failure() const { return first_; }
+  /// Why the edges that come first do not hold: of a free surface, as a cylinder or right cone.
+  const Error& first_edges_failure() const { return first_edges_; }
 
   Result<BendFit> result() const {
     if (found_) return *found_;
@@ -140,6 +141,7 @@ class Trial {
     auto& [count, first] = failures_[rank(error.code)];
     if (count++ == 0) first = error;
     if (tries_ == 1) first_ = error;
+    if (tries_ == 1 || (tries_ == 2 && leaves_surface_free(task_.request))) first_edges_ = error;
     if (error.code == code::plates_touch && !touch_) touch_ = error;
     return false;
   }
@@ -177,7 +179,7 @@ class Trial {
   const ConnectOptions& options_;
   const FitChecks& checks_;
   int tries_ = 0, choices_ = 0;
-  Error first_;
+  Error first_, first_edges_;
   std::optional<Error> touch_;
   std::map<int, std::pair<int, Error>> failures_;  // by rank: how many, and the first
   std::optional<BendFit> found_, fallback_;
@@ -234,15 +236,19 @@ Result<BendFit> first_that_holds(const FitTask& task, const ConnectOptions& opti
 }
 
 /// A general cone that holds on edges nearly as wide as those of `right`, a cylinder or right cone,
-/// where none holds on the best edges: their apex may lie beside a corner that is cut off. Empty if
-/// there is none, or if it would save next to nothing.
+/// where none holds on the best edges: their apex may lie beside a corner that is cut off. It is
+/// longer than that only for being wider. Empty if there is none, or if it would save next to
+/// nothing.
 std::optional<BendFit> general_elsewhere(const FitTask& task, const BendFit& right,
                                          const ConnectOptions& options, const FitChecks& checks) {
   const double area = right.report.extension_area;
   const auto worth = [&](const PairChoice& choice) {
     const EdgeChoice& best = choice.search.best;
+    const double wider = std::max(0.0, best.width - right.report.width);
     return !choice.frame.parallel() && best.kind == EdgeKind::facing &&
            best.width >= kNearlyAsWide * right.report.width &&
+           best.span <=
+               right.report.span + task.request.trade_off * wider + kNegligible * extent_of(task) &&
            less_extended(choice.corners(best), area, options);
   };
   const auto nearest = search_pair(task, options);
@@ -337,10 +343,11 @@ Result<BendFit> fit_any_choice(const FitTask& asked, const ConnectOptions& optio
                                  (free && any_other_surface(trial, choices, task));
     if (!found && free) any_general(trial, choices, task);
   }
-  auto fit = least_extended(task, trial.result(), options, checks);
-  if (!fit) return fail(clearer(task, fit.error()));
+  const auto held = trial.result();
+  if (!held) return fail(clearer(task, held.error()));
+  auto fit = least_extended(task, held, options, checks);
   fit->report.request = asked.request;
-  fit->report.passed_over = passed_over(task, options, fit->report, trial.first_failure());
+  fit->report.passed_over = passed_over(task, options, held->report, trial.first_edges_failure());
   return fit;
 }
 

@@ -164,6 +164,43 @@ std::ptrdiff_t joints_on(const std::vector<SharedEdge>& shared, const Connection
   });
 }
 
+/// Joins plates that are cut back where they touch if that was asked for or helps.
+Result<Connection> joined_trimmed(const PlateStructure& structure, std::vector<PlacedPlate> plates,
+                                  const Trimmed& trimmed, const ConnectOptions& options,
+                                  const Progress& progress) {
+  if (structure.trim == true || (trimmed.all_touch && trimmed.cut.empty()))
+    return joined(structure, trimmed, options, progress);
+  // What was not asked for must not stand in the way.
+  auto first = joined(structure, trimmed.all_touch ? trimmed : Trimmed{plates}, options, progress);
+  if (trimmed.cut.empty() || (first && trimmed.all_touch)) return first;
+  if (trimmed.all_touch) return joined(structure, {std::move(plates)}, options, progress);
+  // Where only some plates touch, they may be meant to: but not to be joined elsewhere instead.
+  auto second = joined(structure, trimmed, options, progress);
+  const bool better = second && (!first || joints_on(trimmed.shared, *second) >
+                                               joints_on(trimmed.shared, *first));
+  return better ? second : first;
+}
+
+/// A plate that cannot be joined may be too narrow for the bend where it touches another one.
+Error with_narrow_plate(const PlateStructure& structure, const Trimmed& trimmed, Error why) {
+  if (why.code != code::plates_touch && why.code != code::no_bend_fits) return why;
+  for (const NarrowPlate& narrow : trimmed.narrow) {
+    const Place plate = place::plate(structure.plates[narrow.plate].id);
+    const auto is_it = [&](const Place& one) {
+      return one.kind == plate.kind && one.id == plate.id;
+    };
+    if (std::ranges::none_of(why.places, is_it)) continue;
+    return error_of(refuse::flange_too_narrow,
+                    {{"plate", plate},
+                     {"other", place::plate(structure.plates[narrow.other].id)},
+                     {"width", narrow.width, unit::mm},
+                     {"needed", narrow.needed, unit::mm},
+                     {"radius", narrow.inside_radius, unit::mm},
+                     {"field", place::pointer(pointer_of(narrow.plate))}});
+  }
+  return why;
+}
+
 }  // namespace
 
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
@@ -174,17 +211,9 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   if (!plates) return pass_on(plates);
   if (structure.trim == false) return joined(structure, {*plates}, options, progress);
   const Trimmed trimmed = trimmed_where_touching(structure, *plates);
-  if (structure.trim == true || (trimmed.all_touch && trimmed.cut.empty()))
-    return joined(structure, trimmed, options, progress);
-  // What was not asked for must not stand in the way.
-  auto first = joined(structure, trimmed.all_touch ? trimmed : Trimmed{*plates}, options, progress);
-  if (trimmed.cut.empty() || (first && trimmed.all_touch)) return first;
-  if (trimmed.all_touch) return joined(structure, {std::move(*plates)}, options, progress);
-  // Where only some plates touch, they may be meant to: but not to be joined elsewhere instead.
-  auto second = joined(structure, trimmed, options, progress);
-  const bool better = second && (!first || joints_on(trimmed.shared, *second) >
-                                               joints_on(trimmed.shared, *first));
-  return better ? second : first;
+  auto made = joined_trimmed(structure, std::move(*plates), trimmed, options, progress);
+  if (made) return made;
+  return tl::unexpected(with_narrow_plate(structure, trimmed, made.error()));
 }
 
 }  // namespace planish

@@ -91,6 +91,11 @@ constexpr Refusal no_room_in_front{
     code::no_bend_fits,
     "No bend fits where {@plate} touch: only one that goes round their backs does.",
     "Make the plates wider there, the inside radius smaller, or leave room beside openings."};
+constexpr Refusal flange_too_narrow{
+    code::no_bend_fits,
+    "{@plate} is {width} wide where it touches {@other}: a bend of inside radius {radius} takes "
+    "{needed} of it.",
+    "Make it wider than {needed}, or the inside radius smaller."};
 constexpr Refusal sheets_run_into_each_other{
     code::plates_touch, "The sheets of {@plate}, {thickness} thick, run into each other at {@at}.",
     "Move the plates apart, or cut them back there to {least} from the line where their planes "
@@ -206,13 +211,14 @@ constexpr Refusal half_turn_radius{
     "Set it to {radius:8}, or leave it out."};
 constexpr Refusal radius_up_to{code::no_bend_fits,
                                "An inside radius of {asked:8} does not fit between {@plate}.",
-                               "Set it to {largest:8} or less."};
+                               "Set inside_radius to {largest:8} or less."};
 constexpr Refusal radius_from{
     code::no_bend_fits, "An inside radius of {asked:8} does not fit between {@plate}.",
-    "Set it to {smallest:8} or more: the bend runs around the back of the plates."};
+    "Set inside_radius to {smallest:8} or more: that bends around the back of the plates."};
 constexpr Refusal radius_up_to_or_from{
     code::no_bend_fits, "An inside radius of {asked:8} does not fit between {@plate}.",
-    "Set it to {largest:8} or less, or to {smallest:8} or more, around the back of the plates."};
+    "Set inside_radius to {largest:8} or less; {smallest:8} or more bends around the back of the "
+    "plates."};
 constexpr Refusal middle_radius{code::no_bend_fits,
                                 "A cone with an inside radius of {asked:8} at mid-length does not "
                                 "fit between the edges of {@plate}.",

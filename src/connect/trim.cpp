@@ -66,6 +66,7 @@ class Trimming {
 
   const PlateCuts& cuts(std::size_t plate) const { return cuts_[plate]; }
   const std::vector<SharedEdge>& shared() const { return shared_; }
+  const std::vector<NarrowPlate>& narrow() const { return narrow_; }
 
  private:
   // The radius of the middle surface of the bend between two plates.
@@ -81,11 +82,27 @@ class Trimming {
     return inside.value_or(structure_.thickness) + 0.5 * structure_.thickness;
   }
 
-  // How far back both plates have to stay from the line; empty if that is too much of either.
+  // How far back both plates have to stay from the line in which their planes meet.
+  double reach(int a, int b, const Vec3& into_a, const Vec3& into_b) const {
+    return radius(a, b) / std::tan(0.5 * angle_between(into_a, into_b));
+  }
+
+  // Likewise; empty if that is too much of either.
   std::optional<double> depth(int a, int b, const Vec3& into_a, const Vec3& into_b) const {
-    const double cut = radius(a, b) / std::tan(0.5 * angle_between(into_a, into_b));
+    const double cut = reach(a, b, into_a, into_b);
     if (cut > kMostCut * std::min(plates_[a].extent, plates_[b].extent)) return std::nullopt;
     return cut;
+  }
+
+  void note_narrow(int own, int other, const EdgePlace& edge, const Vec3& into, double needed) {
+    const PlacedPlate& plate = plates_[own];
+    const Vec3 from = plate.corner(edge);
+    double width = 0.0;
+    for (int i = 0; i < plate.edge_count(); ++i)
+      width = std::max(width, (plate.corner(i) - from).dot(into));
+    if (width <= needed)
+      narrow_.push_back(
+          {own, other, width, needed, radius(own, other) - 0.5 * structure_.thickness});
   }
 
   EdgeCut& cut_at(int plate, const EdgePlace& edge) { return cuts_[plate][edge.ring][edge.corner]; }
@@ -98,6 +115,9 @@ class Trimming {
     if (touch.folded) {
       note_fold(touch, 0.5 * structure_.thickness / std::tan(0.5 * angle_between(into_a, into_b)));
     } else {
+      const double needed = reach(a, b, into_a, into_b);
+      note_narrow(a, b, i, into_a, needed);
+      note_narrow(b, a, j, into_b, needed);
       const auto cut = depth(a, b, into_a, into_b);
       if (!cut) return;
       // Of edges that miss each other, one may reach over the line where the planes meet.
@@ -241,6 +261,7 @@ class Trimming {
   std::vector<Touch> touches_;
   std::vector<PlateCuts> cuts_;
   std::vector<SharedEdge> shared_;
+  std::vector<NarrowPlate> narrow_;
   std::vector<std::array<std::optional<FoldEnd>, 2>> fold_ends_;  ///< by fold, by end
 };
 
@@ -251,6 +272,7 @@ Trimmed trimmed_where_touching(const PlateStructure& structure, std::vector<Plac
   const Trimming trimming(structure, result.plates);
   result.all_touch = trimming.all_touch();
   result.shared = trimming.shared();
+  result.narrow = trimming.narrow();
   std::vector<PlacedPlate> cut = result.plates;
   for (std::size_t p = 0; p < cut.size(); ++p)
     if (const auto by = cut_back(cut[p], trimming.cuts(p), structure.thickness))

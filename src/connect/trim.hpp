@@ -9,12 +9,20 @@
 
 namespace planish::connect_detail {
 
+/// A plate that leaves no room for the bend along an edge that it shares with another one.
+struct NarrowPlate {
+  int plate = 0, other = 0;
+  double width = 0.0, needed = 0.0;  ///< square to the edge, mm
+  double inside_radius = 0.0;        ///< of the bend
+};
+
 /// Plates cut back where they touch, so that bends fit between them (math.md#trimming).
 struct Trimmed {
   std::vector<PlacedPlate> plates;
   std::vector<TrimmedPlate> cut = {};   ///< those that were
   std::vector<SharedEdge> shared = {};  ///< stretches of edges that two plates have in common
-  bool all_touch = false;               ///< directly or through others
+  std::vector<NarrowPlate> narrow = {};
+  bool all_touch = false;  ///< directly or through others
 };
 
 /// Cuts plates back along the edges that they share, by what a bend of the wanted inside radius

@@ -102,7 +102,8 @@ std::optional<Finding> plates_trimmed(const Connection& connection) {
   return finding;
 }
 
-Finding joint_left_open(const SharedEdge& edge, const Connection& connection) {
+/// The plates of a joint, and from where to where they touch.
+Facts facts_of(const SharedEdge& edge, const Connection& connection) {
   Facts facts;
   for (const int plate : edge.plates)
     facts.emplace_back("plate", place::plate(connection.structure.plates[plate].id));
@@ -112,8 +113,30 @@ Finding joint_left_open(const SharedEdge& edge, const Connection& connection) {
     facts.emplace_back("to", place::point(edge.to));
     facts.emplace_back("length", length, unit::mm);
   }
-  return finding_of("joint_left_open", Severity::info,
-                    length > 0.0 ? say::joint_left_open : say::corner_left_open, facts, {});
+  return facts;
+}
+
+/// One finding for all joints, with the data of each.
+Finding joints_left_open(const Connection& connection) {
+  constexpr std::size_t kNamed = 3;
+  const std::vector<SharedEdge>& open = connection.left_open;
+  if (open.size() == 1)
+    return finding_of("joint_left_open", Severity::info,
+                      open[0].from == open[0].to ? say::corner_left_open : say::joint_left_open,
+                      facts_of(open[0], connection), {});
+  Facts facts{{"count", open.size()}};
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto id = [&](std::size_t side) {
+      return connection.structure.plates[open[i].plates[side]].id;
+    };
+    if (i < kNamed) facts.emplace_back("first", fmt::format("\"{}\" – \"{}\"", id(0), id(1)));
+    for (Fact& fact : facts_of(open[i], connection))
+      facts.push_back(std::move(fact));
+  }
+  if (open.size() <= kNamed)
+    return finding_of("joint_left_open", Severity::info, say::joints_left_open, facts, {});
+  facts.emplace_back("more", open.size() - kNamed);
+  return finding_of("joint_left_open", Severity::info, say::joints_left_open_more, facts, {});
 }
 
 }  // namespace
@@ -121,8 +144,7 @@ Finding joint_left_open(const SharedEdge& edge, const Connection& connection) {
 std::vector<Finding> trim_findings(const Connection& connection) {
   std::vector<Finding> findings;
   if (auto trimmed = plates_trimmed(connection)) findings.push_back(std::move(*trimmed));
-  for (const SharedEdge& edge : connection.left_open)
-    findings.push_back(joint_left_open(edge, connection));
+  if (!connection.left_open.empty()) findings.push_back(joints_left_open(connection));
   return findings;
 }
 

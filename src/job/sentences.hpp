@@ -118,6 +118,12 @@ constexpr std::string_view corner_left_open =
     "{@plate} touch at {@from} and are not joined there: a bend would close a loop that does not "
     "lie "
     "flat";
+constexpr std::string_view joints_left_open =
+    "{count:joint} of plates that touch stay open, since a bend there would close a loop that does "
+    "not lie flat: {first}";
+constexpr std::string_view joints_left_open_more =
+    "{count:joint} of plates that touch stay open, since a bend there would close a loop that does "
+    "not lie flat: {first} and {more} more";
 constexpr std::string_view shorter_bend =
     "{@bend} has a span of {span}; that of {other} would have {shorter}, but does not hold: "
     "{reason}";

@@ -289,5 +289,76 @@ TEST(ConnectLoops, ThatDoNotLieFlatAreRefused) {
   EXPECT_EQ(c.error().where, "/bends/1");
 }
 
+struct FreePair {
+  double thickness, trade_off;
+  std::vector<Plate> plates;
+};
+
+// Pairs on whose best edges a cylinder or cone holds and no general cone.
+std::vector<FreePair> free_pairs() {
+  return {{1,
+           0,
+           {{"A",
+             {{0.0, 22.56291, 0.0},
+              {39.91835, 25.2121, 0.0},
+              {111.28677, 23.5025, 0.0},
+              {111.28677, 164.08194, 0.0},
+              {0.0, 164.08194, 0.0}},
+             {}},
+            {"B",
+             {{-2.17634, 12.87149, 45.51427},
+              {66.09361, 11.81876, 41.79177},
+              {61.77414, 52.06972, 184.12132},
+              {-0.66919, 63.74296, 225.3985}},
+             {}}}},
+          {1,
+           0,
+           {{"A",
+             {{0.0, 14.52093, 0.0},
+              {86.63825, 14.52093, 0.0},
+              {79.54876, 177.9155, 0.0},
+              {7.08949, 177.9155, 0.0}},
+             {}},
+            {"B",
+             {{0.0, 39.8735, 50.71225},
+              {43.23657, 31.33434, 39.85189},
+              {70.54876, 56.23523, 71.52155},
+              {70.54876, 123.424, 156.97412},
+              {0.0, 123.424, 156.97412}},
+             {}}}},
+          {1.5,
+           1,
+           {{"A",
+             {{-0.25107, 5.44945, 6.43998},
+              {30.90909, -42.99212, 46.70912},
+              {79.92025, -111.2813, 120.61524},
+              {76.5667, -38.49294, 206.63404},
+              {-3.88321, 84.28442, 99.60445}},
+             {}},
+            {"B",
+             {{-7.35486, -47.89671, -58.61656},
+              {67.47352, -154.86669, 46.90441},
+              {62.04634, -260.68351, -54.55738},
+              {-11.82725, -130.07914, -138.0835}},
+             {}}}}};
+}
+
+TEST(AnyChoice, TakesNoGeneralConeElsewhereThatIsLongerAndNoWider) {
+  for (const FreePair& pair : free_pairs()) {
+    PlateStructure s;
+    s.thickness = pair.thickness;
+    s.plates = pair.plates;
+    s.bends = {{.between = {"A", "B"}, .trade_off = pair.trade_off}};
+    const auto made = connect(s);
+    ASSERT_TRUE(made) << made.error().message;
+    const FittedBend& bend = made->bends[0];
+    EXPECT_NE(bend.kind, BendKind::general);
+    EXPECT_FALSE(bend.passed_over);
+    for (const BendAlternative& other : bend.alternatives)
+      EXPECT_FALSE(other.width >= bend.width && other.span < bend.span - 1e-6)
+          << other.width << " " << other.span;
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

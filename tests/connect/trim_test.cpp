@@ -3,6 +3,7 @@
 #include "flat_area.hpp"
 #include "sample_plates.hpp"
 
+#include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <gtest/gtest.h>
@@ -218,6 +219,16 @@ TEST(PlatesThatTouch, AreNotJoinedRoundTheirBacks) {
               rectangle_plate("wall", {0, 0, 0}, {200, 0, 0}, {0, 0, 5})};
   const auto refused = connect(s);
   ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, code::no_bend_fits);
+  const auto number = [&](const char* name) {
+    const auto& numbers = refused.error().numbers;
+    const auto found = std::ranges::find(numbers, name, &NamedQuantity::name);
+    return found == numbers.end() ? 0.0 : found->quantity.value;
+  };
+  EXPECT_NEAR(number("width"), 5.0, 1e-9);
+  EXPECT_NEAR(number("needed"), 1.5 * 4, 1e-9);
+  s.plates[1] = rectangle_plate("wall", {0, 0, 0}, {200, 0, 0}, {0, 0, 6.5});
+  EXPECT_TRUE(connect(s));
   s.plates[1] = rectangle_plate("wall", {0, 0, 0}, {200, 0, 0}, {0, 0, 40});
   const auto made = connect(s);
   ASSERT_TRUE(made) << made.error().message;
