@@ -25,6 +25,8 @@ using Ring = std::vector<Vec3>;
 
 // Corners of a polygon nearer than this share of its extent are one corner.
 constexpr double kSameCorner = tolerance::kFileDigits;
+// How far a hole that is no polygon may lie outside the polygon that stands for it, mm.
+constexpr double kChord = 1e-2;
 // A polygon whose area is below this share of extent² is a line.
 constexpr double kNoArea = tolerance::kComputed;
 
@@ -171,10 +173,10 @@ bool apart(const Box2& a, const Box2& b, double by) {
   return ((a.lo - b.hi).array() > by).any() || ((b.lo - a.hi).array() > by).any();
 }
 
-// `boxes` are those of the holes so far.
+// `boxes` are those of the holes so far; the hole's own border may lie `off` its polygon.
 Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>& boxes,
-                              const std::vector<Vec2>& hole, const PlateRing& polygon) {
-  const double same = kSameCorner * placed.extent;
+                              const std::vector<Vec2>& hole, double off, const PlateRing& polygon) {
+  const double same = kSameCorner * placed.extent + off;
   const Box2 box = box_of(hole);
   const auto facts_at = [&](const Vec2& at) {
     Facts facts = polygon.at(placed.frame.point(at));
@@ -184,9 +186,10 @@ Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>
   if (const auto at = meeting(hole, placed.outline, same))
     return fail(refuse::hole_meets_outline, facts_at(*at));
   for (std::size_t h = 0; h < placed.holes.size(); ++h) {
-    if (apart(box, boxes[h], same)) continue;
+    const double near = same + (placed.shapes[h].empty() ? 0.0 : kChord);
+    if (apart(box, boxes[h], near)) continue;
     const auto& other = placed.holes[h];
-    const auto at = meeting(hole, other, same);
+    const auto at = meeting(hole, other, near);
     if (!at && !inside({other}, hole.front()) && !inside({hole}, other.front())) continue;
     Facts facts = facts_at(at.value_or(hole.front()));
     facts.emplace_back("other", h + 1);
@@ -223,7 +226,8 @@ Result<void> add_hole(PlacedPlate& placed, const PlateRing& polygon, Loop shape,
       facts.emplace_back("hole", *polygon.hole + 1);
       return fail(refuse::hole_outside, facts);
     }
-  if (auto apart = check_hole_apart(placed, boxes, hole, polygon); !apart) return apart;
+  const double off = shape.empty() ? 0.0 : kChord;
+  if (auto apart = check_hole_apart(placed, boxes, hole, off, polygon); !apart) return apart;
   boxes.push_back(box_of(hole));
   placed.turned.push_back(ring_area(hole) > 0.0);
   if (placed.turned.back()) std::ranges::reverse(hole);
@@ -234,7 +238,6 @@ Result<void> add_hole(PlacedPlate& placed, const PlateRing& polygon, Loop shape,
 
 Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::string& pointer,
                        double planarity) {
-  constexpr double kChord = 1e-2;  // mm, of shapes as polygons
   std::vector<Box2> boxes;
   for (std::size_t h = 0; h < plate.holes.size(); ++h) {
     const std::string place = pointer + "/holes/" + std::to_string(h);

@@ -77,6 +77,11 @@ TEST(HoleShapes, AreRefusedAsPolygonsAre) {
   EXPECT_EQ(code_of(RoundHole{{40, 50, 0}, 60}), code::invalid_input);
   EXPECT_EQ(code_of(RoundHole{{40, 50, 0}, 0}), code::invalid_input);
   EXPECT_EQ(code_of(RoundHole{{40, 50, 3}, 12}), code::not_planar);
+  // Tangent to the outline, and to each other.
+  EXPECT_EQ(code_of(RoundHole{{77.3, 10, 0}, 10}), code::self_crossing);
+  EXPECT_FALSE(connect(
+      with_shapes({kRound, RoundHole{kRound.at + Vec3(17 * std::cos(0.3), 17 * std::sin(0.3), 0),
+                                     17 - kRound.radius}})));
   const auto both = connect(with_shapes({kRound, RoundHole{{50, 50, 0}, 5}}));
   ASSERT_FALSE(both);
   EXPECT_EQ(both.error().code, code::self_crossing);

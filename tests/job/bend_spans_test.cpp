@@ -81,5 +81,19 @@ TEST(SpanFindings, NameEdgesThatAreHardlyUsed) {
             "");
 }
 
+TEST(TrimFindings, TellAllOpenJointsInOneSentence) {
+  std::vector<Plate> plates{rectangle("floor", {0, 0, 0}, {200, 0, 0}, {0, 100, 0}),
+                            rectangle("front", {0, 0, 0}, {200, 0, 0}, {0, 0, 50}),
+                            rectangle("back", {0, 100, 0}, {200, 0, 0}, {0, 0, 50}),
+                            rectangle("left", {0, 0, 0}, {0, 100, 0}, {0, 0, 50}),
+                            rectangle("right", {200, 0, 0}, {0, 100, 0}, {0, 0, 50})};
+  const auto report = connected(std::move(plates));
+  ASSERT_EQ(std::ranges::count(report.findings, "joint_left_open", &Finding::code), 1);
+  const auto found = std::ranges::find(report.findings, "joint_left_open", &Finding::code);
+  // Of each joint both plates and both ends.
+  EXPECT_EQ(found->about.size(), 4u * 4u);
+  EXPECT_EQ(std::ranges::count(found->numbers, "length", &NamedQuantity::name), 4);
+}
+
 }  // namespace
 }  // namespace planish::job
