@@ -6,8 +6,9 @@
 
 // Bridges and lances that stay attached at both ends are stretched, not bent, and would make a loop
 // of joints. A group inside an inner loop of a flange is one if it makes a ring with the flange: a
-// tree of n groups has n joints with it and among themselves, more of them make a ring. Doubly
-// curved faces that stand out of the sheet join groups too: the round ends of beads and louvres.
+// tree of n groups has n joints with it and among themselves, more of them make a ring; so do two
+// between the same groups along different lines. Doubly curved faces that stand out of the sheet
+// join groups too: the round ends of beads and louvres.
 
 namespace planish::brep {
 namespace {
@@ -64,13 +65,43 @@ std::set<int> reached_from(const std::set<int>& seeds, const Neighbours& neighbo
   return reached;
 }
 
+/// Whether one edge goes on in the line of another.
+bool is_in_line(const SpaceCurve& a, const SpaceCurve& b) {
+  constexpr double kAside = 1e-3;  // of the longer: joints of one bend agree much closer
+  if (a.kind != SpaceCurve::Kind::line || b.kind != SpaceCurve::Kind::line) return true;
+  const Vec3 along = (a.end - a.start).normalized();
+  const double limit = kAside * std::max(a.length(), b.length());
+  return (b.start - a.start).cross(along).norm() <= limit &&
+         (b.end - a.start).cross(along).norm() <= limit;
+}
+
+/// Joints between two groups along other lines than their first.
+int other_lines(const SolidModel& model, const Groups& groups, const std::set<int>& inside,
+                int flange) {
+  std::map<std::pair<int, int>, std::vector<int>> lines;  // an edge for each
+  const auto counts = [&](int g) { return g == flange || inside.contains(g); };
+  for (const GroupJoint& joint : groups.joints) {
+    if (joint.a == joint.b || !counts(joint.a) || !counts(joint.b)) continue;
+    std::vector<int>& known = lines[std::minmax(joint.a, joint.b)];
+    if (std::ranges::none_of(known, [&](int e) {
+          return is_in_line(model.edges[e].curve, model.edges[joint.edge].curve);
+        }))
+      known.push_back(joint.edge);
+  }
+  int others = 0;
+  for (const auto& [pair, edges] : lines)
+    others += static_cast<int>(edges.size()) - 1;
+  return others;
+}
+
 /// A tree of n groups and the flange has n joints; more form a ring.
-bool makes_ring(const Neighbours& neighbours, const std::set<int>& inside, int flange) {
+bool makes_ring(const SolidModel& model, const Groups& groups, const Neighbours& neighbours,
+                const std::set<int>& inside, int flange) {
   std::set<std::pair<int, int>> links;
   for (const int g : inside)
     for (const int other : neighbours[g])
       if (other == flange || inside.count(other) > 0) links.insert(std::minmax(g, other));
-  return links.size() > inside.size();
+  return links.size() > inside.size() || other_lines(model, groups, inside, flange) > 0;
 }
 
 }  // namespace
@@ -86,7 +117,8 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
     const std::set<int> seeds = joined_along(loop, joint_at, flange);
     if (seeds.empty()) return;
     const std::set<int> inside = reached_from(seeds, neighbours, flange);
-    if (makes_ring(neighbours, inside, flange)) taken.insert(inside.begin(), inside.end());
+    if (makes_ring(model, groups, neighbours, inside, flange))
+      taken.insert(inside.begin(), inside.end());
   };
   for (int g = 0; g < std::ssize(groups.rows); ++g) {
     if (!groups.rows[g].flange) continue;

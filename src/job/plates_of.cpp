@@ -1,8 +1,7 @@
-#include "drawn_folds.hpp"
-
 #include <planish/geometry/curve.hpp>
 #include <planish/job/plates_of.hpp>
 #include <planish/schema/json_parts.hpp>
+#include <planish/sheet/drawn_folds.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -48,6 +48,23 @@ TEST(ClosedForms, AreBridgesThatComeBackToTheirFlange) {
               UnorderedElementsAre(6, 7, 8));
 }
 
+TEST(ClosedForms, AreBeadsThatMeetTheirFlangeAlongTwoLines) {
+  const SolidModel model = with_opening();
+  Groups groups;
+  groups.rows = {{{1}, true, 1}, {{6, 8}, false, 6}};
+  groups.of_face.assign(model.faces.size(), -1);
+  groups.of_face[1] = 0;
+  groups.of_face[6] = groups.of_face[8] = 1;
+  groups.joints = {{edge_between(model, 1, 6), 0, 1, true}};
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)), IsEmpty());
+  groups.joints.push_back(groups.joints.front());
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)), IsEmpty())
+      << "a fold that an opening parts, in one line";
+  groups.joints.push_back({edge_between(model, 8, 1), 0, 1, true});
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)),
+              UnorderedElementsAre(6, 8));
+}
+
 TEST(ClosedForms, AreClosedByADrawnFaceThatStandsOut) {
   // The last bend ends at face 9, which comes back to the flange: the round end of a bead.
   SolidModel model = with_opening();

@@ -1,6 +1,5 @@
-#include "drawn_folds.hpp"
-
 #include <planish/geometry/plane.hpp>
+#include <planish/sheet/drawn_folds.hpp>
 
 #include <cmath>
 #include <utility>
@@ -10,7 +9,7 @@
 // along the borders beside it, except where these run along the fold. Corners that only divide a
 // straight run are left out.
 
-namespace planish::job {
+namespace planish {
 namespace {
 
 // mm: the smallest inside radius of which `connect` makes a bend.
@@ -104,4 +103,4 @@ std::vector<Vec2> without_runs(std::vector<Vec2> corners, double chord) {
   return corners;
 }
 
-}  // namespace planish::job
+}  // namespace planish

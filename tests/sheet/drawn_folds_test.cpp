@@ -1,13 +1,13 @@
-#include "drawn_folds.hpp"
-
 #include "support/sheets.hpp"
+
+#include <planish/sheet/drawn_folds.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace planish::job {
+namespace planish {
 namespace {
 
 using namespace planish::test;
@@ -81,7 +81,7 @@ TEST(DrawnFolds, MoveTheBordersOfFlangesToThem) {
 
 TEST(DrawnFolds, EndOnTheBordersBesideThem) {
   // Sides that lean by 30° go on to the line; those that run along it end in a step.
-  SheetBuilder builder(2.0);
+  test::SheetBuilder builder(2.0);
   const double lean = std::tan(std::numbers::pi / 6);
   const FaceId first = builder.flange(
       Frame{}, {polygon({{0, 0}, {40, 0}, {40 + 30 * lean, 30}, {-30 * lean, 30}})});
@@ -108,4 +108,4 @@ TEST(DrawnFolds, HaveNoCornersWhereTheOutlineRunsOn) {
 }
 
 }  // namespace
-}  // namespace planish::job
+}  // namespace planish

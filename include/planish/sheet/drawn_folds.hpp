@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-namespace planish::job {
+namespace planish {
 
 /// Whether a bend is drawn as a fold: sharp, or of an inside radius that nobody can see.
 bool is_fold(const Bend& bend);
@@ -24,4 +24,4 @@ std::vector<Curve2> drawn_to_fold_lines(const Sheet& sheet, FaceId face, int loo
 /// Corners without those where the outline runs on, or runs back over itself.
 std::vector<Vec2> without_runs(std::vector<Vec2> corners, double chord);
 
-}  // namespace planish::job
+}  // namespace planish
