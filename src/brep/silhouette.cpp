@@ -161,6 +161,24 @@ bool is_covered_otherwise(const Slab& slab, const RimPart& part, const std::vect
   return std::abs(loop_area(opening.mine) - covered - loop_area(cut)) > kOff * perimeter(cut);
 }
 
+/// Whether a part lies along the outlines of both skins, or along neither and only here: an opening
+/// that reaches into a bend on one skin alone has no silhouette on a plane.
+bool is_alike_on_both_skins(const Slab& slab, const RimPart& part, bool outer) {
+  const Recognition& of = slab.of;
+  const auto& partners = of.skins.partners[slab.face];
+  if (partners.empty()) return false;
+  const int opposite = *std::ranges::max_element(partners, {},
+                                                 [&](int f) { return of.outlines[f].area; });
+  bool outer_there = false, elsewhere = false;
+  for (const LoopRef& ref : loops_there(of, part)) {
+    outer_there |= ref.face == opposite && ref.loop == of.outlines[opposite].outer;
+    elsewhere |= std::ranges::count(partners, ref.face) == 0;
+  }
+  for (const LoopRef& ref : loops_here(of, part))
+    elsewhere |= ref.face != slab.face;
+  return outer == outer_there && (outer || !elsewhere);
+}
+
 /// Whether an opening needs more than its narrowest section, or an outline than its own edges.
 bool asks(const Slab& slab, const RimPart& part, const std::vector<int>& loops,
           const std::vector<int>& seen) {
@@ -245,7 +263,10 @@ Seen seen_of(const Slab& slab) {
     const auto faces = leaning_faces(slab, part);
     // At sharp bends outlines of the skins differ by more than what the rim takes off.
     const bool plain = faces && faces->up.empty() && !of.skins.sharp.empty();
-    if (!faces || plain || !asks(slab, part, loops, faces->up)) continue;
+    const bool outer = std::ranges::count(loops, of.outlines[slab.face].outer) > 0;
+    if (!faces || plain || !is_alike_on_both_skins(slab, part, outer) ||
+        !asks(slab, part, loops, faces->up))
+      continue;
     seen.parts.push_back(p);
     std::ranges::copy(faces->up, std::back_inserter(seen.faces.up));
     std::ranges::copy(faces->down, std::back_inserter(seen.faces.down));
