@@ -9,11 +9,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <ranges>
 
 // The part of each ruling that a face uses, as a smooth limit that stays clear of the edge of
 // regression (math.md#general-developable): the surface narrows along a ruling as 1 + q v, and a
 // limit of −L / (1 + q L) is never where it vanishes, whatever q is. q is a polynomial through its
-// values at nodes, so the rectangle of (u, v) that a kernel's B-spline needs carries no kink.
+// values at nodes, so the rectangle of (u, v) that a kernel's B-spline needs carries no kink; nodes
+// are doubled until it tells how wide the surface is at the limit.
 
 namespace planish::brep {
 namespace {
@@ -46,50 +49,70 @@ double speed_across(const Face& face, const Vec2& uv, double depth) {
          (2 * h.x());
 }
 
-double RulingRange::narrowing(double u) const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    double weight = narrowing_[i];
-    for (std::size_t j = 0; j < nodes; ++j)
-      if (j != i) weight *= (u - node(j)) / (node(i) - node(j));
-    sum += weight;
+NodePolynomial::NodePolynomial(const std::function<double(double)>& f, double lo, double hi,
+                               int nodes) {
+  for (int i = 0; i < nodes; ++i) {
+    const double turn = std::numbers::pi * i / (nodes - 1);
+    nodes_.push_back(std::lerp(lo, hi, 0.5 - 0.5 * std::cos(turn)));
+    values_.push_back(f(nodes_.back()));
   }
-  return sum;
+}
+
+double NodePolynomial::operator()(double u) const {
+  // The barycentric formula; the weights of these nodes alternate, halved at the ends.
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (u == nodes_[i]) return values_[i];
+    const double end = i == 0 || i + 1 == nodes_.size() ? 0.5 : 1.0;
+    const double weight = (i % 2 == 0 ? end : -end) / (u - nodes_[i]);
+    sum += weight * values_[i];
+    weights += weight;
+  }
+  return sum / weights;
 }
 
 double RulingRange::limit(double u) const {
-  return reach_ / (1.0 + std::abs(narrowing(u) * reach_));
+  return reach_ / (1.0 + std::abs(narrowing_(u) * reach_));
 }
 
 double RulingRange::lo(double u) const { return reach_ < 0.0 ? limit(u) : box_.lo.y(); }
 double RulingRange::hi(double u) const { return reach_ > 0.0 ? limit(u) : box_.hi.y(); }
 
 RulingRange ruling_range(const Face& face, double depth) {
-  RulingRange range(parameter_box(face));
-  const Box2& box = range.box_;
-  const RulingRange whole = range;
+  const RulingRange whole(parameter_box(face));
+  const Box2& box = whole.box();
   const double span = box.size().y();
   const auto narrowing = [&](double u) {
     return (speed_across(face, {u, span}, depth) / speed_across(face, {u, 0.0}, depth) - 1.0) /
            span;
   };
-  for (std::size_t i = 0; i < RulingRange::nodes; ++i)
-    range.narrowing_[i] = narrowing(range.node(i));
+  const auto at = [&](int i) { return std::lerp(box.lo.x(), box.hi.x(), double(i) / kSamples); };
+  std::vector<double> sampled;
+  for (int i = 0; i <= kSamples; ++i)
+    sampled.push_back(narrowing(at(i)));
   // If narrower than this share of its width at v = 0, readers do not accept it as a regular
   // surface.
   constexpr double narrowest = 0.1;
-  const auto [least, most] = std::ranges::minmax(range.narrowing_);
+  const auto [least, most] = std::ranges::minmax(sampled);
   const bool narrow_below = 1.0 + most * box.lo.y() < narrowest && least > 0.0;
   const bool narrow_above = 1.0 + least * box.hi.y() < narrowest && most < 0.0;
   if (!narrow_below && !narrow_above) return whole;
   const double side = narrow_below ? -1.0 : 1.0;
-  range.reach_ = side * reach_of(face, side, [&](double u) { return range.narrowing(u); });
-  for (int i = 0; i <= kSamples; ++i) {
-    const double u = box.lo.x() + box.size().x() * i / kSamples;
-    if (range.narrowing(u) * side >= 0.0 || 1.0 + narrowing(u) * range.limit(u) <= 0.0)
-      return whole;
+  RulingRange range = whole;
+  // What remains of the width at the limit is small, and the polynomial must tell it.
+  const auto tells_the_width = [&](int i) {
+    const double q = range.narrowing_(at(i));
+    const double remains = 1.0 + sampled[i] * range.limit(at(i));
+    constexpr double kPart = 0.5;
+    return q * side < 0.0 && remains * (1.0 + std::abs(q * range.reach_)) > kPart;
+  };
+  constexpr int kMostNodes = 129;
+  for (int nodes = 5; nodes <= kMostNodes; nodes = 2 * nodes - 1) {
+    range.narrowing_ = NodePolynomial(narrowing, box.lo.x(), box.hi.x(), nodes);
+    range.reach_ = side * reach_of(face, side, range.narrowing_);
+    if (std::ranges::all_of(std::views::iota(0, kSamples + 1), tells_the_width)) return range;
   }
-  return range;
+  return whole;
 }
 
 Handle(Geom2d_Curve) carried_into(const RulingRange& range, const Handle(Geom2d_Curve) & curve,

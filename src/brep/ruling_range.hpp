@@ -4,7 +4,8 @@
 
 #include <Geom2d_Curve.hxx>
 
-#include <array>
+#include <functional>
+#include <vector>
 
 namespace planish::brep {
 
@@ -12,6 +13,20 @@ namespace planish::brep {
 /// negative past the edge of regression. Linear in v and in the depth. By differences: relative
 /// accuracy about 1e-9.
 double speed_across(const Face& face, const Vec2& uv, double depth);
+
+/// The polynomial through the values of a function at the extrema of a Chebyshev polynomial in [lo,
+/// hi]: of an analytic function its error falls geometrically with the number of nodes.
+class NodePolynomial {
+ public:
+  NodePolynomial() = default;
+  /// Requires: lo < hi, 2 nodes or more.
+  NodePolynomial(const std::function<double(double)>& f, double lo, double hi, int nodes);
+
+  double operator()(double u) const;
+
+ private:
+  std::vector<double> nodes_, values_;
+};
 
 /// The part of each ruling that a face on a ruled surface uses: the face lies in lo(u) … hi(u).
 /// This is the face's extent for all u, unless the edge of regression enters it; then the limit on
@@ -27,19 +42,13 @@ class RulingRange {
 
  private:
   friend RulingRange ruling_range(const Face& face, double depth);
-  static constexpr std::size_t nodes = 5;
 
-  double node(std::size_t i) const {
-    return box_.lo.x() + box_.size().x() * static_cast<double>(i) / (nodes - 1);
-  }
-  double narrowing(double u) const;
   double limit(double u) const;
 
   Box2 box_;
   /// The surface narrows along a ruling as 1 + q v, and is 1/(1 + |q| L) as wide at −L/(1 + q L)
-  /// (q > 0), at L/(1 − q L) (q < 0): never nothing. q by the polynomial through its values at the
-  /// nodes, so that the limit is smooth; L is `reach_`, of the sign of the side.
-  std::array<double, nodes> narrowing_{};
+  /// (q > 0), at L/(1 − q L) (q < 0): never nothing. L is `reach_`, of the sign of the side.
+  NodePolynomial narrowing_;
   double reach_ = 0.0;
 };
 RulingRange ruling_range(const Face& face, double depth);

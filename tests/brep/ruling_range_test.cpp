@@ -102,6 +102,52 @@ TEST(RulingRange, HoldsTheFaceAndStaysClearOfTheEdgeOfRegression) {
   }
 }
 
+TEST(NodePolynomial, NearsAnalyticFunctionsGeometricallyWithItsNodes) {
+  const auto runge = [](double u) { return 1.0 / (1.0 + 25.0 * u * u); };
+  // Analytic within the ellipse about −1 and 1 whose half axes add up to 1.2, and below 6.3 there.
+  constexpr double kAxes = 1.2, kLargest = 6.3;
+  for (const int nodes : {9, 33, 129}) {
+    const NodePolynomial polynomial(runge, -1.0, 1.0, nodes);
+    for (int i = 0; i <= 200; ++i) {
+      const double u = -1.0 + 0.01 * i;
+      EXPECT_NEAR(polynomial(u), runge(u), 4 * kLargest * std::pow(kAxes, 1 - nodes) / (kAxes - 1));
+    }
+  }
+}
+
+/// The oblique cone over half a circle about (150, 0), of radius 100, from the apex at 200 above
+/// the origin, and a border at which one thousandth of it is left on every ruling.
+TEST(RulingRange, StaysBetweenBorderAndApexOnAnObliqueCone) {
+  const Vec3 apex(0, 0, 200);
+  const auto base = [](double u) -> Vec3 {
+    return {150 + 100 * std::cos(u), 100 * std::sin(u), 0};
+  };
+  const auto far = [&](double u) { return (base(u) - apex).norm(); };
+  Ruled ruled;
+  for (int i = 0; i <= 200; ++i) {
+    const double u = 3.1 * i / 200;
+    const Vec3 slope(-100 * std::sin(u), 100 * std::cos(u), 0), g = (base(u) - apex) / far(u);
+    ruled.knots.push_back({u, base(u), slope, g, (slope - g * g.dot(slope)) / far(u)});
+  }
+  Face face;
+  face.surface = Developable(ruled);
+  constexpr double kLeft = 1e-3;
+  BorderLoop loop{{Segment{{3.1, 0}, {0, 0}}}};
+  const auto border = [&](double u) { return Vec2(u, -(1.0 - kLeft) * far(u)); };
+  loop.push_back({Segment{{0, 0}, border(0)}});
+  for (int i = 0; i < 200; ++i)
+    loop.push_back({Segment{border(3.1 * i / 200), border(3.1 * (i + 1) / 200)}});
+  loop.push_back({Segment{border(3.1), {3.1, 0}}});
+  face.loops = {loop};
+  const RulingRange range = ruling_range(face, 0.0);
+  ASSERT_FALSE(range.constant());
+  for (int i = 0; i <= 300; ++i) {
+    const double u = 3.1 * i / 300;
+    EXPECT_LT(range.lo(u), border(u).y());
+    EXPECT_GT(range.lo(u), -(1.0 - 0.4 * kLeft) * far(u)) << "near the apex";
+  }
+}
+
 TEST(CarriedInto, GivesEachPointItsShareOfItsRuling) {
   const Face face = narrow_face(40);
   const RulingRange range = ruling_range(face, 0.0);

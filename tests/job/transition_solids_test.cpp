@@ -1,6 +1,8 @@
+#include <planish/brep/step.hpp>
 #include <planish/collision/meeting_faces.hpp>
 #include <planish/job/run.hpp>
 #include <planish/sheet/folded_blocks.hpp>
+#include <planish/sheet/layout.hpp>
 #include <planish/transition/transition.hpp>
 
 #include <gtest/gtest.h>
@@ -77,6 +79,49 @@ TEST(TransitionSolids, BlocksOfConesEndBeforeTheirApex) {
     for (const Block& block : folded_blocks(sheet, face, {.inset = 0.02}))
       for (const Vec3& p : block)
         EXPECT_GT(p.z(), -0.5 * sheet.thickness);
+  }
+}
+
+TransitionSpec from_circle_to(std::vector<Vec2> corners) {
+  TransitionSpec spec;
+  spec.thickness = 1.0;
+  spec.from.profile = EllipseProfile{100, 100};
+  spec.to.profile = PolygonProfile{std::move(corners)};
+  spec.to.frame.origin = {0, 0, 150};
+  return spec;
+}
+
+/// Both have the same area and length of cut: the solid's own flat pattern, and that found in what
+/// is read from its STEP.
+void expect_unfolds_again(const FoldedPiece& piece, const std::string& name) {
+  const FlattenOptions options{.allowance = ConstantK{0.5, ""}};
+  const auto step = folded_solid_step(piece.sheet, name);
+  ASSERT_TRUE(step) << name << ": " << step.error().message;
+  const auto read = read_step_text(*step, name);
+  ASSERT_TRUE(read) << name << ": " << read.error().message;
+  const auto found = recognize(read->bodies.front());
+  ASSERT_TRUE(found) << name << ": " << found.error().message;
+  const auto flat = flatten(found->sheet, options), own = flatten(piece.sheet, options);
+  ASSERT_TRUE(flat && own) << name;
+  constexpr double kSame = 1e-5;
+  EXPECT_NEAR(flat->area / own->area, 1.0, kSame) << name;
+  EXPECT_NEAR(flat->perimeter / own->perimeter, 1.0, kSame) << name;
+}
+
+// Rulings of cones on one corner differ in length: those of a rectangle of parameters that holds
+// the longest would end beyond the apex.
+TEST(TransitionSolids, UnfoldAgainHoweverObliqueTheirCones) {
+  std::vector<std::pair<std::string, TransitionSpec>> specs;
+  for (const double radius : {90.0, 110.0, 130.0, 150.0, 200.0, 400.0})
+    specs.emplace_back("round of " + std::to_string(radius), square_to_round(radius));
+  for (const double x : {0.0, 30.0, 90.0, 150.0})
+    specs.emplace_back("apex at " + std::to_string(x), from_circle_to({{x, 20}}));
+  specs.emplace_back("ridge", from_circle_to({{-50, 0}, {50, 0}}));
+  for (const auto& [name, spec] : specs) {
+    const auto pieces = folded_pieces(spec, {.tolerance = 1e-9});
+    ASSERT_TRUE(pieces) << name << ": " << pieces.error().message;
+    for (const FoldedPiece& piece : *pieces)
+      expect_unfolds_again(piece, name);
   }
 }
 
