@@ -1,5 +1,6 @@
 #include "body.hpp"
 #include "support/error_data.hpp"
+#include "support/sheets.hpp"
 
 #include <planish/brep/codes.hpp>
 #include <planish/brep/step.hpp>
@@ -90,6 +91,27 @@ TEST(BodyFacesMesh, StaysWithinTheChordOfACylinder) {
     for (const Vec3& p : surface->mesh.points)
       EXPECT_TRUE(std::abs(std::hypot(p.x(), p.y()) - 10) < 1e-6 || std::abs(p.z()) < 1e-9 ||
                   std::abs(p.z() - 20) < 1e-9);
+  }
+}
+
+TEST(BodyFacesMesh, NeedsFewTrianglesBetweenRulings) {
+  for (const Sheet& sheet :
+       {planish::test::cone_joined(), planish::test::lofted_corner(),
+        planish::test::as_ruled(planish::test::truncated_cone(30, 60, 80, Angle::degrees(300), 2),
+                                Angle::degrees(3)),
+        planish::test::as_ruled(planish::test::hole_in_bend(6, 0.44), Angle::degrees(3))}) {
+    const auto body = folded_body(sheet, "part");
+    ASSERT_TRUE(body) << body.error().message;
+    constexpr double kChord = 0.01;
+    const auto surface = body_faces_mesh(*body, kChord);
+    ASSERT_TRUE(surface) << surface.error().message;
+    double area = 0.0;
+    for (const auto& t : surface->mesh.triangles) {
+      const Vec3& a = surface->mesh.points[t[0]];
+      area += (surface->mesh.points[t[1]] - a).cross(surface->mesh.points[t[2]] - a).norm() / 2;
+    }
+    EXPECT_NEAR(enclosed_by(surface->mesh), body->volume(), kChord * area);
+    EXPECT_LT(surface->mesh.triangles.size(), 5000u);
   }
 }
 
