@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 // A silhouette is what the saw or the laser cuts; the rest is a drawing of what is machined after
 // it. Its volume is summed over the faces between the skins, column by column: what looks up ends
@@ -35,9 +34,10 @@ struct SeenFace {
 std::vector<int> cut_loops(const SeenFace& seen, const SheetBuilder& builder) {
   const int count = static_cast<int>(builder.sheet()[seen.id()].loops.size());
   const int openings = static_cast<int>(seen.silhouette.loops.size()) - 1;
-  std::vector<int> loops(static_cast<std::size_t>(openings));
-  std::iota(loops.begin(), loops.end(), count - openings);
-  if (!seen.silhouette.outer_kept) loops.insert(loops.begin(), 0);
+  std::vector<int> loops;
+  if (!seen.silhouette.outer_kept) loops.push_back(0);
+  for (int l = count - openings; l < count; ++l)
+    loops.push_back(l);
   return loops;
 }
 

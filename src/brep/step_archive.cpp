@@ -22,7 +22,7 @@ std::string bytes_of(const fs::path& file, std::size_t most = std::numeric_limit
   std::string bytes(std::min<std::uintmax_t>(fs::file_size(file, none), most), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(bytes.data(), std::ssize(bytes));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  bytes.erase(bytes.begin() + stream.gcount(), bytes.end());
   return bytes;
 }
 
