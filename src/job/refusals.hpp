@@ -32,6 +32,10 @@ constexpr Refusal opening_wrong{
     code::pattern_wrong,
     "An opening of the pattern is not what the solid lets through: they differ by {off} all round. "
     "The pattern cannot be trusted and is not written."};
+constexpr Refusal outline_wrong{
+    code::pattern_wrong,
+    "The solid reaches {off} beyond the outline of the pattern, where material would be missing. "
+    "The pattern cannot be trusted and is not written."};
 constexpr Refusal refold_wrong{code::pattern_wrong,
                                "The contour, folded back, misses the solid's edge by {off}. The "
                                "pattern cannot be trusted and is not written."};

@@ -199,6 +199,9 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
   if (certificate.opening_error.value_or(0.0) > bounds.opening_refusal) {
     return wrong(refuse::opening_wrong, *certificate.opening_error, certificate.opening_error_at);
   }
+  if (certificate.outline_error.value_or(0.0) > bounds.opening_refusal) {
+    return wrong(refuse::outline_wrong, *certificate.outline_error, certificate.outline_error_at);
+  }
   if (or_nan(certificate.refold_deviation) > bounds.refold_refusal) {
     return wrong(refuse::refold_wrong, or_nan(certificate.refold_deviation), certificate.refold_at);
   }

@@ -141,12 +141,15 @@ TEST(Verdict, ShowsWhereTheSolidReachesBeyondTheOutline) {
   Certificate certificate = perfect();
   certificate.outline_error = 0.009;
   EXPECT_TRUE(doubts_of(certificate).empty());
-  certificate.outline_error = 0.7;
+  certificate.outline_error = 0.4;
   certificate.outline_error_at = {7, 8};
   const auto found = doubts_of(certificate);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "outline_size");
   EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
+  EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
+  certificate.outline_error = 0.6;
+  EXPECT_EQ(disbelief(certificate, kVolume, {})->code, code::pattern_wrong);
 }
 
 TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
