@@ -23,6 +23,8 @@ namespace {
 
 /// Sine: walls that lean less stand upright, to the digits of a STEP file.
 constexpr double kUpright = 1e-4;
+/// The same of walls from skin to skin that have a draft and are no slanted cuts: 3°.
+constexpr double kDraft = 0.05;
 
 enum class Look { up, down, upright, both };
 
@@ -34,11 +36,14 @@ Vec3 torus_normal(const Torus& torus, int sense, const Vec3& point) {
   return sense * (point - middle).normalized();
 }
 
-/// Which way a face looks, seen along a normal.
-Look look_of(const Recognition& of, int f, const Vec3& normal) {
+/// Sines by which a face looks along a normal: the least, not above 0, and the most, not below.
+struct Leans {
+  double least = 0.0, most = 0.0;
+};
+std::optional<Leans> leans_of(const Recognition& of, int f, const Vec3& normal) {
   const SolidFace& face = of.model.faces[f];
   const auto* curved = std::get_if<DoublyCurved>(&face.surface);
-  if (curved && !curved->torus) return Look::both;
+  if (curved && !curved->torus) return {};
   double least = 0.0, most = 0.0;
   for (const auto& ring : of.outlines[f].rings)
     for (const Vec3& point : ring) {
@@ -47,8 +52,15 @@ Look look_of(const Recognition& of, int f, const Vec3& normal) {
       least = std::min(least, outwards.dot(normal));
       most = std::max(most, outwards.dot(normal));
     }
-  if (least < -kUpright) return most > kUpright ? Look::both : Look::down;
-  return most > kUpright ? Look::up : Look::upright;
+  return Leans{least, most};
+}
+
+/// Which way a face looks, seen along a normal.
+Look look_of(const Recognition& of, int f, const Vec3& normal) {
+  const auto leans = leans_of(of, f, normal);
+  if (!leans) return Look::both;
+  if (leans->least < -kUpright) return leans->most > kUpright ? Look::both : Look::down;
+  return leans->most > kUpright ? Look::up : Look::upright;
 }
 
 std::set<int> neighbours(const Recognition& of, int f) {
@@ -111,6 +123,11 @@ bool spans(const Recognition& of, const std::set<int>& beside) {
   return first && second;
 }
 
+bool has_draft(const Recognition& of, int f, const Vec3& normal) {
+  const auto leans = leans_of(of, f, normal);
+  return leans && std::max(leans->most, -leans->least) <= kDraft;
+}
+
 /// Faces of the rim within a flange that stand not upright.
 struct Leaning {
   std::vector<int> up, down;
@@ -120,6 +137,7 @@ struct Leaning {
 std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
   const Recognition& of = slab.of;
   Leaning found;
+  bool stepped = false;
   std::set<int> leaning, away;  // beyond the flange
   for (const int f : part.faces) {
     const Look look = look_of(of, f, slab.plane.z);
@@ -127,15 +145,16 @@ std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
     (slab.holds(f) ? leaning : away).insert(f);
     if (away.contains(f)) continue;
     if (look == Look::both) return std::nullopt;
+    const bool through = spans(of, neighbours(of, f));
+    if (through && !has_draft(of, f, slab.plane.z)) return std::nullopt;
     (look == Look::up ? found.up : found.down).push_back(f);
+    stepped |= !through;
   }
-  if (leaning.empty()) return std::nullopt;
-  for (const int f : leaning) {
-    const std::set<int> beside = neighbours(of, f);
-    if (spans(of, beside) ||
-        std::ranges::any_of(beside, [&](int other) { return away.contains(other); }))
+  // A draft alone is cut along the skin, where that is the wider one.
+  if (!stepped && found.up.empty()) return std::nullopt;
+  for (const int f : leaning)
+    if (std::ranges::any_of(neighbours(of, f), [&](int other) { return away.contains(other); }))
       return std::nullopt;
-  }
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeWedge.hxx>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,6 +104,22 @@ TEST(Silhouettes, DoNotTakeABlindBoreBesideAHoleForTheHole) {
   const auto [sheet, flat, certificate] = unfolded({bore(40, 30, 8, 0, 3), bore(30, 30, 5, 1, 3)});
   ASSERT_EQ(flat.openings.size(), 1u);
   EXPECT_NEAR(-signed_area(flat.openings.front().loop), 64 * pi, 1e-9);
+}
+
+TEST(Silhouettes, HoldBesideWallsWithADraft) {
+  // From 100 × 60 on one skin the walls lean in by 0.06 on 3 mm; a step leaves 1.8 mm of them.
+  const TopoDS_Shape plate = BRepPrimAPI_MakeWedge(100, 3, 60, 0.06, 0.06, 99.94, 59.94).Shape();
+  const TopoDS_Shape stepped = BRepAlgoAPI_Cut(plate, block({-1, -1, 20}, {8, 1.2, 40})).Shape();
+  const auto text = guarded([&] { return step_text(stepped, "plate"); });
+  const auto file = read_step_text(text.value(), "plate.step");
+  const auto found = recognize(file.value().bodies.front());
+  ASSERT_TRUE(found) << found.error().message;
+  const auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
+  ASSERT_TRUE(flat) << flat.error().message;
+  EXPECT_NEAR(flat->area, 6000.0 - 20 * 0.06 * 1.2 / 3, 1e-6);
+  const auto certificate = certify(found->sheet, *flat, found->distance);
+  EXPECT_LT(certificate->outline_error.value(), 1e-9);
+  EXPECT_NEAR(certificate->explained_ratio.value(), 1.0, 1e-9);
 }
 
 TEST(Silhouettes, AreNoSheetWhereMostIsMilledOff) {
