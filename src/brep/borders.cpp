@@ -159,6 +159,15 @@ double turns_to(const Developable& surface, double u, double u_near) {
 
 }  // namespace
 
+std::optional<double> level_depth(const SpaceCurve& edge, const Frame& plane, double tolerance) {
+  const auto depth_of = [&](const Vec3& point) { return -plane.local(point).z(); };
+  const double depth = depth_of(edge.start);
+  for (const double share : {0.5, 1.0})
+    if (std::abs(depth_of(edge.point(std::lerp(edge.t0, edge.t1, share))) - depth) > tolerance)
+      return {};
+  return depth;
+}
+
 Curve2 shifted_u(const Curve2& curve, double by) {
   return transformed(curve, Isometry2(Eigen::Translation2d(by, 0.0)));
 }

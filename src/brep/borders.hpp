@@ -12,6 +12,10 @@ namespace planish::brep {
 BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop,
                         const SolidSurface& surface, double u_near, double tolerance);
 
+/// The depth of an edge below a plane, against its normal, mm; empty where it is not level within
+/// `tolerance`, as its ends and its middle tell.
+std::optional<double> level_depth(const SpaceCurve& edge, const Frame& plane, double tolerance);
+
 /// The curve moved along u.
 Curve2 shifted_u(const Curve2& curve, double by);
 

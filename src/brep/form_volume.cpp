@@ -29,11 +29,27 @@ double volume_under(const Recognition& of, const RimPart& part) {
   return sum_of(part.faces, [&](int f) { return of.model.faces[f].volume; });
 }
 
+/// Whether a part goes round one plane on either skin, as the rim of a plate, and nothing else.
+bool is_plate_rim(const Recognition& of, const RimPart& part) {
+  const auto alone = [&](const LoopRef& ref) {
+    const SolidFace& face = of.model.faces[ref.face];
+    return std::holds_alternative<Frame>(face.surface) && !opening_in_plane(of, ref) &&
+           std::ranges::all_of(face.loops[ref.loop], [&](const CoEdge& use) {
+             const int wall = face_across(of.model.edges[use.edge], ref.face);
+             return wall >= 0 && of.rim.part_of[wall] >= 0;
+           });
+  };
+  return part.first.size() == 1 && part.second.size() == 1 && alone(part.first.front()) &&
+         alone(part.second.front());
+}
+
 }  // namespace
 
-double loop_area(const BorderLoop& borders) {
-  return std::abs(sum_of(borders, [&](const Border& border) { return green_area(border.curve); }));
+double signed_loop_area(const BorderLoop& borders) {
+  return sum_of(borders, [](const Border& border) { return green_area(border.curve); });
 }
+
+double loop_area(const BorderLoop& borders) { return std::abs(signed_loop_area(borders)); }
 
 bool opening_in_plane(const Recognition& of, const LoopRef& ref) {
   return std::holds_alternative<Frame>(of.model.faces[ref.face].surface) &&
@@ -63,19 +79,6 @@ double opening_volume(const Recognition& of, const RimPart& part,
     depth += over.height;
   }
   return excess + cut * depth * 2 / 3;
-}
-
-bool is_plate_rim(const Recognition& of, const RimPart& part) {
-  const auto alone = [&](const LoopRef& ref) {
-    const SolidFace& face = of.model.faces[ref.face];
-    return std::holds_alternative<Frame>(face.surface) && !opening_in_plane(of, ref) &&
-           std::ranges::all_of(face.loops[ref.loop], [&](const CoEdge& use) {
-             const int wall = face_across(of.model.edges[use.edge], ref.face);
-             return wall >= 0 && of.rim.part_of[wall] >= 0;
-           });
-  };
-  return part.first.size() == 1 && part.second.size() == 1 && alone(part.first.front()) &&
-         alone(part.second.front());
 }
 
 std::optional<double> rim_volume(const Recognition& of, const RimPart& part, double cut) {

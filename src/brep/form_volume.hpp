@@ -6,7 +6,8 @@
 
 namespace planish::brep {
 
-/// Area inside borders.
+/// Area inside borders, above 0 where they run counter-clockwise; and without its sign.
+double signed_loop_area(const BorderLoop& borders);
 double loop_area(const BorderLoop& borders);
 
 /// Whether the loop is an opening of a plane.
@@ -21,9 +22,6 @@ std::optional<double> form_volume(const Recognition& of, const RimPart& part);
 /// area `cut`.
 double opening_volume(const Recognition& of, const RimPart& part,
                       const std::array<LoopRef, 2>& openings, double cut);
-
-/// Whether a part goes round one plane on either skin, as the rim of a plate, and nothing else.
-bool is_plate_rim(const Recognition& of, const RimPart& part);
 
 /// The same along the rim of a plate, cut with the area `cut` inside its outline; empty along
 /// others.

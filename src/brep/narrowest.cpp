@@ -78,15 +78,11 @@ BorderLoop level_borders(const Recognition& of, const std::vector<CoEdge>& chain
   const BorderLoop seen = read_borders(of.model, chain, plane, 0.0, of.tolerance);
   BorderLoop level;
   for (size_t i = 0; i < chain.size(); ++i) {
-    const SpaceCurve& edge = of.model.edges[chain[i].edge].curve;
-    const double depth = depth_of(plane, edge.start);
     if (length(seen[i].curve) <= of.tolerance) continue;
-    for (const double share : {0.5, 1.0})
-      if (std::abs(depth_of(plane, edge.point(std::lerp(edge.t0, edge.t1, share))) - depth) >
-          of.tolerance)
-        return {};
+    const auto depth = level_depth(of.model.edges[chain[i].edge].curve, plane, of.tolerance);
+    if (!depth) return {};
     level.push_back(seen[i]);
-    level.back().edge_depth = depth;
+    level.back().edge_depth = *depth;
   }
   return level;
 }

@@ -234,12 +234,9 @@ BorderLoop seen_borders(const Slab& slab, const std::vector<CoEdge>& uses) {
   for (Border& border : read_borders(of.model, uses, slab.plane, 0.0, of.tolerance)) {
     if (length(border.curve) <= of.tolerance) continue;
     const SpaceCurve& edge = of.model.edges[*border.edge - 1].curve;
-    const auto depth = [&](double share) {
-      return -slab.plane.local(edge.point(std::lerp(edge.t0, edge.t1, share))).z();
-    };
-    border.edge_depth = depth(0.0);
-    if (std::max(std::abs(depth(0.5) - depth(0.0)), std::abs(depth(1.0) - depth(0.0))) >
-        of.tolerance) {
+    if (const auto depth = level_depth(edge, slab.plane, of.tolerance)) {
+      border.edge_depth = *depth;
+    } else {
       border.edge.reset();
       border.edge_length.reset();
     }
@@ -255,14 +252,12 @@ PlaneRegion region_of(const Slab& slab, int f) {
   for (const auto& uses : slab.of.model.faces[f].loops)
     for (const auto& closed : without_seams(uses))
       region.push_back(seen_borders(slab, closed));
-  const auto area = [](const BorderLoop& loop) {
-    return sum_of(loop, [](const Border& border) { return green_area(border.curve); });
-  };
-  const auto outer = std::ranges::max_element(region, {}, area);
-  if (outer == region.end() || area(*outer) <= 0.0) return {};
+  const auto outer = std::ranges::max_element(region, {}, signed_loop_area);
+  if (outer == region.end() || signed_loop_area(*outer) <= 0.0) return {};
   std::iter_swap(region.begin(), outer);
-  const bool whole = std::all_of(region.begin() + 1, region.end(),
-                                 [&](const BorderLoop& loop) { return area(loop) < 0.0; });
+  const bool whole = std::all_of(region.begin() + 1, region.end(), [&](const BorderLoop& loop) {
+    return signed_loop_area(loop) < 0.0;
+  });
   return whole ? region : PlaneRegion{};
 }
 

@@ -41,10 +41,6 @@ std::vector<int> cut_loops(const SeenFace& seen, const SheetBuilder& builder) {
   return loops;
 }
 
-double signed_area_of(const BorderLoop& loop) {
-  return sum_of(loop, [](const Border& border) { return green_area(border.curve); });
-}
-
 /// What the solid has beyond the plain sheet under the cut, mm³: between the skins, what stands not
 /// upright; and the other skin where it has another outline than the cut. Empty at sharp bends, by
 /// which outlines of the skins differ too.
@@ -55,7 +51,7 @@ std::optional<double> volume_beyond(const SeenFace& seen, const Frame& plane, do
   for (const int p : seen.silhouette.parts)
     for (const LoopRef& ref : loops_there(of, seen.part(p)))
       if (std::ranges::count(of.skins.partners[seen.face], ref.face) > 0)
-        there += signed_area_of(seen_through(of, ref, plane));
+        there += signed_loop_area(seen_through(of, ref, plane));
   for (const int f : seen.silhouette.leaning)
     volume += volume_over(of.model, f, plane);
   return volume + (there - cut_area) * of.skins.thickness;
@@ -131,7 +127,7 @@ void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognitio
   const auto& plane = std::get<Frame>(builder[seen.id()].surface);
   const std::vector<int> cut = cut_loops(seen, builder);
   const double area = sum_of(
-      cut, [&](int l) { return signed_area_of(builder.sheet()[seen.id()].loops[l]); });
+      cut, [&](int l) { return signed_loop_area(builder.sheet()[seen.id()].loops[l]); });
   const auto beyond = volume_beyond(seen, plane, area);
   builder.add_outline(measured_outline(builder, seen.id(), ledges_of(of, face), of,
                                        std::max(0.0, -beyond.value_or(0.0))));
