@@ -1,5 +1,7 @@
 // A* over stages, each with the set-up that led to it. Strokes of one estimate are tried together,
-// dearer ones wait. What must hold: the bound never exceeds what is to come, and grows by no more
+// dearer ones wait. To change tools they are first taken off, which leads to a node without any: so
+// each set-up of a stage tries the strokes of its own tools, and only one of them all others. What
+// must hold: the bound never exceeds what is to come, and grows by no more
 // than a stroke costs; then the first full stage is the cheapest, and of two ways to a stage one
 // can be dropped that is not cheaper even with the change to the other's set-up
 // (math.md#bend-order, bend.md#search).
@@ -9,18 +11,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace planish::brake_detail {
 namespace {
 
 constexpr int kBetweenDives = 200;  // expansions
 
-/// A stage with the set-up of the stroke that led to it.
+/// A stage with the set-up of the stroke that led to it, or without its tools.
 struct Node {
   int stage = 0, set_up = kNoSetUp;
   double cost = 0.0;  ///< so far
   int before = -1;    ///< the node that it came from
-  int stroke = -1;    ///< the choice that led here
+  int stroke = -1;    ///< the choice that led here; −1: only the tools were taken off
 };
 
 /// A node whose strokes of one estimate are to be tried: most strokes are dearer and wait.
@@ -80,25 +83,62 @@ class BestFirst {
   void add(const Node& node) {
     const int number = static_cast<int>(nodes_.size());
     nodes_.push_back(node);
-    if (static_cast<int>(at_stage_.size()) <= node.stage) at_stage_.resize(node.stage + 1);
-    at_stage_[node.stage].push_back(number);
+    stage(node.stage).of_tools[tools_of(node.set_up)].push_back({node.set_up, node.cost});
     open_.add({estimate(node), kNothing, count(*book_[node.stage].formed), number});
+    if (node.set_up == kNoSetUp || !book_.set_up(node.set_up).has_tools()) return;
+    Node bare{node.stage, book_.set_up_of(book_.set_up(node.set_up).without_tools()), 0.0, number};
+    bare.cost = node.cost + book_.change(node.set_up, bare.set_up);
+    if (least_known(bare) > bare.cost) add(bare);
   }
 
-  /// The least that a known way to the node's stage costs, with the change to the node's set-up.
-  double least_known(const Node& node) const {
+  /// What is known of a stage.
+  struct Reached {
+    using Way = std::pair<int, double>;  // set-up and cost
+    std::map<std::pair<int, int>, std::vector<Way>> of_tools;
+    std::map<std::pair<int, int>, std::vector<std::size_t>> offers;  ///< by tools
+  };
+  Reached& stage(int number) {
+    if (std::ssize(stages_) <= number) stages_.resize(static_cast<std::size_t>(number) + 1);
+    return stages_[static_cast<std::size_t>(number)];
+  }
+
+  std::pair<int, int> tools_of(int set_up) const {
+    if (set_up == kNoSetUp) return {kNoTools, kNoTools};
+    return {book_.set_up(set_up).punch, book_.set_up(set_up).die};
+  }
+
+  /// The least that a known way to the node's stage costs, with the change to the node's set-up. A
+  /// way with other tools is known as one without tools.
+  double least_known(const Node& node) {
     double least = std::numeric_limits<double>::infinity();
-    if (static_cast<int>(at_stage_.size()) <= node.stage) return least;
-    for (const int other : at_stage_[node.stage])
-      least = std::min(least, nodes_[other].cost + book_.change(nodes_[other].set_up, node.set_up));
+    const Reached& reached = stage(node.stage);
+    for (const auto& tools : {tools_of(node.set_up), std::pair(kNoTools, kNoTools)}) {
+      const auto ways = reached.of_tools.find(tools);
+      if (ways == reached.of_tools.end()) continue;
+      for (const auto& [set_up, cost] : ways->second)
+        least = std::min(least, cost + book_.change(set_up, node.set_up));
+    }
     return least;
+  }
+
+  /// The strokes that a node may go on with: of its tools, or of all.
+  const std::vector<std::size_t>& offers_of(const Node& node) {
+    const std::size_t count = book_.offers(node.stage).size();
+    auto& offers = stage(node.stage).offers;
+    if (offers.empty())
+      for (std::size_t i = 0; i < count; ++i) {
+        const int set_up = book_.choice(book_[node.stage].offers[i].choice).set_up;
+        offers[tools_of(set_up)].push_back(i);
+        offers[{kNoTools, kNoTools}].push_back(i);
+      }
+    return offers[tools_of(node.set_up)];
   }
 
   void expand(const Waiting& waiting) {
     const Node from = nodes_[waiting.node];
     double later = std::numeric_limits<double>::infinity();
-    const std::size_t offers = book_.offers(from.stage).size();
-    for (std::size_t i = 0; i < offers; ++i) {
+    const std::vector<std::size_t> offers = offers_of(from);
+    for (const std::size_t i : offers) {
       const Offer& offer = book_[from.stage].offers[i];
       if (offer.state == Offer::State::infeasible) continue;
       const double estimate = through(from, offer.choice);
@@ -144,7 +184,7 @@ class BestFirst {
   std::vector<int> strokes_to(int number) const {
     std::vector<int> strokes;
     for (int node = number; nodes_[node].before >= 0; node = nodes_[node].before)
-      strokes.push_back(nodes_[node].stroke);
+      if (nodes_[node].stroke >= 0) strokes.push_back(nodes_[node].stroke);
     std::ranges::reverse(strokes);
     return strokes;
   }
@@ -159,7 +199,7 @@ class BestFirst {
   StageBook& book_;
   std::vector<Node> nodes_;
   int dives_ = 0;
-  std::vector<std::vector<int>> at_stage_;  ///< nodes, by stage
+  std::vector<Reached> stages_;
   Frontier<Waiting, Dearer> open_;
 };
 

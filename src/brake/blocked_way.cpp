@@ -135,11 +135,10 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
   const bool closes = first.closes.has_value();
   BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
   Setting way{&formed, pressed, line, 0, 0, 1};
-  for (const int punch : fitting.punches)
-    for (const int die : fitting.dies)
+  for (const ToolPair& pair : fitting.pairs)
       for (const int direction : {1, -1}) {
         if (Clock::now() > until && (best.hits || best.why)) continue;
-        const Setting stroke{&formed, pressed, line, punch, die, direction};
+        const Setting stroke{&formed, pressed, line, pair.punch, pair.die, direction};
         const auto obstruction = obstruction_of(cache, stroke);
         if (!obstruction) continue;
         const double most = best.hits ? best.depth : kDeepest;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "obstruction.hpp"
+#include "stage_cache.hpp"
 
 namespace planish::brake_detail {
 

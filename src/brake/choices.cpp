@@ -7,6 +7,7 @@
 #include "one_line.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace planish::brake_detail {
 namespace {
@@ -18,14 +19,26 @@ LineSet set_of(const StrokeInputs& inputs, const std::vector<int>& lines) {
   return set;
 }
 
-/// A stroke on lines towards a direction, with each pair of tools that fits the first of them.
-void add_pairs(const FittingTools& fitting, StrokeChoice choice, std::vector<StrokeChoice>& all) {
-  for (const int punch : fitting.punches)
-    for (const int die : fitting.dies) {
-      choice.punch = punch;
-      choice.die = die;
-      all.push_back(choice);
-    }
+/// kN over a die that these lines take together (math.md#tool-fit).
+double force_on(const StrokeInputs& inputs, const LineSet& lines, int die) {
+  double force = 0.0;
+  for (const int line : members(lines))
+    force += force_of(inputs.work.lines[line], inputs.tools.dies[die], inputs.options);
+  return force;
+}
+
+/// A stroke on lines towards a direction, with each pair of tools that fits one of them and that
+/// the press can bring down on all.
+void add_pairs(const StrokeInputs& inputs, const FittingTools& fitting, StrokeChoice choice,
+               std::vector<StrokeChoice>& all) {
+  const bool alone = count(choice.lines) == 1;  // its pairs were held against the press
+  for (const ToolPair& pair : fitting.pairs) {
+    if (!alone && force_on(inputs, choice.lines, pair.die) > inputs.tools.machine.force) continue;
+    choice.punch = pair.punch;
+    choice.die = pair.die;
+    choice.v_away = pair.v_away;
+    all.push_back(choice);
+  }
 }
 
 /// An edge for the gauge is looked for once: it does not depend on the tools.
@@ -33,10 +46,19 @@ bool is_gauged(StageCache& cache, const LineSet& formed, StrokeChoice choice, in
   const StrokeInputs& inputs = cache.inputs();
   const FittingTools& fitting = inputs.fitting[first];
   if (inputs.work.lines[first].closes) return true;
-  if (fitting.punches.empty() || fitting.dies.empty()) return true;
-  choice.punch = fitting.punches.front();
-  choice.die = fitting.dies.front();
+  if (fitting.pairs.empty()) return true;
+  choice.punch = fitting.pairs.front().punch;
+  choice.die = fitting.pairs.front().die;
   return gauge(cache, setting(inputs, formed, choice)).has_value();
+}
+
+/// Each pair of tools that fits one of these lines, which are bent alike.
+std::vector<ToolPair> pairs_of_any(const StrokeInputs& inputs, const std::vector<int>& lines) {
+  std::vector<ToolPair> pairs;
+  for (const int line : lines)
+    for (const ToolPair& pair : inputs.fitting[line].pairs)
+      if (!std::ranges::count(pairs, pair)) pairs.push_back(pair);
+  return pairs;
 }
 
 void add_strokes_on(StageCache& cache, const LineSet& formed, const std::vector<int>& lines,
@@ -49,17 +71,61 @@ void add_strokes_on(StageCache& cache, const LineSet& formed, const std::vector<
   for (const int direction : {1, -1}) {
     choice.direction = direction_number(inputs, direction * first.across());
     choice.gauged = is_gauged(cache, formed, choice, lines.front());
-    add_pairs(inputs.fitting[lines.front()], choice, all);
+    add_pairs(inputs, inputs.fitting[lines.front()], choice, all);
   }
 }
+
+/// The bumps of a bend are pressed one after the other, from either end, before anything else is.
+class BumpOrder {
+ public:
+  BumpOrder(const Workpiece& work, const LineSet& formed) : work_(work), formed_(formed) {
+    for (int line = 0; line < std::ssize(work.lines); ++line)
+      if (is_bump(line)) ++(holds(formed, line) ? done_ : left_)[bend_of(line)];
+    for (const auto& [bend, done] : done_)
+      if (left_.contains(bend)) begun_ = bend;
+  }
+
+  bool allows(int line) const {
+    if (!is_bump(line)) return !begun_;
+    const BendId bend = bend_of(line);
+    if (begun_ && *begun_ != bend) return false;
+    return ends_at(line, -1) || ends_at(line, 1);
+  }
+
+ private:
+  bool is_bump(int line) const { return work_.lines[line].bump_pitch.has_value(); }
+  BendId bend_of(int line) const { return work_.lines[line].bends.front(); }
+
+  /// Whether all bumps of the bend on one side of this one are formed, and it is the next.
+  bool ends_at(int line, int side) const {
+    const auto is_beyond = [&](int other) {
+      return is_bump(other) && bend_of(other) == bend_of(line) &&
+             side * (*work_.lines[other].press_line - *work_.lines[line].press_line) > 0;
+    };
+    int beyond = 0;
+    for (int other = 0; other < std::ssize(work_.lines); ++other) {
+      if (!is_beyond(other)) continue;
+      if (!holds(formed_, other)) return false;
+      ++beyond;
+    }
+    const auto done = done_.find(bend_of(line));
+    return beyond == (done == done_.end() ? 0 : done->second);
+  }
+
+  const Workpiece& work_;
+  const LineSet& formed_;
+  std::map<BendId, int> done_, left_;
+  std::optional<BendId> begun_ = {};
+};
 
 }  // namespace
 
 std::vector<StrokeChoice> choices(StageCache& cache, const LineSet& formed) {
   std::vector<StrokeChoice> all;
+  const BumpOrder bumps(cache.inputs().work, formed);
   for (int line = 0; line < cache.inputs().lines(); ++line) {
     const auto& closes = cache.inputs().work.lines[line].closes;
-    if (holds(formed, line) || (closes && !holds(formed, *closes))) continue;
+    if (holds(formed, line) || (closes && !holds(formed, *closes)) || !bumps.allows(line)) continue;
     const std::vector<int> lines = together(cache, line, formed);
     if (lines.front() == line) add_strokes_on(cache, formed, lines, all);
     if (lines.size() > 1) add_strokes_on(cache, formed, {line}, all);
@@ -79,7 +145,12 @@ std::vector<StrokeChoice> possible(const StrokeInputs& inputs) {
     for (const int other : lines)
       for (const int direction : {1, -1}) {
         choice.direction = direction_number(inputs, direction * inputs.work.lines[other].across());
-        add_pairs(inputs.fitting[line], choice, all);
+        for (const ToolPair& pair : pairs_of_any(inputs, lines)) {
+          choice.punch = pair.punch;
+          choice.die = pair.die;
+          choice.v_away = pair.v_away;
+          all.push_back(choice);
+        }
       }
   }
   return all;

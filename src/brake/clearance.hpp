@@ -1,6 +1,6 @@
 #pragma once
 
-#include "obstruction.hpp"
+#include "stage_cache.hpp"
 
 namespace planish::brake_detail {
 

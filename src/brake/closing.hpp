@@ -2,6 +2,7 @@
 
 #include "closed_hem.hpp"
 #include "obstruction.hpp"
+#include "stage_cache.hpp"
 
 namespace planish::brake_detail {
 

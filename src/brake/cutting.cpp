@@ -17,14 +17,8 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kRolledRatio = 10.0;  // inside radius in thicknesses, as in the rules
 constexpr double kNoRadius = 1e-3;     // mm: a bend that is drawn sharp inside
 constexpr double kOneLine = 1e-3;      // mm, and radians: lines that are one straight line
-
-bool is_rolled(const Bend& bend, double thickness) {
-  return bend.press_lines.empty() && bend.kind != BendKind::general && !bend.faces.empty() &&
-         bend.inside_radius > kRolledRatio * thickness;
-}
 
 /// Range of u over the faces of a bend.
 Interval u_range(const Sheet& sheet, const Bend& bend) {
@@ -55,17 +49,32 @@ Vec2 point_of(const BrakeLine& line, double at) { return line.origin + at * line
 /// Nodes are the faces of flanges and the regions of bends between their lines.
 int Cutting::count_nodes() {
   int count = static_cast<int>(sheet_.faces.size());
-  for (const Bend& bend : sheet_.bends) {
+  for (const BendId id : sheet_.bends.ids()) {
+    const Bend& bend = sheet_[id];
     auto at = mapped(bend.press_lines, &PressLine::u);
-    if (at.empty() && !bend.faces.empty() && !is_rolled(bend, sheet_.thickness)) {
+    if (at.empty() && !bend.faces.empty()) {
       const Interval range = u_range(sheet_, bend);
-      at.push_back(0.5 * (range.lo + range.hi));
+      const int strokes = strokes_of(id);
+      for (int i = 0; i < strokes; ++i)
+        at.push_back(range.lo + (i + 0.5) / strokes * (range.hi - range.lo));
     }
     first_region_.push_back(count);
     count += static_cast<int>(at.size()) + 1;
     lines_at_.push_back(std::move(at));
   }
   return count;
+}
+
+const LargeBend* Cutting::large(BendId bend) const {
+  const auto found = std::ranges::find(options_.large, bend, &LargeBend::bend);
+  return found == options_.large.end() ? nullptr : &*found;
+}
+
+/// Of a bend without press lines: one in its middle, its bumps, or none if it is rolled.
+int Cutting::strokes_of(BendId bend) const {
+  const LargeBend* large = this->large(bend);
+  if (!large || large->forming == Forming::over_v) return 1;
+  return large->forming == Forming::bumps ? large->bumps : 0;
 }
 
 int Cutting::region_of(BendId bend, double u) const {
@@ -99,7 +108,7 @@ BrakeLine Cutting::line_of(BendId id) const {
   line.bends = {id};
   line.kind = bend.kind;
   line.angle = bend.angle;
-  line.inside_radius = bend.inside_radius;
+  line.inside_radius = line.drawn_radius = bend.inside_radius;
   line.bend.thickness = sheet_.thickness;
   line.bend.neutral = layout_.allowance[id].k_factor * sheet_.thickness;
   line.bend.allowance = layout_.allowance[id].allowance;
@@ -115,7 +124,6 @@ std::optional<Error> Cutting::add_lines(BendId id) {
   const std::string name = fmt::format("B{}", index_of(id) + 1);
   if (bend.kind == BendKind::general && bend.press_lines.empty())
     return error_of(refuse::no_line_to_strike, {{"bend", place::bend(name)}}, name);
-  if (is_rolled(bend, sheet_.thickness)) made_.rolled.push_back(id);
   for (int i = 0; i < std::ssize(lines_at_[id]); ++i)
     add_press_line(id, i);
   return std::nullopt;
@@ -137,10 +145,17 @@ void Cutting::add_press_line(BendId id, int number) {
   line.origin = a;
   line.along = (b - a).normalized();
   if (line.across().dot(beside) < 0.0) line.along = -line.along;
+  const LargeBend* large = this->large(id);
+  line.is_large = large && large->forming == Forming::over_v;
   if (!bend.press_lines.empty()) {
     line.press_line = number;
     line.angle = bend.press_lines[number].angle;
     give_radius(line, std::min(options_.air_radius, bend.inside_radius));
+  } else if (large && large->forming == Forming::bumps) {
+    line.press_line = number;
+    line.angle = large->angle;
+    line.bump_pitch = large->pitch;
+    give_radius(line, options_.air_radius);
   } else if (bend.inside_radius < kNoRadius) {
     give_radius(line, options_.air_radius);
   }
@@ -251,6 +266,7 @@ std::optional<Error> Cutting::check_tree() const {
 
 Result<Workpiece> Cutting::cut() {
   made_.thickness = sheet_.thickness;
+  made_.large = options_.large;
   for (const BendId bend : sheet_.bends.ids())
     if (const auto error = add_lines(bend)) return tl::unexpected(*error);
   for (const Joint& joint : sheet_.joints)

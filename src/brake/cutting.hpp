@@ -29,6 +29,8 @@ class Cutting {
   };
 
   int count_nodes();
+  const LargeBend* large(BendId bend) const;
+  int strokes_of(BendId bend) const;
   int region_of(BendId bend, double u) const;
   int node_at(const BorderRef& ref) const;
   void unite_across(const Joint& joint);

@@ -13,8 +13,6 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kNewtons = 1000.0;  // in a kN
-
 /// Rows as the operator sees them: with the gauge behind the line, x runs to the right.
 std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interval& line,
                                   bool from_left) {
@@ -29,16 +27,12 @@ std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interv
   return seen;
 }
 
-/// kN: of air bending over the die, or of closing a hem.
+/// kN, of all lines that are pressed.
 double force(const StrokeInputs& inputs, const Setting& stroke) {
-  double length = 0.0;
+  double force = 0.0;
   for (const int line : members(stroke.pressed))
-    length += inputs.work.lines[line].length();
-  const double strength = inputs.options.tensile_strength, thickness = inputs.work.thickness;
-  return length / kNewtons *
-         (inputs.work.lines[stroke.line].closes
-              ? closing_force(strength, thickness)
-              : force_per_length(strength, thickness, inputs.tools.dies[stroke.die].opening));
+    force += force_of(inputs.work.lines[line], inputs.tools.dies[stroke.die], inputs.options);
+  return force;
 }
 
 std::vector<BendId> bends_of(const Workpiece& work, const LineSet& pressed) {
@@ -74,6 +68,13 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   stroke.to_gauge = inputs.work.bodies[line.bodies[from_left ? 1 : 0]].flange;
   if (choice.gauged && !line.closes) stroke.gauge = gauge(cache, at);
   stroke.force = force(inputs, at);
+  stroke.radius_drawn = line.drawn_radius;
+  stroke.radius_made = line.closes || line.closed_by ? line.drawn_radius
+                                                     : made_radius(inputs.tools.punches[at.punch],
+                                                                   inputs.tools.dies[at.die],
+                                                                   inputs.options);
+  stroke.v_away = choice.v_away;
+  if (!line.closes) stroke.v_wanted = wanted_opening(line, inputs.tools, inputs.options);
   if (!line.closes && rows) stroke.clearance = clearance(cache, at, *rows);
   return stroke;
 }

@@ -1,20 +1,30 @@
-// Which tools bear a line, whatever the stage: by angle, tip radius, opening and force, of the
-// dies that do those of the opening nearest to the wanted one (math.md#tool-fit,
-// math.md#closing-hems).
+// Which tools bend a line, whatever the stage. Of the dies whose angle suits it those count whose V
+// may be taken: for a usual radius from 4 to 12 thicknesses, for a large one those that leave it.
+// Each is held against tip, radius, force of tools and machine, and segments; what no tool can cure
+// is said first (math.md#tool-fit, math.md#v-choice, math.md#closing-hems).
 #include "fits.hpp"
 
+#include "segments.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <set>
 
 namespace planish::brake_detail {
 namespace {
 
 constexpr double kWritten = tolerance::kWrittenDigits;  // mm, radians: sizes of tools as written
+constexpr double kNarrowest = 4.0, kWidest = 12.0;      // V in thicknesses (math.md#v-choice)
+constexpr double kMet = 1.0 / 3.0;                      // of the drawn radius, either way
+constexpr double kVOfRadius = 2.2;                      // over which a punch of that radius bends
+constexpr double kVOfPitch = 4.0;                       // so that bumps do not share shoulders
+constexpr double kMillimetres = 1000.0;                 // in a metre: N/mm times mm are N
 
 double largest_tool_angle(const BrakeLine& line, const PlanOptions& options) {
   return std::numbers::pi - line.angle.radians() - options.springback.radians() + kWritten;
@@ -22,35 +32,20 @@ double largest_tool_angle(const BrakeLine& line, const PlanOptions& options) {
 
 bool bears(const std::optional<double>& most, double force) { return !most || *most >= force; }
 
-std::string_view no_tool_pattern(const BrakeLine& line, const BrakeTools& tools,
-                                 const PlanOptions& options, bool punches) {
-  const double most = largest_tool_angle(line, options);
-  if (is_hem(line.angle) && !line.closed_by) return say::no_flat_tools;
-  if (most <= 0.0) return say::has_to_be_rolled;
-  const auto sharp = [&](const auto& tool) { return tool.angle.radians() <= most; };
-  if (punches && std::ranges::none_of(tools.punches, sharp)) return say::no_sharp_punch;
-  const bool fine = std::ranges::any_of(tools.punches, [&](const Punch& punch) {
-    return sharp(punch) && punch.tip_radius <= line.inside_radius + kWritten;
-  });
-  if (punches) return fine ? say::no_strong_punch : say::no_fine_punch;
-  if (std::ranges::none_of(tools.dies, sharp)) return say::no_sharp_die;
-  return say::no_strong_die;
+/// What tools have to press of a line, from its first piece to its last, mm.
+double pressed_span(const BrakeLine& line, double shortfall) {
+  if (line.pieces.empty()) return 0.0;
+  return covered(line.pieces.back(), shortfall).hi - covered(line.pieces.front(), shortfall).lo;
 }
 
-/// Why no tool bears the line, with its numbers.
-Remark no_tool(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options,
-               double force, bool punches) {
-  const std::string_view pattern = no_tool_pattern(line, tools, options, punches);
-  const double most = Angle::radians(largest_tool_angle(line, options)).degrees();
-  const Facts all{{"tool_angle", most, unit::degrees},
-                  {"bend_angle", 180.0 - options.springback.degrees(), unit::degrees},
-                  {"tip_radius", line.inside_radius, unit::mm},
-                  {"force", force, say::kPerMetre}};
-  Facts stated;
-  for (const Fact& fact : all)
-    if (pattern.find("{" + std::string(fact.name()) + "}") != std::string_view::npos)
-      stated.push_back(fact);
-  return remark_of({say::kNoTool, pattern}, stated);
+/// Whether all segments of a tool together press the pieces of a line.
+bool has_segments(const std::vector<double>& segments, const BrakeLine& line, double shortfall) {
+  double needed = 0.0;
+  for (const Interval& piece : line.pieces) {
+    const Interval pressed = covered(piece, shortfall);
+    needed += pressed.hi - pressed.lo;
+  }
+  return std::accumulate(segments.begin(), segments.end(), 0.0) >= needed - kWritten;
 }
 
 }  // namespace
@@ -60,6 +55,18 @@ double wanted_opening(double thickness) {
   return (thickness <= 8.0 ? 8.0 : 10.0) * thickness;
 }
 
+double wanted_opening(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options) {
+  const double thickness = line.bend.thickness, radius = line.drawn_radius;
+  if (options.opening) return *options.opening;
+  if (!line.is_large) return wanted_opening(thickness);
+  const double most = largest_tool_angle(line, options);
+  const bool has_punch = std::ranges::any_of(tools.punches, [&](const Punch& punch) {
+    return punch.angle.radians() <= most && meets(punch.tip_radius, radius);
+  });
+  if (has_punch || options.radius_of_opening == 0.0) return kVOfRadius * radius + 2.0 * thickness;
+  return radius / options.radius_of_opening;
+}
+
 double force_per_length(double tensile_strength, double thickness, double opening) {
   return 1.42 * tensile_strength * thickness * thickness / opening;
 }
@@ -67,6 +74,23 @@ double force_per_length(double tensile_strength, double thickness, double openin
 double closing_force(double tensile_strength, double thickness) {
   constexpr double kClosing = 4.0;
   return kClosing * force_per_length(tensile_strength, thickness, wanted_opening(thickness));
+}
+
+double force_of(const BrakeLine& line, const Die& die, const PlanOptions& options) {
+  const double strength = options.tensile_strength, thickness = line.bend.thickness;
+  return line.length() / kMillimetres *
+         (line.closes ? closing_force(strength, thickness)
+                      : force_per_length(strength, thickness, die.opening));
+}
+
+double made_radius(const Punch& punch, const Die& die, const PlanOptions& options) {
+  return std::max(punch.tip_radius, options.radius_of_opening * die.opening);
+}
+
+bool meets(double made, double drawn) { return std::abs(made - drawn) <= kMet * drawn + kWritten; }
+
+bool is_large_radius(double radius, double thickness, const PlanOptions& options) {
+  return radius * (1.0 - kMet) > options.radius_of_opening * kWidest * thickness;
 }
 
 Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options) {
@@ -91,19 +115,220 @@ WorkpieceOptions workpiece_options(double thickness, const BrakeTools& tools,
 
 namespace {
 
+/// Finds the tools of one line.
+class Fitting {
+ public:
+  Fitting(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options)
+      : line_(line),
+        tools_(tools),
+        options_(options),
+        thickness_(line.bend.thickness),
+        shortfall_(options.shortfall.value_or(thickness_)),
+        most_angle_(largest_tool_angle(line, options)),
+        wanted_(wanted_opening(line, tools, options)) {
+    for (const Die& die : tools.dies)
+      if (is_v(die)) sizes_.insert(std::round(die.opening / kWritten) * kWritten);
+    nearest_ = nearest_size();
+  }
+
+  FittingTools found() {
+    FittingTools fitting;
+    for (int punch = 0; punch < std::ssize(tools_.punches); ++punch)
+      for (int die = 0; die < std::ssize(tools_.dies); ++die)
+        if (fits(tools_.punches[punch], tools_.dies[die]))
+          fitting.pairs.push_back({punch, die, away(tools_.dies[die].opening)});
+    std::ranges::stable_sort(fitting.pairs, {}, &ToolPair::v_away);
+    if (fitting.pairs.empty()) fitting.why = why();
+    return fitting;
+  }
+
+ private:
+  bool is_v(const Die& die) const {
+    return die.opening > 0.0 && die.angle.radians() <= most_angle_;
+  }
+  bool is_sharp(const Punch& punch) const { return punch.angle.radians() <= most_angle_; }
+  double force(double opening) const {
+    return force_per_length(options_.tensile_strength, thickness_, opening);
+  }
+  bool borne_by_press(const Die& die) const {
+    return force_of(line_, die, options_) <= tools_.machine.force;
+  }
+
+  /// The size of the catalogue that is nearest to the wanted one, the smaller on a tie; with
+  /// `VChoice::wanted` of those whose dies bear the force.
+  double nearest_size() const {
+    double nearest = 0.0;
+    for (const double size : sizes_) {
+      const auto strong = [&](const Die& die) {
+        return is_v(die) && std::abs(die.opening - size) < kWritten &&
+               bears(die.max_force, force(die.opening));
+      };
+      if (options_.v == VChoice::wanted && std::ranges::none_of(tools_.dies, strong)) continue;
+      if (nearest == 0.0 || std::abs(size - wanted_) < std::abs(nearest - wanted_) - kWritten)
+        nearest = size;
+    }
+    return nearest;
+  }
+
+  int away(double opening) const {
+    const auto place = [&](double size) {
+      return static_cast<int>(
+          std::distance(sizes_.begin(), sizes_.lower_bound(size - 0.5 * kWritten)));
+    };
+    return options_.v == VChoice::wanted ? 0 : std::abs(place(opening) - place(nearest_));
+  }
+
+  bool may_be_taken(const Die& die) const {
+    if (!is_v(die)) return false;
+    const bool is_nearest = std::abs(die.opening - nearest_) < kWritten;
+    if (options_.v == VChoice::wanted) return is_nearest;
+    if (line_.is_large) return true;  // its radius decides
+    if (line_.bump_pitch && die.opening > kVOfPitch * *line_.bump_pitch + kWritten &&
+        die.opening > narrowest() + kWritten)
+      return false;
+    if (is_nearest || options_.radius == RadiusWanted::drawn) return true;
+    return die.opening >= kNarrowest * thickness_ - kWritten &&
+           die.opening <= kWidest * thickness_ + kWritten;
+  }
+
+  /// The narrowest V of the catalogue that is wide enough for the thickness.
+  double narrowest() const {
+    const auto least = sizes_.lower_bound(kNarrowest * thickness_ - kWritten);
+    return least == sizes_.end() ? *sizes_.begin() : *least;
+  }
+
+  /// The largest tip that may be taken: a radius that is drawn below every tip is bent with the
+  /// smallest, and what the V leaves hides a smaller tip.
+  double largest_tip(const Die& die) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Punch& punch : tools_.punches)
+      if (is_sharp(punch) && bears(punch.max_force, force(die.opening)))
+        least = std::min(least, punch.tip_radius);
+    const double hidden = options_.v == VChoice::wanted ? 0.0
+                                                        : options_.radius_of_opening * die.opening;
+    return std::max({line_.inside_radius, least, hidden}) + kWritten;
+  }
+
+  bool has_radius(const Punch& punch, const Die& die) const {
+    const bool insists = line_.is_large ||
+                         (options_.radius == RadiusWanted::drawn && !line_.press_line);
+    if (!insists)
+      return punch.tip_radius <= largest_tip(die);
+    return meets(made_radius(punch, die, options_), line_.drawn_radius);
+  }
+
+  bool borne_by_tools(const Punch& punch, const Die& die) const {
+    return bears(die.max_force, force(die.opening)) && bears(punch.max_force, force(die.opening));
+  }
+
+  bool pressed_by(const Punch& punch, const Die& die) const {
+    return has_segments(punch.segments, line_, shortfall_) &&
+           has_segments(die.segments, line_, shortfall_);
+  }
+
+  bool suits(const Punch& punch, const Die& die) const {
+    return is_sharp(punch) && may_be_taken(die) && has_radius(punch, die);
+  }
+
+  bool fits(const Punch& punch, const Die& die) const {
+    return all_but_press(punch, die) && borne_by_press(die) &&
+           pressed_span(line_, shortfall_) <= tools_.machine.length + kWritten;
+  }
+
+  /// Of all pairs that pass the tests so far, whether one passes the next.
+  template <typename Test>
+  bool any_pair(const Test& test) const {
+    return std::ranges::any_of(tools_.punches, [&](const Punch& punch) {
+      return std::ranges::any_of(tools_.dies, [&](const Die& die) { return test(punch, die); });
+    });
+  }
+
+  /// The widest V of those that all but the press bear.
+  const Die& widest() const {
+    const Die* widest = nullptr;
+    for (const Punch& punch : tools_.punches)
+      for (const Die& die : tools_.dies)
+        if (all_but_press(punch, die) && (!widest || die.opening > widest->opening)) widest = &die;
+    PLANISH_ASSERT(widest);
+    return *widest;
+  }
+
+  bool all_but_press(const Punch& punch, const Die& die) const {
+    return suits(punch, die) && borne_by_tools(punch, die) && pressed_by(punch, die);
+  }
+
+  /// What is missing: first what no tool cures.
+  Remark why() const {
+    const double span = pressed_span(line_, shortfall_);
+    if (span > tools_.machine.length + kWritten)
+      return remark_of(say::short_press, {{"span", span, unit::mm},
+                                          {"length", tools_.machine.length, unit::mm}});
+    if (is_hem(line_.angle) && !line_.closed_by) return remark_of(say::no_flat_tools);
+    if (most_angle_ <= kWritten)
+      return remark_of(say::has_to_be_rolled,
+                       {{"bend_angle", 180.0 - options_.springback.degrees(), unit::degrees}});
+    const Facts angle{
+        {"tool_angle", Angle::radians(most_angle_).degrees(), unit::degrees}};
+    if (std::ranges::none_of(tools_.punches, [&](const Punch& one) { return is_sharp(one); }))
+      return remark_of(say::no_sharp_punch, angle);
+    if (sizes_.empty()) return remark_of(say::no_sharp_die, angle);
+    return why_no_pair();
+  }
+
+  Remark why_no_pair() const {
+    if (!any_pair([&](const Punch& p, const Die& d) { return suits(p, d); }))
+      return remark_of(say::no_radius, {{"radius", line_.drawn_radius, unit::mm}});
+    if (!any_pair([&](const Punch& p, const Die& d) { return suits(p, d) && pressed_by(p, d); }))
+      return remark_of(say::few_segments, {{"length", line_.length(), unit::mm}});
+    const bool strong = any_pair(
+        [&](const Punch& p, const Die& d) { return suits(p, d) && borne_by_tools(p, d); });
+    if (!strong) return remark_of(say::no_strong_tools, {{"force", force(most()), say::kPerMetre}});
+    const Die& die = widest();
+    return remark_of(say::weak_press,
+                     {{"force", force_of(line_, die, options_), unit::kilonewtons},
+                      {"most", tools_.machine.force, unit::kilonewtons},
+                      {"opening", die.opening, unit::mm}});
+  }
+
+  /// The widest V that suits the line.
+  double most() const {
+    double opening = 0.0;
+    for (const Punch& punch : tools_.punches)
+      for (const Die& die : tools_.dies)
+        if (suits(punch, die)) opening = std::max(opening, die.opening);
+    return opening;
+  }
+
+  const BrakeLine& line_;
+  const BrakeTools& tools_;
+  const PlanOptions& options_;
+  double thickness_, shortfall_, most_angle_, wanted_;
+  std::set<double> sizes_;  ///< openings of the catalogue, of dies that are sharp enough
+  double nearest_ = 0.0;    ///< of them to the wanted one
+};
+
+}  // namespace
+
+namespace {
+
 /// Flat tools that bear the force of closing a hem.
 FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options) {
   FittingTools fitting;
   const double force = closing_force(options.tensile_strength, line.bend.thickness);
-  const auto add = [&](const auto& all, std::vector<int>& fits) {
-    for (int i = 0; i < std::ssize(all); ++i)
-      if (flattens(all[i].angle) && bears(all[i].max_force, force)) fits.push_back(i);
+  const auto bears_it = [&](const auto& tool) {
+    return flattens(tool.angle) && bears(tool.max_force, force);
   };
-  add(tools.punches, fitting.punches);
-  add(tools.dies, fitting.dies);
-  if (fitting.punches.empty() || fitting.dies.empty())
-    fitting.why = remark_of({say::kNoTool, say::no_strong_flat_tools});
+  for (int punch = 0; punch < std::ssize(tools.punches); ++punch)
+    for (int die = 0; die < std::ssize(tools.dies); ++die)
+      if (bears_it(tools.punches[punch]) && bears_it(tools.dies[die]))
+        fitting.pairs.push_back({punch, die});
+  const double whole = force * line.length() / kMillimetres;
+  if (fitting.pairs.empty())
+    fitting.why = remark_of(say::no_strong_flat_tools);
+  else if (whole > tools.machine.force)
+    fitting = {{}, remark_of(say::weak_press_for_hem, {{"force", whole, unit::kilonewtons},
+                                                  {"most", tools.machine.force, unit::kilonewtons}})};
   return fitting;
 }
 
@@ -111,36 +336,7 @@ FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
 
 FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options) {
-  if (line.closes) return closing_tools(line, tools, options);
-  FittingTools fitting;
-  const double most_angle = largest_tool_angle(line, options), t = line.bend.thickness;
-  const double wanted = options.opening.value_or(wanted_opening(t));
-  double nearest = std::numeric_limits<double>::infinity(), opening = 0.0;
-  const auto fits = [&](const Die& die) {
-    return die.opening > 0.0 && die.angle.radians() <= most_angle &&
-           bears(die.max_force, force_per_length(options.tensile_strength, t, die.opening));
-  };
-  for (const Die& die : tools.dies) {
-    const double away = std::abs(die.opening - wanted);
-    const bool nearer = away < nearest - kWritten ||
-                        (away < nearest + kWritten && die.opening < opening);
-    if (!fits(die) || !nearer) continue;
-    nearest = away;
-    opening = die.opening;
-  }
-  for (int i = 0; i < std::ssize(tools.dies); ++i)
-    if (fits(tools.dies[i]) && std::abs(tools.dies[i].opening - opening) < kWritten)
-      fitting.dies.push_back(i);
-  const double force = opening > 0.0 ? force_per_length(options.tensile_strength, t, opening) : 0.0;
-  for (int i = 0; i < std::ssize(tools.punches); ++i) {
-    const Punch& punch = tools.punches[i];
-    if (punch.angle.radians() <= most_angle && punch.tip_radius <= line.inside_radius + kWritten &&
-        bears(punch.max_force, force))
-      fitting.punches.push_back(i);
-  }
-  if (fitting.punches.empty() || fitting.dies.empty())
-    fitting.why = no_tool(line, tools, options, force, fitting.punches.empty());
-  return fitting;
+  return line.closes ? closing_tools(line, tools, options) : Fitting(line, tools, options).found();
 }
 
 }  // namespace planish::brake_detail

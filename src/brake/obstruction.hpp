@@ -1,7 +1,8 @@
 #pragma once
 
 #include "segments.hpp"
-#include "stage_cache.hpp"
+#include "stroke_inputs.hpp"
+#include "tool_room.hpp"
 
 namespace planish::brake_detail {
 
@@ -33,12 +34,18 @@ struct PressRows {
 
 /// The rows that make a stroke, or why there are none.
 using Standing = tl::expected<PressRows, Obstruction>;
+using StandingRow = tl::expected<std::vector<ToolRow>, Obstruction>;
 
 /// Whether a tool is a row of segments; beams are as long as the machine.
 inline bool is_row(ToolKind kind) { return kind == ToolKind::punch || kind == ToolKind::die; }
 
 inline bool is_above(ToolKind kind) {
   return kind == ToolKind::punch || kind == ToolKind::upper_beam;
+}
+
+/// The beam that bears a row.
+inline ToolKind beam_of(ToolKind row) {
+  return row == ToolKind::punch ? ToolKind::upper_beam : ToolKind::lower_beam;
 }
 
 /// The tool of a stroke that a kind belongs to.

@@ -4,6 +4,7 @@
 #include "prepared.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/brake/plan.hpp>
 
 #include <algorithm>
@@ -20,31 +21,80 @@ namespace {
 
 using namespace brake_detail;
 
-/// Radii that air bending over the chosen V does not give, a remark on each of them.
-void note_radii(const StrokeInputs& inputs, Plan& plan) {
-  constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
-  std::vector<std::pair<std::string, Facts>> bends_by_radius;
-  for (int i = 0; i < inputs.lines(); ++i) {
-    const BrakeLine& line = inputs.work.lines[i];
-    const double opening = inputs.tools.dies[inputs.fitting[i].dies.front()].opening;
-    const double left = inputs.options.radius_of_opening * opening;
-    if (!line.given_radius || line.closes || line.closed_by ||
-        std::abs(line.inside_radius - left) <= kBeyond * left)
-      continue;
-    const std::string sizes = number_text(line.inside_radius) + " " + number_text(opening);
-    auto known = std::ranges::find(bends_by_radius, sizes, &std::pair<std::string, Facts>::first);
-    if (known == bends_by_radius.end())
-      known = bends_by_radius.insert(known, {sizes,
-                                             {{"radius", line.inside_radius, unit::mm},
-                                              {"opening", opening, unit::mm},
-                                              {"left", left, unit::mm}}});
-    for (const BendId bend : line.bends)
-      known->second.emplace_back("bend", place::bend(name_of(bend)));
+/// Says something of strokes, once for those of the same numbers.
+class Remarks {
+ public:
+  void add(const say::Sentence& sentence, const Facts& numbers, const std::vector<BendId>& bends) {
+    std::string key(sentence.code);
+    for (const Fact& fact : numbers)
+      key += " " + number_text(fact.quantity()->value);
+    auto known = std::ranges::find(all_, key, &One::key);
+    if (known == all_.end()) known = all_.insert(known, {key, sentence, numbers});
+    for (const BendId bend : bends)
+      if (std::ranges::find(known->bends, bend) == known->bends.end()) {
+        known->bends.push_back(bend);
+        known->facts.emplace_back("bend", place::bend(name_of(bend)));
+      }
   }
-  for (const auto& [sizes, facts] : bends_by_radius)
-    plan.remarks.push_back(remark_of(say::other_radius, facts));
-  for (const BendId bend : inputs.work.rolled)
-    plan.remarks.push_back(remark_of(say::rolled, {{"bend", place::bend(name_of(bend))}}));
+
+  void tell(Plan& plan) const {
+    for (const One& one : all_)
+      plan.remarks.push_back(remark_of(one.sentence, one.facts));
+  }
+
+ private:
+  struct One {
+    std::string key;
+    say::Sentence sentence;
+    Facts facts;
+    std::vector<BendId> bends = {};
+  };
+  std::vector<One> all_;
+};
+
+/// Where tools leave another radius than the drawn one, or the V is not the wanted one.
+void note_tools(const StrokeInputs& inputs, Plan& plan) {
+  constexpr double kTold = 0.1, kToldOfThickness = 0.2;  // math.md#made-radius
+  constexpr double kNarrow = 5.0;                        // V in thicknesses (math.md#v-choice)
+  const double thickness = inputs.work.thickness;
+  Remarks remarks;
+  for (const Stroke& stroke : plan.strokes) {
+    if (stroke.flattening || is_hem(stroke.angle)) continue;
+    const auto die = std::ranges::find(inputs.tools.dies, stroke.die, &Die::id);
+    const Fact opening("opening", die->opening, unit::mm);
+    const double differs = std::abs(stroke.radius_made - stroke.radius_drawn);
+    if (!stroke.press_line &&
+        differs > std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness))
+      remarks.add(say::other_radius,
+                  {opening,
+                   {"left", stroke.radius_made, unit::mm},
+                   {"radius", stroke.radius_drawn, unit::mm}},
+                  stroke.bends);
+    if (die->opening < kNarrow * thickness - tolerance::kWrittenDigits)
+      remarks.add(say::narrow_v, {opening, {"least", kNarrow * thickness, unit::mm}}, stroke.bends);
+    if (stroke.v_away > 0)
+      remarks.add(say::other_v,
+                  {opening,
+                   {"wanted", stroke.v_wanted, unit::mm},
+                   {"force", force_per_length(inputs.options.tensile_strength, thickness,
+                                              die->opening),
+                    say::kPerMetre}},
+                  stroke.bends);
+  }
+  remarks.tell(plan);
+}
+
+void note_large(const StrokeInputs& inputs, Plan& plan) {
+  for (const LargeBend& large : inputs.work.large) {
+    const Fact bend("bend", place::bend(name_of(large.bend)));
+    if (large.forming == Forming::rolled) plan.remarks.push_back(remark_of(say::rolled, {bend}));
+    if (large.forming == Forming::bumps)
+      plan.remarks.push_back(remark_of(say::bumped, {bend,
+                                                     {"bumps", large.bumps},
+                                                     {"angle", large.angle.degrees(), unit::degrees},
+                                                     {"pitch", large.pitch, unit::mm},
+                                                     {"error", large.chord_error, unit::mm}}));
+  }
 }
 
 void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
@@ -119,7 +169,8 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   if (!inputs) return pass_on(inputs);
   StageCache cache(*inputs);
   Plan plan;
-  note_radii(*inputs, plan);
+  plan.large = inputs->work.large;
+  note_large(*inputs, plan);
   const Clock::time_point until = options.limits.end(Clock::now());
   auto search = search_plan(cache, progress);
   if (!search) return pass_on(search);
@@ -132,6 +183,7 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   plan.ungauged = search->ungauged;
   plan.states = search->stages;
   add_strokes(cache, *search, plan);
+  note_tools(*inputs, plan);
   if (plan.status == PlanStatus::infeasible) add_blocked(cache, *search, until, plan);
   return plan;
 }

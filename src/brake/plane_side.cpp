@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLongEnough = 1e-3;     // mm: of a flange, for rounding of what is drawn
 constexpr int kLooksAtFlange = 81;       // along a bend line, over all its pieces
+constexpr double kSlight = 30.0;         // degrees at a press line: the shoulder bears them
 constexpr double kTouchingParts = 1e-3;  // mm: neighbouring faces as they were laid out
 
 /// Middles of equal shares of the pieces' common length.
@@ -33,6 +34,17 @@ std::vector<double> looks_along(const std::vector<Interval>& pieces) {
     before = after;
   }
   return looks;
+}
+
+/// Formed lines that end a plane side: the die's shoulder also bears what a press line has turned a
+/// little.
+LineSet without_slight(const StrokeInputs& inputs, const LineSet& formed) {
+  LineSet sharp = no_lines(inputs.lines());
+  for (const int line : members(formed)) {
+    const BrakeLine& one = inputs.work.lines[line];
+    if (!one.press_line || one.angle.degrees() > kSlight) insert(sharp, line);
+  }
+  return sharp;
 }
 
 /// Which formed lines end the plane sides on one side of the line.
@@ -96,10 +108,13 @@ Interval measured_contact(const PressMotion& motion, double most) {
 }  // namespace
 
 double reach(StageCache& cache, const Setting& stroke, bool left) {
-  LineSet key = limits_of(cache, stroke, left);
+  const LineSet sharp = without_slight(cache.inputs(), *stroke.formed);
+  Setting seen = stroke;
+  seen.formed = &sharp;
+  LineSet key = limits_of(cache, seen, left);
   key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
   return cache.reach(stroke.line, left, std::move(key),
-                     [&] { return measured_reach(cache, stroke, left); });
+                     [&] { return measured_reach(cache, seen, left); });
 }
 
 Interval contact_range(StageCache& cache, int line, int die) {

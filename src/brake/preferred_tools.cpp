@@ -36,11 +36,10 @@ std::vector<Run> runs_of(const std::vector<StrokeChoice>& strokes, int lines) {
 }
 
 /// All pairs for the first stroke of a run, the preferred first.
-std::vector<Pair> pairs_of(const FittingTools& fitting, const BrakeTools& tools) {
+std::vector<Pair> pairs_of(const FittingTools& fitting, int v_away, const BrakeTools& tools) {
   std::vector<Pair> pairs;
-  for (const int punch : fitting.punches)
-    for (const int die : fitting.dies)
-      pairs.push_back({punch, die});
+  for (const ToolPair& pair : fitting.pairs)
+    if (pair.v_away == v_away) pairs.push_back({pair.punch, pair.die});
   std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) {
     const Punch& punch = tools.punches[pair.punch];
     return std::tuple(-punch.angle.radians() - tools.dies[pair.die].angle.radians(),
@@ -57,12 +56,10 @@ bool makes(StageCache& cache, const std::vector<StrokeChoice>& strokes, const Ru
     StrokeChoice choice = strokes[s];
     choice.punch = pair.punch;
     choice.die = pair.die;
-    for (const int line : members(choice.lines)) {
-      const FittingTools& fitting = cache.inputs().fitting[line];
-      if (!std::ranges::count(fitting.punches, pair.punch) ||
-          !std::ranges::count(fitting.dies, pair.die))
+    for (const int line : members(choice.lines))
+      if (!std::ranges::count(cache.inputs().fitting[line].pairs,
+                              ToolPair{pair.punch, pair.die, choice.v_away}))
         return false;
-    }
     if (!check(cache, formed, choice).feasible) return false;
     formed = joined(formed, choice.lines);
   }
@@ -77,7 +74,8 @@ std::vector<StrokeChoice> with_preferred_tools(StageCache& cache,
   for (const Run& run : runs_of(strokes, inputs.lines())) {
     const Pair now = tools_of(strokes[run.from]);
     const int line = members(strokes[run.from].lines).front();
-    for (const Pair& pair : pairs_of(inputs.fitting[line], inputs.tools)) {
+    const int v_away = strokes[run.from].v_away;
+    for (const Pair& pair : pairs_of(inputs.fitting[line], v_away, inputs.tools)) {
       if (pair != now && !makes(cache, strokes, run, pair)) continue;
       for (std::size_t s = run.from; s < run.to; ++s) {
         strokes[s].punch = pair.punch;

@@ -1,6 +1,9 @@
 #include "prepared.hpp"
 
+#include "large_radius.hpp"
+#include "plane_side.hpp"
 #include "refusals.hpp"
+#include "sentences.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +37,8 @@ std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options
     return wrong("radius_of_opening", {options.radius_of_opening}, "0 or more");
   if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
     return wrong("opening", {*options.opening, unit::mm}, "a value above 0");
+  if (!(is_length(options.chord_error) && options.chord_error > 0.0))
+    return wrong("chord_error", {options.chord_error, unit::mm}, "a value above 0");
   for (const BendId bend : options.begin_with)
     if (!sheet.bends.has(bend))
       return error_of(refuse::begins_with_unknown, {{"bend", place::bend(name_of(bend))}},
@@ -43,19 +48,50 @@ std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options
 
 }  // namespace
 
+namespace {
+
+/// A bend of large radius that is to be formed over a V, beside which nothing is long enough for
+/// any, even if nothing is formed.
+std::optional<BendId> large_without_room(const StrokeInputs& inputs) {
+  StageCache cache(inputs);
+  const LineSet nothing = no_lines(inputs.lines());
+  for (int line = 0; line < inputs.lines(); ++line) {
+    const BrakeLine& large = inputs.work.lines[line];
+    const auto has_room = [&](const ToolPair& pair) {
+      return !too_short(cache, {&nothing, only(inputs.lines(), line), line, pair.punch, pair.die});
+    };
+    if (large.is_large && std::ranges::none_of(inputs.fitting[line].pairs, has_room))
+      return large.bends.front();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
+
+namespace {
+
+/// What no tool cures is said of the press.
+const Refusal& refusal_of(std::string_view why) {
+  if (why == say::kShortPress) return refuse::press_too_short;
+  return why == say::kWeakPress ? refuse::press_too_weak : refuse::no_tool_bears;
+}
+
+}  // namespace
 
 std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
   for (int i = 0; i < std::ssize(inputs.work.lines); ++i) {
     const FittingTools& fitting = inputs.fitting[i];
-    if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
+    if (!fitting.pairs.empty()) continue;
     const BrakeLine& line = inputs.work.lines[i];
     const std::string name = name_of(line.bends.front());
     const Told& why = fitting.why->told;
-    Error error = error_of(refuse::no_tool_bears,
+    Error error = error_of(refusal_of(fitting.why->code),
                            {{"bend", place::bend(name)},
                             {"angle", line.angle.degrees(), unit::degrees},
-                            {"radius", line.inside_radius, unit::mm},
+                            {"radius", line.drawn_radius, unit::mm},
+                            {"length", line.length(), unit::mm},
                             {"thickness", line.bend.thickness, unit::mm},
                             {"why", why.sentence}},
                            name);
@@ -69,11 +105,18 @@ Result<StrokeInputs> prepared(const Sheet& sheet, const Layout& layout, const Br
                               const PlanOptions& options) {
   if (const auto right = check(tools); !right) return pass_on(right);
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
-  auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
-  if (!work) return pass_on(work);
-  StrokeInputs inputs = stroke_inputs(std::move(*work), tools, options);
-  if (const auto error = line_without_tool(inputs)) return tl::unexpected(*error);
-  return inputs;
+  WorkpieceOptions cut = workpiece_options(sheet.thickness, tools, options);
+  cut.large = large_bends(sheet, layout, tools, options);
+  for (;;) {
+    auto work = workpiece_of(sheet, layout, cut);
+    if (!work) return pass_on(work);
+    StrokeInputs inputs = stroke_inputs(std::move(*work), tools, options);
+    if (const auto bend = large_without_room(inputs);
+        bend && make_bumps(cut.large, *bend, sheet, layout, options))
+      continue;
+    if (const auto error = line_without_tool(inputs)) return tl::unexpected(*error);
+    return inputs;
+  }
 }
 
 LineSet lines_of(const Workpiece& work, const OrderedStroke& stroke) {

@@ -131,8 +131,8 @@ class Trying {
   double widest() const {
     double opening = 0.0;
     for (const BrakeLine& line : work_.lines)
-      for (const int die : fitting_tools(line, tools_, options_).dies)
-        opening = std::max(opening, tools_.dies[die].opening);
+      for (const ToolPair& pair : fitting_tools(line, tools_, options_).pairs)
+        opening = std::max(opening, tools_.dies[pair.die].opening);
     return opening;
   }
 

@@ -16,7 +16,6 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kSameLength = 1e-3;  // mm: sums of segments that are one length
 constexpr std::size_t kMostSums = 200'000;
 constexpr std::size_t kMostSegments = 64;
 

@@ -6,6 +6,8 @@
 
 namespace planish::brake_detail {
 
+inline constexpr double kSameLength = 1e-3;  ///< mm: sums of segments that are one length
+
 /// Segments of a tool standing side by side.
 struct ToolRow {
   double from = 0.0;  ///< along the bend line, mm

@@ -15,7 +15,16 @@ struct Sentence {
 constexpr Sentence other_radius{"other_radius",
                                 "air bending over a V of {opening} leaves an inside radius of "
                                 "about {left}, not the {radius} of {@bend}"};
-constexpr Sentence rolled{"rolled", "no stroke bends {@bend}, which is rolled"};
+constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
+constexpr Sentence bumped{
+    "bumped",
+    "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a chord error of {error:3}"};
+constexpr Sentence other_v{
+    "other_v",
+    "{@bend} takes a V of {opening} instead of {wanted}, which needs {force:4}"};
+constexpr Sentence narrow_v{
+    "narrow_v",
+    "a V of {opening}, less than {least}, marks the sheet at {@bend} and may crack it"};
 
 // What is in the way of a bend in the stage that got furthest.
 constexpr Sentence cannot_be_bent{kFurthestStage,
@@ -52,18 +61,27 @@ constexpr std::string_view kNoTool = "no_tool";
 
 constexpr std::string_view kPerMetre = "kN/m";
 
-constexpr std::string_view no_flat_tools = "no flat punch and flat die to close a hem";
-constexpr std::string_view
-    no_strong_flat_tools = "no flat punch and flat die that bear the force of closing a hem";
-constexpr std::string_view
-    has_to_be_rolled = "no tool that bends by {bend_angle} or more: it has to be rolled";
-constexpr std::string_view no_sharp_punch = "no punch of {tool_angle} or less";
-constexpr std::string_view
-    no_fine_punch = "no punch of {tool_angle} or less with a tip radius of at most {tip_radius}";
-constexpr std::string_view no_strong_punch =
-    "no punch of {tool_angle} or less with a tip radius of at most {tip_radius} that bears {force}";
-constexpr std::string_view no_sharp_die = "no die of {tool_angle} or less";
-constexpr std::string_view no_strong_die = "no die of {tool_angle} or less that bears the force";
+constexpr std::string_view kShortPress = "short_press", kWeakPress = "weak_press";
+constexpr Sentence short_press{
+    kShortPress, "no press long enough: it takes {span} of tools, and the machine holds {length}"};
+constexpr Sentence weak_press{
+    kWeakPress,
+    "no press strong enough: even over a V of {opening} it takes {force}, and the machine has "
+    "{most}"};
+constexpr Sentence weak_press_for_hem{
+    kWeakPress, "no press strong enough: closing it takes {force}, and the machine has {most}"};
+constexpr Sentence no_flat_tools{kNoTool, "no flat punch and flat die to close a hem"};
+constexpr Sentence no_strong_flat_tools{
+    kNoTool, "no flat punch and flat die that bear the force of closing a hem"};
+constexpr Sentence has_to_be_rolled{
+    kNoTool, "no tool that bends by {bend_angle} or more: it has to be rolled"};
+constexpr Sentence no_sharp_punch{kNoTool, "no punch of {tool_angle} or less"};
+constexpr Sentence no_sharp_die{kNoTool, "no die of {tool_angle} or less"};
+constexpr Sentence no_radius{
+    kNoTool, "no punch and die that leave an inside radius within a third of {radius}"};
+constexpr Sentence few_segments{
+    kNoTool, "no punch and die whose segments together press a length of {length}"};
+constexpr Sentence no_strong_tools{kNoTool, "no punch and die that bear {force}"};
 
 }  // namespace planish::say
 

@@ -131,9 +131,8 @@ int StageBook::number_of(const StrokeChoice& choice) {
   const auto [place, fresh] = choice_numbers_.try_emplace({{choice.lines, set_up}, choice.gauged},
                                                           choices_.size());
   if (fresh)
-    choices_.push_back({choice, set_up_of(set_up),
-                        weights_.stroke + (choice.gauged ? 0.0 : weights_.ungauged),
-                        family_of(choice.lines, set_up)});
+    choices_.push_back(
+        {choice, set_up_of(set_up), weights_.of(choice), family_of(choice.lines, set_up)});
   return place->second;
 }
 
@@ -220,7 +219,7 @@ double StageBook::change(int from, int to) const {
   if (from == kNoSetUp || from == to) return 0.0;
   const SetUp &a = set_ups_[from], &b = set_ups_[to];
   double cost = 0.0;
-  if (a.punch != b.punch || a.die != b.die) cost += weights_.tool_change;
+  if (a.has_tools() && (a.punch != b.punch || a.die != b.die)) cost += weights_.tool_change;
   if (a.reference_up != b.reference_up) cost += weights_.turn_over;
   if (a.direction != b.direction) cost += weights_.rotate;
   return cost;

@@ -12,12 +12,18 @@
 
 namespace planish::brake_detail {
 
+/// No tools: those before were taken off, which is paid for, and any may be next.
+inline constexpr int kNoTools = -1;
+
 /// What stays between two strokes: tools, side, direction; each set-up has a number.
 struct SetUp {
   int punch = 0, die = 0;
   bool reference_up = true;
   int direction = 0;
   auto operator<=>(const SetUp&) const = default;
+
+  bool has_tools() const { return punch != kNoTools; }
+  SetUp without_tools() const { return {kNoTools, kNoTools, reference_up, direction}; }
 };
 
 /// No stroke has been made yet.

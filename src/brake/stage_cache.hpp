@@ -1,10 +1,12 @@
 #pragma once
 
 #include "blocked_way.hpp"
+#include "obstruction.hpp"
 #include "stage_pose.hpp"
 #include "stroke_inputs.hpp"
 #include "tool_room.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <unordered_map>
@@ -36,16 +38,29 @@ class StageCache {
   /// Where each part of the line's tree is. Valid until parts of another stage are asked for.
   const std::vector<const PlacedPart*>& parts(const Setting& stroke);
 
-  /// Where a part is in the way of an obstacle of that key; `make` finds it out. The key stands for
-  /// all that `make` uses of the tools: their shapes, and of the die its shoulder if it moves.
+  /// Where a part is in the way of an obstacle of that key, within a range; `make` finds it out. The
+  /// key stands for all that `make` uses of the tools: their shapes, and of the die its shoulder if
+  /// it moves.
   template <typename Make>
   const std::vector<Interval>& blocked(const Setting& stroke, int part, int obstacle,
-                                       const Make& make) {
+                                       const Interval& within, const Make& make) {
     Known& known = this->known(stroke, part);
-    for (const auto& [key, blocked] : known.blocked)
-      if (key == obstacle) return blocked;
-    known.blocked.emplace_back(obstacle, make(known.placed));
-    return known.blocked.back().second;
+    for (const Blocked& one : known.blocked)
+      if (one.obstacle == obstacle && is_same(one.within, within)) return one.along;
+    known.blocked.push_back({obstacle, within, make(known.placed)});
+    return known.blocked.back().along;
+  }
+
+  /// Whether a part is in the way of an obstacle somewhere in these ranges of x.
+  template <typename Make>
+  bool stands_in(const Setting& stroke, int part, int obstacle, const std::vector<Interval>& ranges,
+                 const Make& make) {
+    Known& known = this->known(stroke, part);
+    for (const Stands& one : known.standing)
+      if (one.obstacle == obstacle && std::ranges::equal(one.ranges, ranges, is_same))
+        return one.hit;
+    known.standing.push_back({obstacle, ranges, make(known.placed)});
+    return known.standing.back().hit;
   }
 
   /// How far a plane side goes that these lines end while others are pressed: `limits` followed by
@@ -61,16 +76,44 @@ class StageCache {
     return kept(contacts_, line * static_cast<int>(inputs_.tools.dies.size()) + die, make);
   }
 
+  /// What is in the way of one tool of a stroke, whichever the other is; nothing: it stands.
+  template <typename Make>
+  const std::optional<Obstruction>& in_the_way(const Setting& stroke, ToolKind row,
+                                               const Make& make) {
+    LineSet key = *stroke.formed;
+    key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
+    const bool above = row == ToolKind::punch;
+    key.push_back(4U * static_cast<unsigned>(above ? stroke.punch : stroke.die) +
+                  (above ? 2U : 0U) + (stroke.direction > 0 ? 1U : 0U));
+    if (in_the_way_.size() >= kMostKept) in_the_way_.clear();
+    const auto found = in_the_way_.find(key);
+    if (found != in_the_way_.end()) return found->second;
+    return in_the_way_.emplace(std::move(key), make()).first->second;
+  }
+
   /// The way that comes nearest in a stage, if it is known: `formed` followed by `pressed`.
   const BlockedWay* blocked_way(const LineSet& formed_pressed) const;
   /// Keeps one for which all ways were looked at.
   void keep(LineSet formed_pressed, const BlockedWay& way);
 
  private:
+  static bool is_same(const Interval& a, const Interval& b) { return a.lo == b.lo && a.hi == b.hi; }
+
+  struct Blocked {
+    int obstacle = 0;
+    Interval within;
+    std::vector<Interval> along;
+  };
+  struct Stands {
+    int obstacle = 0;
+    std::vector<Interval> ranges;
+    bool hit = false;
+  };
   /// A part, what it hits, and what hangs on it: by slot and by how the line between them is.
   struct Known {
     PlacedPart placed;
-    std::vector<std::pair<int, std::vector<Interval>>> blocked = {};  ///< by the obstacle's key
+    std::vector<Blocked> blocked = {};
+    std::vector<Stands> standing = {};
     std::vector<std::array<std::unique_ptr<Known>, PartTree::kStates>> hanging = {};
   };
   /// All that is known about strokes on one line.
@@ -90,6 +133,8 @@ class StageCache {
     const auto found = map.find(key);
     return found != map.end() ? found->second : map.emplace(std::move(key), make()).first->second;
   }
+  static constexpr std::size_t kMostKept = 500'000;  // answers: 100 MB
+
   Room& room(int line);
   Room& entered(const Setting& stroke);
   Known& known(const Setting& stroke, int part) { return *entered(stroke).known[part]; }
@@ -102,6 +147,7 @@ class StageCache {
   std::vector<std::unique_ptr<Room>> rooms_;
   std::unordered_map<int, Interval> contacts_;
   std::unordered_map<LineSet, BlockedWay, LineSetHash> blocked_ways_;
+  std::unordered_map<LineSet, std::optional<Obstruction>, LineSetHash> in_the_way_;
 };
 
 }  // namespace planish::brake_detail

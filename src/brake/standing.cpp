@@ -13,25 +13,55 @@
 namespace planish::brake_detail {
 namespace {
 
-bool stands_in(const std::vector<Interval>& blocked, const std::vector<Interval>& pieces,
-               double shortfall) {
-  for (const Interval& piece : pieces) {
+/// Where along x a tool must stand: a row where it presses, less as deep as anything may be in it.
+std::vector<Interval> needed_by(ToolKind kind, const std::vector<Interval>& pieces,
+                                double shortfall) {
+  if (!is_row(kind)) return {kEverywhere};
+  return mapped(pieces, [&](const Interval& piece) {
     const Interval row = covered(piece, shortfall);
-    for (const Interval& wall : blocked)
-      if (wall.lo + kPenetration < row.hi && wall.hi - kPenetration > row.lo) return true;
-  }
-  return false;
+    const double middle = 0.5 * (row.lo + row.hi);
+    return Interval{std::min(row.lo + kPenetration, middle),
+                    std::max(row.hi - kPenetration, middle)};
+  });
 }
 
-/// Where along x a part is in the way of a tool.
-const std::vector<Interval>& blocked_by(StageCache& cache, const Setting& stroke, int part,
-                                        ToolKind kind, const PressMotion& motion) {
+/// Whether a part hits a tool where that must stand.
+bool stands_in(StageCache& cache, const Setting& stroke, int part, ToolKind kind,
+               const PressMotion& motion, const std::vector<Interval>& needed) {
   const SidedObstacle obstacle = cache.tools().obstacle(
       kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
-  return cache.blocked(stroke, part, obstacle.key, [&](const PlacedPart& placed) {
-    return blocked_along(motion, placed, *obstacle.left, *obstacle.right,
-                         most_turn(cache.inputs(), stroke.line));
+  return cache.stands_in(stroke, part, obstacle.key, needed, [&](const PlacedPart& placed) {
+    return std::ranges::any_of(needed, [&](const Interval& along) {
+      return hit_within(motion, placed, *obstacle.left, *obstacle.right, along,
+                        most_turn(cache.inputs(), stroke.line))
+          .has_value();
+    });
   });
+}
+
+/// Where along x a part is in the way of a tool, as far as that lies within a range.
+const std::vector<Interval>& blocked_by(StageCache& cache, const Setting& stroke, int part,
+                                        ToolKind kind, const PressMotion& motion,
+                                        const Interval& within) {
+  const SidedObstacle obstacle = cache.tools().obstacle(
+      kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
+  return cache.blocked(stroke, part, obstacle.key, within, [&](const PlacedPart& placed) {
+    return blocked_along(motion, placed, *obstacle.left, *obstacle.right,
+                         most_turn(cache.inputs(), stroke.line), within);
+  });
+}
+
+/// Where the shortest row that presses all pieces may stand.
+Interval of_shortest_row(const StrokeInputs& inputs, const Setting& stroke, ToolKind row,
+                         const std::vector<Interval>& pieces) {
+  const SegmentSums& segments = row == ToolKind::punch ? inputs.punch_segments[stroke.punch]
+                                                       : inputs.die_segments[stroke.die];
+  const double left_out = shortfall(inputs);
+  const double lo = covered(pieces.front(), left_out).lo, hi = covered(pieces.back(), left_out).hi;
+  const auto shortest = std::ranges::lower_bound(segments.sums(), hi - lo - kSameLength, {},
+                                                 &SegmentSums::Sum::length);
+  if (shortest == segments.sums().end()) return kEverywhere;
+  return {hi - shortest->length - kSameLength, lo + shortest->length + kSameLength};
 }
 
 std::size_t row_of(ToolKind kind) { return kind == ToolKind::punch ? 0 : 1; }
@@ -65,30 +95,46 @@ std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
   const double left_out = shortfall(cache.inputs());
   std::vector<Obstruction> all;
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
-    for (const ToolKind kind : kToolKinds) {
-      const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, kind, motion);
-      if (!blocked.empty() && (!is_row(kind) || stands_in(blocked, pieces, left_out)))
+    for (const ToolKind kind : kToolKinds)
+      if (stands_in(cache, stroke, part, kind, motion, needed_by(kind, pieces, left_out)))
         all.push_back({tree.parts()[part].path, kind, part});
-    }
   return all;
 }
 
-Standing standing(StageCache& cache, const Setting& stroke) {
+StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row) {
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
   const PressMotion motion = brake_detail::motion(cache.inputs(), stroke);
   const double left_out = shortfall(cache.inputs());
-  RowWalls walls = no_walls(cache.inputs());
-  for (int part = 0; part < std::ssize(tree.parts()); ++part)
-    for (const ToolKind kind : kToolKinds) {
-      const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, kind, motion);
-      if (blocked.empty()) continue;
-      const LineSet& path = tree.parts()[part].path;
-      if (!is_row(kind) || stands_in(blocked, pieces, left_out))
-        return tl::unexpected(Obstruction{path, kind, part});
-      add_wall(walls, kind, blocked, path);
+  const int parts = static_cast<int>(tree.parts().size());
+  for (const ToolKind kind : {row, beam_of(row)}) {
+    const std::vector<Interval> needed = needed_by(kind, pieces, left_out);
+    for (int part = 0; part < parts; ++part)
+      if (stands_in(cache, stroke, part, kind, motion, needed))
+        return tl::unexpected(Obstruction{tree.parts()[part].path, kind, part});
+  }
+  const auto row_within = [&](const Interval& within) {
+    RowWalls walls = no_walls(cache.inputs());
+    for (int part = 0; part < parts; ++part) {
+      const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, motion, within);
+      if (!blocked.empty()) add_wall(walls, row, blocked, tree.parts()[part].path);
     }
-  return rows_between(cache, stroke, walls);
+    return row_between(cache, stroke, walls, row);
+  };
+  // Mostly the shortest row has room, and what is farther away does not matter.
+  const Interval near = of_shortest_row(cache.inputs(), stroke, row, pieces);
+  StandingRow made = row_within(near);
+  const bool is_near = made && made->front().from >= near.lo &&
+                       made->back().from + made->back().length() <= near.hi;
+  return is_near ? made : row_within(kEverywhere);
+}
+
+Standing standing(StageCache& cache, const Setting& stroke) {
+  StandingRow punch = standing_row(cache, stroke, ToolKind::punch);
+  if (!punch) return tl::unexpected(std::move(punch.error()));
+  StandingRow die = standing_row(cache, stroke, ToolKind::die);
+  if (!die) return tl::unexpected(std::move(die.error()));
+  return PressRows{std::move(*punch), std::move(*die)};
 }
 
 RowWalls no_walls(const StrokeInputs& inputs) {
@@ -103,22 +149,25 @@ void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& block
   walls.because[row] = joined(walls.because[row], because);
 }
 
-Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls) {
+StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls& walls,
+                        ToolKind kind) {
   const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
-  PressRows rows;
-  for (const ToolKind kind : {ToolKind::punch, ToolKind::die}) {
-    const std::size_t row = row_of(kind);
-    std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces,
-                                                walls.walls[row]);
-    if (made.empty())
-      return tl::unexpected(
-          Obstruction{walls.because[row],
-                      kind,
-                      -1,
-                      {Lack::Kind::segments, pieces.back().hi - pieces.front().lo}});
-    (row == 0 ? rows.punch : rows.die) = std::move(made);
-  }
-  return rows;
+  const std::size_t row = row_of(kind);
+  std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces,
+                                              walls.walls[row]);
+  if (!made.empty()) return made;
+  return tl::unexpected(Obstruction{walls.because[row],
+                                    kind,
+                                    -1,
+                                    {Lack::Kind::segments, pieces.back().hi - pieces.front().lo}});
+}
+
+Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls) {
+  StandingRow punch = row_between(cache, stroke, walls, ToolKind::punch);
+  if (!punch) return tl::unexpected(std::move(punch.error()));
+  StandingRow die = row_between(cache, stroke, walls, ToolKind::die);
+  if (!die) return tl::unexpected(std::move(die.error()));
+  return PressRows{std::move(*punch), std::move(*die)};
 }
 
 PressRows rows_without_walls(StageCache& cache, const Setting& stroke) {

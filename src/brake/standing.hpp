@@ -1,12 +1,17 @@
 #pragma once
 
 #include "obstruction.hpp"
+#include "stage_cache.hpp"
 
 namespace planish::brake_detail {
 
 /// Where punch and die stand in a stroke that bends, or what is in their way: the first part that
 /// hits a tool which cannot stand elsewhere, else that no segments fit between what is beside them.
 Standing standing(StageCache& cache, const Setting& stroke);
+
+/// The same for the punch alone with the beam above it, or the die with the one below: what the one
+/// hits does not depend on the other.
+StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row);
 
 /// All parts that are in the way of tools which cannot stand elsewhere.
 std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke);
@@ -19,6 +24,10 @@ struct RowWalls {
 RowWalls no_walls(const StrokeInputs& inputs);
 void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& blocked,
               const LineSet& because);
+
+/// A row of the punch's or the die's segments between walls.
+StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls& walls,
+                        ToolKind kind);
 
 /// Rows of punch and die of their segments between walls.
 Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls);

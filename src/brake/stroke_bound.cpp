@@ -71,8 +71,7 @@ std::vector<StrokeBound::Costs> StrokeBound::line_costs(const Rows& rows) const 
   std::vector<Costs> lines(class_of_line_.size(), Costs(places(), kNever));
   for (const StrokeChoice* row : rows) {
     const std::vector<int> pressed = members(row->lines);
-    const double cost = (weights_.stroke + (row->gauged ? 0.0 : weights_.ungauged)) /
-                        static_cast<double>(pressed.size());
+    const double cost = weights_.of(*row) / static_cast<double>(pressed.size());
     const std::size_t at = place_of({row->punch, row->die, row->reference_up, row->direction});
     for (const int line : pressed)
       lines[line][at] = std::min(lines[line][at], cost);
@@ -155,7 +154,10 @@ double StrokeBound::operator()(const LineSet& formed, const SetUp* from) {
   if (all) return 0.0;
   if (!knows_) return weights_.stroke;
   const Costs& least = costs(counts);
-  return from ? least[place_of(*from)] : *std::ranges::min_element(least);
+  if (!from) return *std::ranges::min_element(least);
+  if (from->has_tools()) return least[place_of(*from)];
+  const std::size_t first = place(sides_.at(from->reference_up), directions_.at(from->direction), 0);
+  return *std::min_element(least.begin() + first, least.begin() + first + size_[2]);
 }
 
 const StrokeBound::Costs& StrokeBound::costs(const Counts& counts) {

@@ -112,8 +112,8 @@ bool is_weight(double weight) { return weight >= 0.0 && std::isfinite(weight); }
 Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weights) {
   PLANISH_ASSERT(problem.lines >= 0 && problem.choices);
   PLANISH_ASSERT(problem.depth.empty() || std::ssize(problem.depth) == problem.lines);
-  for (const double weight :
-       {weights.turn_over, weights.rotate, weights.tool_change, weights.stroke, weights.ungauged})
+  for (const double weight : {weights.turn_over, weights.rotate, weights.tool_change,
+                              weights.stroke, weights.ungauged, weights.v})
     if (!is_weight(weight))
       return fail(refuse::bad_weight, {{"value", weight, unit::none}}, "weights");
   for (const int line : problem.begin_with)

@@ -1,6 +1,7 @@
 // Whether a part of the sheet meets a tool at any turn. An interval of turns is proven clear if in
 // its middle the distance exceeds what part and tool can move in half of it, else it is halved,
-// down to `kFollowed`. Along the line the same is asked of slices: a stroke keeps x, so where a
+// down to `kFollowed`. A part that reaches far is halved first: what is near the bend line comes
+// near the tools but is slow, what is fast is far away. Along the line the same is asked of slices: a stroke keeps x, so where a
 // block is in the way is found by halving x. What must hold: the speeds bound the motion
 // (math.md#stroke-clearance).
 #include "sweep.hpp"
@@ -64,6 +65,10 @@ class Proof {
     const double gap = margin(relative(motion_, part_, obstacle_, middle), obstacle_, moved);
     if (gap <= 0.0) return middle;
     if (gap > moved || moved < kFollowed) return std::nullopt;
+    const std::vector<Moving> halves = part_.halves ? part_.halves() : std::vector<Moving>();
+    for (const Moving& half_of_it : halves)
+      if (const auto turn = Proof(motion_, half_of_it, obstacle_).hit(from, to)) return turn;
+    if (!halves.empty()) return std::nullopt;
     if (const auto late = hit(middle, to)) return late;
     return hit(from, middle);
   }
@@ -80,6 +85,28 @@ class Proof {
 bool too_near(const PressMotion& motion, const Moving& part, const Obstacle& obstacle,
               double turn) {
   return margin(relative(motion, part, obstacle, turn), obstacle, 0.0) <= 0.0;
+}
+
+/// A polygon cut across its longer side where one half then stays less than half as far from a point
+/// as the other; empty if there is no such half.
+std::vector<Convex> halves_of(const Convex& section, const Vec2& from) {
+  constexpr double kShort = 2.0;    // mm: halving turns is as good
+  constexpr double kSlower = 0.45;  // or where even the nearest is about as fast
+  const Box2 box = box_of(section);
+  const Vec2 size = box.hi - box.lo;
+  const int axis = size.x() >= size.y() ? 0 : 1;
+  const double near = std::max(box.lo[axis] - from[axis], from[axis] - box.hi[axis]),
+               far = std::max(box.hi[axis] - from[axis], from[axis] - box.lo[axis]);
+  if (far < kShort || near > kSlower * far || size[axis] < kShort) return {};
+  const bool upward = box.hi[axis] - from[axis] >= from[axis] - box.lo[axis];
+  const double at = from[axis] + (upward ? 0.5 : -0.5) * far;
+  if (at <= box.lo[axis] || at >= box.hi[axis]) return {};
+  Vec2 normal = Vec2::Zero();
+  normal[axis] = 1.0;
+  std::vector<Convex> halves;
+  for (Convex half : {clipped(section, normal, at), clipped(section, -normal, -at)})
+    if (half.size() > 2) halves.push_back(std::move(half));
+  return halves.size() == 2 ? halves : std::vector<Convex>();
 }
 
 /// Finds where along x a block is blocked. Its motion keeps x, so every x is a problem of its own;
@@ -135,7 +162,11 @@ class BlockSearch {
 
 Moving turned_with_side(const PressMotion& motion, const Convex& section) {
   return {[&motion, section](double turn) { return motion.side(section, turn); },
-          [&motion, section](double turn) { return motion.side_speed(section, turn); }};
+          [&motion, section](double turn) { return motion.side_speed(section, turn); },
+          [&motion, section]() {
+            return mapped(halves_of(section, Vec2(0.5 * motion.bend().allowance, 0.0)),
+                          [&](const Convex& half) { return turned_with_side(motion, half); });
+          }};
 }
 
 Moving bent(const PressMotion& motion, double from, double to) {
@@ -227,6 +258,9 @@ std::optional<double> hit_within(const PressMotion& motion, const PlacedPart& pa
                                 strip.left ? left : right, most))
         return turn;
   const Obstacle& obstacle = part.left ? left : right;
+  const bool clear = part.blocks.empty() ||
+                     !hit(motion, turned_with_side(motion, part.hull), obstacle, most);
+  if (clear) return std::nullopt;
   for (const Block3& block : part.blocks)
     if (const auto turn = BlockSearch(motion, block, obstacle, most)
                               .hit_between(along.lo, along.hi))

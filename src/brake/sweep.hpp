@@ -13,6 +13,8 @@ namespace planish::brake_detail {
 struct Moving {
   std::function<Convex(double turn)> at;     ///< in the machine frame, its side seen as the left
   std::function<double(double turn)> speed;  ///< bound of mm per radian up to a turn
+  /// Two that make it up, of which one is slower; none if both were as fast.
+  std::function<std::vector<Moving>()> halves = {};
 };
 
 /// A part that is turned with its side.

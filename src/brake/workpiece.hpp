@@ -4,6 +4,7 @@
 #include "press_motion.hpp"
 
 #include <planish/base/result.hpp>
+#include <planish/brake/plan.hpp>
 #include <planish/geometry/interval.hpp>
 #include <planish/sheet/layout.hpp>
 
@@ -24,6 +25,9 @@ struct BrakeLine {
   Angle angle;
   double inside_radius = 0.0;  ///< as drawn; of a sharp bend and of press lines what the V gives
   bool given_radius = true;    ///< whether it is as drawn
+  double drawn_radius = 0.0;   ///< of the whole bend, mm
+  bool is_large = false;       ///< over a V that leaves its radius (math.md#large-radii)
+  std::optional<double> bump_pitch = {};  ///< between bumps of one bend, mm
   PressedBend bend;            ///< BA, K·T, T
   bool up = true;              ///< the inside faces the viewer of the pattern
   bool reference_up = true;    ///< the reference skin is the inside
@@ -61,8 +65,8 @@ struct Workpiece {
   double thickness = 0.0;
   std::vector<Body> bodies;
   std::vector<BrakeLine> lines;
-  std::vector<Zone> zones;     ///< by line
-  std::vector<BendId> rolled;  ///< bends that take no stroke; they stay flat
+  std::vector<Zone> zones;       ///< by line
+  std::vector<LargeBend> large;  ///< those that are rolled take no stroke and stay flat
 };
 
 struct WorkpieceOptions {
@@ -70,6 +74,8 @@ struct WorkpieceOptions {
   double air_radius = 1.0;
   /// How far hems are bent before they are closed; 0: they are lines like others.
   Angle before_closing = {};
+  /// Bends of a radius that no usual V leaves.
+  std::vector<LargeBend> large = {};
 };
 
 /// Bends between these angles are hems: bent as far as tools go, then closed. What turns further

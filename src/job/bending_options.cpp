@@ -24,7 +24,7 @@ struct Weight {
 constexpr std::array kStrokeWeights{
     Weight{"turn_over", &StrokeWeights::turn_over}, Weight{"rotate", &StrokeWeights::rotate},
     Weight{"tool_change", &StrokeWeights::tool_change}, Weight{"stroke", &StrokeWeights::stroke},
-    Weight{"ungauged", &StrokeWeights::ungauged}};
+    Weight{"ungauged", &StrokeWeights::ungauged}, Weight{"v", &StrokeWeights::v}};
 
 /// What a metal does at the press brake: the upper ends of what shops measure, since tools that
 /// bear more do no harm (shop-floor.md#press-brake).
@@ -80,6 +80,24 @@ Result<void> set_weights(Request& to, const OptionValue& value) {
   return {};
 }
 
+Result<void> set_v(Request& to, const OptionValue& value) {
+  to.bending.plan.v = given_text(value) == "wanted" ? VChoice::wanted : VChoice::any;
+  return {};
+}
+
+Result<void> set_as_drawn(Request& to, const OptionValue& value) {
+  to.bending.plan.radius = std::get<bool>(value) ? RadiusWanted::drawn : RadiusWanted::made;
+  return {};
+}
+
+Result<void> set_large_radii(Request& to, const OptionValue& value) {
+  const std::string& word = given_text(value);
+  to.bending.plan.large_radii = word == "v"      ? Forming::over_v
+                                : word == "bump" ? Forming::bumps
+                                                 : Forming::rolled;
+  return {};
+}
+
 Result<void> set_fix(Request& to, const OptionValue& value) {
   to.bending.begin_with = words_between(given_text(value), ',');
   return {};
@@ -120,14 +138,28 @@ const std::vector<Option>& bending_options() {
                        stored<&Request::bending, &Bending::plan, &PlanOptions::shortfall>,
                        "the thickness"),
            row::number("opening", kAboveZero,
-                       "wanted opening of the V, in mm; the nearest die is used",
+                       "wanted opening of the V, in mm",
                        stored<&Request::bending, &Bending::plan, &PlanOptions::opening>,
                        "by thickness: 6 times to 2.5 mm, 8 times to 8 mm, 10 times above"),
+           row::word("v", {"choice", "wanted"}, "choice",
+                     "take any V from 4 to 12 thicknesses at the cost of the weight v, or only the "
+                     "die nearest to the wanted V",
+                     set_v),
+           row::flag("as_drawn",
+                     "take only tools that leave the drawn inside radius, within a third of it",
+                     set_as_drawn),
+           row::word("large_radii", {"v", "bump", "roll"}, "",
+                     "form a radius that no usual V leaves over a wider V, by bumps, or not on the "
+                     "press brake; otherwise over a V that the shop has, else by bumps",
+                     set_large_radii),
+           row::number("chord_error", kAboveZero,
+                       "distance of the drawn radius from the pieces between bumps, at most, in mm",
+                       stored<&Request::bending, &Bending::plan, &PlanOptions::chord_error>, "0.2"),
        }},
       {OptionGroup::order,
        {
            row::name("weights", "costs by which the cheapest order is chosen", set_weights,
-                     "turn_over=3,rotate=2,tool_change=5,stroke=1,ungauged=4"),
+                     "turn_over=3,rotate=2,tool_change=5,stroke=1,ungauged=4,v=1"),
            row::name("fix", "bends that come first, in this order, as in B3,B1", set_fix),
            row::flag("first", "stop at the first plan found",
                      stored<&Request::bending, &Bending::plan, &PlanOptions::limits,

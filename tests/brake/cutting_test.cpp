@@ -31,17 +31,31 @@ TEST(Cutting, GivesASharpFoldTheRadiusOfTheV) {
   EXPECT_EQ(work->bodies.size(), 2u);
 }
 
-/// Beyond ten thicknesses a bend is rolled: no line, and it stays flat.
-TEST(Cutting, LeavesRolledBendsFlat) {
-  for (const double step : {-0.1, 0.1}) {
-    const Sheet sheet = strip(
-        {Straight{60}, Turn{Angle::degrees(90), 15.0 + step, BendDirection::up}, Straight{60}}, 40,
-        1.5);
-    const auto work = work_to_cut(sheet);
-    ASSERT_TRUE(work);
-    EXPECT_EQ(work->lines.size(), step < 0.0 ? 1u : 0u);
-    EXPECT_EQ(work->rolled.size(), step < 0.0 ? 0u : 1u);
-    EXPECT_EQ(work->bodies.size(), step < 0.0 ? 2u : 1u);
+/// A bend that is rolled has no line, and stays flat; bumps are lines at the middles of equal shares
+/// of its zone.
+TEST(Cutting, CutsALargeBendAsItIsFormed) {
+  const Sheet sheet = strip(
+      {Straight{60}, Turn{Angle::degrees(90), 30.0, BendDirection::up}, Straight{60}}, 40, 1.5);
+  const BendId bend = sheet.bends.ids().front();
+  WorkpieceOptions options;
+  options.large = {{bend, Forming::rolled}};
+  const auto rolled = work_to_cut(sheet, options);
+  ASSERT_TRUE(rolled);
+  EXPECT_TRUE(rolled->lines.empty());
+  EXPECT_EQ(rolled->bodies.size(), 1u);
+  const double allowance = std::numbers::pi / 2.0 * (30.0 + 0.44 * 1.5);
+  options.large = {{bend, Forming::bumps, 3, allowance / 3.0, Angle::degrees(30)}};
+  const auto bumped = work_to_cut(sheet, options);
+  ASSERT_TRUE(bumped);
+  ASSERT_EQ(bumped->lines.size(), 3u);
+  EXPECT_EQ(bumped->bodies.size(), 4u);
+  const BrakeLine& first = bumped->lines[0];
+  for (int i = 0; i < 3; ++i) {
+    const BrakeLine& line = bumped->lines[i];
+    EXPECT_NEAR(line.angle.degrees(), 30.0, 1e-9);
+    EXPECT_EQ(line.press_line, i);
+    EXPECT_EQ(line.drawn_radius, 30.0);
+    EXPECT_NEAR(std::abs(first.across().dot(line.origin - first.origin)), i * allowance / 3.0, 1e-6);
   }
 }
 

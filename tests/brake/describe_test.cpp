@@ -123,22 +123,22 @@ TEST(Describe, TellsTheForceOfTheWholeLine) {
 
 /// Where no segments stand the stroke is told without them, and without a clearance.
 TEST(Describe, LeavesOutTheRowsOfAStrokeThatCannotBeMade) {
-  for (const bool punch_too : {false, true}) {
-    BrakeTools tools = plain_tools();
-    tools.dies[0].segments = {10};
-    if (punch_too) tools.punches[0].segments = {10};
-    Room room(l_bracket(), tools);
-    const StrokeChoice choice = choices(room.cache(), room.lines({})).front();
-    EXPECT_FALSE(check(room.cache(), room.lines({}), choice).feasible);
-    const Stroke stroke = describe(room.cache(), room.lines({}), choice);
-    EXPECT_TRUE(stroke.punch_rows.empty());
-    EXPECT_TRUE(stroke.die_rows.empty());
-    EXPECT_EQ(stroke.clearance, 0.0);
-    // The scene shows a row as long as the line where there are no segments for it.
-    const StrokeScene shown = scene(room.cache(), room.lines({}), choice);
-    ASSERT_EQ(shown.die.size(), 1u);
-    EXPECT_NEAR(shown.die.front().length, 40.0, 1e-9);
-  }
+  // Longer than the line, beside whose ends walls stand.
+  BrakeTools tools = plain_tools();
+  tools.punches[0].segments = {200};
+  Room room(box(), tools);
+  const LineSet walls = room.lines({1, 3});
+  const std::vector<StrokeChoice> left = choices(room.cache(), walls);
+  ASSERT_FALSE(left.empty());
+  EXPECT_FALSE(check(room.cache(), walls, left.front()).feasible);
+  const Stroke stroke = describe(room.cache(), walls, left.front());
+  EXPECT_TRUE(stroke.punch_rows.empty());
+  EXPECT_TRUE(stroke.die_rows.empty());
+  EXPECT_EQ(stroke.clearance, 0.0);
+  // The scene shows the rows as the line would need them.
+  const StrokeScene shown = scene(room.cache(), walls, left.front());
+  ASSERT_EQ(shown.punch.size(), 1u);
+  EXPECT_NEAR(shown.punch.front().length, 200.0, 1e-9);
 }
 
 }  // namespace

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace planish::test {
@@ -49,50 +52,69 @@ TEST(Fits, GivesWhatIsDrawnSharpTheRadiusOfTheV) {
   EXPECT_NEAR(workpiece_options(2.0, plain_tools(), options).air_radius, 0.2 * 20.0, 1e-12);
 }
 
-/// Any catalogue, without the words: which punches and dies bear a line by what math.md says.
-struct Wanted {
-  std::vector<int> punches, dies;
-};
-
-Wanted by_hand(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options) {
-  const double t = line.bend.thickness;
+/// Any catalogue, without the words: which punches over which dies bend a line by what math.md says,
+/// and how many sizes of the catalogue their V is from the wanted one.
+std::vector<ToolPair> by_hand(const BrakeLine& line, const BrakeTools& tools,
+                              const PlanOptions& options) {
+  const double t = line.bend.thickness, rho = options.radius_of_opening;
   const double most = 180.0 - line.angle.degrees() - options.springback.degrees() + 1e-4;
   const auto force = [&](double opening) {
     return 1.42 * options.tensile_strength * t * t / opening;
   };
+  const auto bears = [](const auto& tool, double taken) {
+    return !tool.max_force || *tool.max_force >= taken;
+  };
   const double wanted = options.opening ? *options.opening : t <= 2.5 ? 6 * t : 8 * t;
-  Wanted found;
-  double opening = 0.0;
-  for (const Die& die : tools.dies) {
-    if (die.opening == 0.0 || die.angle.degrees() > most) continue;
-    if (die.max_force && *die.max_force < force(die.opening)) continue;
-    const double away = std::abs(die.opening - wanted), now = std::abs(opening - wanted);
-    if (opening == 0.0 || away < now || (away == now && die.opening < opening))
-      opening = die.opening;
-  }
-  for (int i = 0; i < std::ssize(tools.dies); ++i) {
-    const Die& die = tools.dies[i];
-    if (opening > 0.0 && die.opening == opening && die.angle.degrees() <= most &&
-        (!die.max_force || *die.max_force >= force(opening)))
-      found.dies.push_back(i);
-  }
-  for (int i = 0; i < std::ssize(tools.punches); ++i) {
-    const Punch& one = tools.punches[i];
-    if (one.angle.degrees() <= most && one.tip_radius <= line.inside_radius &&
-        (opening == 0.0 || !one.max_force || *one.max_force >= force(opening)))
-      found.punches.push_back(i);
-  }
+  std::map<double, bool> sizes;  // and whether a die bears its force
+  for (const Die& die : tools.dies)
+    if (die.opening > 0.0 && die.angle.degrees() <= most)
+      sizes[die.opening] = sizes[die.opening] || bears(die, force(die.opening));
+  double nearest = 0.0;
+  for (const auto& [size, strong] : sizes)
+    if ((strong || options.v == VChoice::any) &&
+        (nearest == 0.0 || std::abs(size - wanted) < std::abs(nearest - wanted)))
+      nearest = size;
+  std::vector<ToolPair> found;
+  for (int p = 0; p < std::ssize(tools.punches); ++p)
+    for (int d = 0; d < std::ssize(tools.dies); ++d) {
+      const Punch& one = tools.punches[p];
+      const Die& die = tools.dies[d];
+      const double v = die.opening;
+      if (!sizes.contains(v) || die.angle.degrees() > most || one.angle.degrees() > most) continue;
+      double tip = line.inside_radius, least = 100.0;
+      for (const Punch& other : tools.punches)
+        if (other.angle.degrees() <= most && bears(other, force(v)))
+          least = std::min(least, other.tip_radius);
+      tip = std::max(tip, least);
+      if (options.v == VChoice::any) tip = std::max(tip, rho * v);
+      const bool taken = v == nearest || (options.v == VChoice::any && v >= 4 * t && v <= 12 * t);
+      const bool drawn = options.radius == RadiusWanted::drawn;
+      const double made = std::max(one.tip_radius, rho * v);
+      const bool radius = drawn ? made > line.drawn_radius * 2 / 3 - 1e-6 &&
+                                      made < line.drawn_radius * 4 / 3 + 1e-6
+                                : one.tip_radius <= tip;
+      const bool v_taken = taken || (drawn && options.v == VChoice::any);
+      const double whole = force(v) * line.length() / 1000.0;
+      if (!v_taken || !radius || !bears(one, force(v)) || !bears(die, force(v)) ||
+          whole > tools.machine.force)
+        continue;
+      int away = 0;
+      for (const auto& [size, strong] : sizes)
+        away += size > std::min(v, nearest) && size <= std::max(v, nearest);
+      found.push_back({p, d, options.v == VChoice::any ? away : 0});
+    }
   return found;
 }
 
-TEST(Fits, TakesTheToolsThatBearALine) {
+TEST(Fits, TakesTheToolsThatBendALine) {
   std::mt19937 random(9);
   const auto one_of = [&](std::initializer_list<double> values) {
     return *(values.begin() + static_cast<int>(random() % values.size()));
   };
-  int whole = 0, partial = 0;
-  for (int run = 0; run < 400; ++run) {
+  std::array<int, 2> whole{}, partial{};
+  for (int run = 0; run < 1'200; ++run) {
     BrakeTools tools = plain_tools();
+    tools.machine.force = one_of({20, 60, 1000});
     tools.punches.clear();
     tools.dies.clear();
     for (int i = 0; i < 4; ++i) {
@@ -102,28 +124,131 @@ TEST(Fits, TakesTheToolsThatBearALine) {
       tools.punches.push_back(punch(upper));
       if (random() % 3 == 0) tools.punches.back().max_force = one_of({50, 150, 300});
       PlainDie lower;
-      lower.opening = one_of({6, 10, 12, 14, 16});
+      lower.opening = one_of({6, 10, 12, 14, 16, 25});
       lower.angle = Angle::degrees(one_of({30, 60, 80, 88}));
       tools.dies.push_back(die(lower));
       if (random() % 3 == 0) tools.dies.back().max_force = one_of({50, 150, 300});
     }
     BrakeLine line;
+    line.pieces = {{0.0, one_of({100, 300})}};
     line.bend.thickness = one_of({1.0, 2.0, 3.0});
     line.angle = Angle::degrees(one_of({45, 90, 100, 120}));
-    line.inside_radius = one_of({0.6, 1.0, 3.0});
+    line.inside_radius = line.drawn_radius = one_of({0.1, 0.6, 1.0, 3.0});
     PlanOptions options;
     options.springback = Angle::degrees(one_of({0, 2}));
     if (random() % 2) options.opening = one_of({8, 13, 15});
+    options.v = random() % 2 ? VChoice::any : VChoice::wanted;
+    options.radius = random() % 4 ? RadiusWanted::made : RadiusWanted::drawn;
     const FittingTools told = fitting_tools(line, tools, options);
-    const Wanted wanted = by_hand(line, tools, options);
-    EXPECT_EQ(told.punches, wanted.punches) << run;
-    EXPECT_EQ(told.dies, wanted.dies) << run;
-    const bool fits = !wanted.punches.empty() && !wanted.dies.empty();
-    EXPECT_EQ(told.why.has_value(), !fits);
-    ++(fits ? whole : partial);
+    std::vector<ToolPair> wanted = by_hand(line, tools, options);
+    std::ranges::stable_sort(wanted, {}, &ToolPair::v_away);
+    EXPECT_EQ(told.pairs, wanted) << run;
+    EXPECT_EQ(told.why.has_value(), wanted.empty());
+    ++(wanted.empty() ? partial : whole)[options.v == VChoice::any];
   }
-  EXPECT_GT(whole, 100);
-  EXPECT_GT(partial, 50);
+  for (const int mode : {0, 1}) {
+    EXPECT_GT(whole[mode], 200);
+    EXPECT_GT(partial[mode], 50);
+  }
+}
+
+/// The press on both sides of its force: 100 mm of 2 mm over a V of 12 take 21.3 kN, and over one of
+/// 24, the widest that may be taken, 10.65 kN.
+TEST(Fits, TakeAWiderVWhereThePressIsWeak) {
+  BrakeTools tools = plain_tools();
+  tools.dies = {die({12.0, Angle::degrees(80)}), die({24.0, Angle::degrees(80)}),
+                die({26.0, Angle::degrees(80)})};
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 2.0;
+  const auto fit = [&](double force) {
+    tools.machine.force = force;
+    return fitting_tools(line, tools, {});
+  };
+  EXPECT_EQ(fit(21.31).pairs, (std::vector<ToolPair>{{0, 0, 0}, {0, 1, 1}}));
+  EXPECT_EQ(fit(21.29).pairs, (std::vector<ToolPair>{{0, 1, 1}}));
+  EXPECT_EQ(fit(10.66).pairs, (std::vector<ToolPair>{{0, 1, 1}}));
+  const FittingTools none = fit(10.64);
+  EXPECT_TRUE(none.pairs.empty());
+  ASSERT_TRUE(none.why);
+  EXPECT_EQ(none.why->code, "weak_press");
+  ASSERT_EQ(none.why->told.numbers.size(), 3u);
+  EXPECT_NEAR(none.why->told.numbers[0].quantity.value, 10.65, 1e-9);
+  EXPECT_EQ(none.why->told.numbers[1].quantity.value, 10.64);
+  EXPECT_EQ(none.why->told.numbers[2].quantity.value, 24.0);
+}
+
+/// What tools have to press is the line less a shortfall at each end.
+TEST(Fits, NeedAPressAsLongAsTheBend) {
+  BrakeTools tools = plain_tools();
+  BrakeLine line;
+  line.pieces = {{0.0, 300.0}, {350.0, 700.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 2.0;
+  PlanOptions options;
+  options.shortfall = 5.0;
+  tools.machine.length = 690.1;
+  EXPECT_FALSE(fitting_tools(line, tools, options).pairs.empty());
+  tools.machine.length = 689.9;
+  const FittingTools none = fitting_tools(line, tools, options);
+  EXPECT_TRUE(none.pairs.empty());
+  ASSERT_TRUE(none.why);
+  EXPECT_EQ(none.why->code, "short_press");
+  EXPECT_NEAR(none.why->told.numbers.at(0).quantity.value, 690.0, 1e-9);
+  // The segments press 290 and 340 mm, and need not fill the gap.
+  tools.machine.length = 3'000.0;
+  tools.punches[0].segments = {300.0, 330.1};
+  EXPECT_FALSE(fitting_tools(line, tools, options).pairs.empty());
+  tools.punches[0].segments = {300.0, 329.9};
+  EXPECT_TRUE(fitting_tools(line, tools, options).pairs.empty());
+}
+
+/// A radius is large if a V of 12 T leaves less than two thirds of it.
+TEST(Fits, CallARadiusLargeThatNoUsualVLeaves) {
+  PlanOptions options;
+  EXPECT_FALSE(is_large_radius(0.16 * 24.0 * 1.5 - 1e-6, 2.0, options));
+  EXPECT_TRUE(is_large_radius(0.16 * 24.0 * 1.5 + 1e-6, 2.0, options));
+}
+
+/// A large radius takes any V that leaves it within a third, or a punch of that radius.
+TEST(Fits, GivesALargeRadiusTheVThatLeavesIt) {
+  BrakeTools tools = plain_tools();
+  tools.dies.clear();
+  for (const double opening : {12.0, 32.0, 34.0, 50.0, 66.0, 68.0})
+    tools.dies.push_back(die({opening, Angle::degrees(80)}));
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(90);
+  line.is_large = true;
+  line.inside_radius = line.drawn_radius = 8.0;
+  // 0.16 V from 5.33 to 10.67: V from 33.3 to 66.7; wanted is 50.
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs,
+            (std::vector<ToolPair>{{0, 3, 0}, {0, 2, 1}, {0, 4, 1}}));
+  tools.punches[0].tip_radius = 7.0;
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs.size(), 5u);
+}
+
+/// Bumps: a V of at most four times their pitch, or the narrowest that the thickness takes.
+TEST(Fits, GivesBumpsAVThatDoesNotReachTheNext) {
+  BrakeTools tools = plain_tools();
+  tools.dies.clear();
+  for (const double opening : {6.0, 8.0, 10.0, 12.0})
+    tools.dies.push_back(die({opening, Angle::degrees(80)}));
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(10);
+  line.inside_radius = 2.0;
+  line.press_line = 0;
+  line.bump_pitch = 2.5;
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs,
+            (std::vector<ToolPair>{{0, 2, 1}, {0, 1, 2}}));
+  line.bump_pitch = 1.0;
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 1, 2}}));
 }
 
 /// Only flat tools that bear four times the force of bending close a hem.
@@ -132,12 +257,11 @@ TEST(Fits, ClosesHemsWithFlatToolsThatBearIt) {
   BrakeLine closing;
   closing.closes = 0;
   closing.bend.thickness = 1.0;
-  EXPECT_EQ(fitting_tools(closing, tools, {}).punches, std::vector<int>{1});
-  EXPECT_EQ(fitting_tools(closing, tools, {}).dies, std::vector<int>{1});
+  EXPECT_EQ(fitting_tools(closing, tools, {}).pairs, (std::vector<ToolPair>{{1, 1, 0}}));
   tools.punches[1].max_force = closing_force(450.0, 1.0) + 0.1;
-  EXPECT_EQ(fitting_tools(closing, tools, {}).punches, std::vector<int>{1});
+  EXPECT_EQ(fitting_tools(closing, tools, {}).pairs.size(), 1u);
   tools.punches[1].max_force = closing_force(450.0, 1.0) - 0.1;
-  EXPECT_TRUE(fitting_tools(closing, tools, {}).punches.empty());
+  EXPECT_TRUE(fitting_tools(closing, tools, {}).pairs.empty());
   EXPECT_TRUE(fitting_tools(closing, tools, {}).why);
 }
 

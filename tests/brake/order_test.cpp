@@ -234,7 +234,8 @@ TEST(CheckOrder, KeepsTheReasonWhyABentHemCannotBeClosed) {
 /// Before anything is formed, too.
 TEST(CheckOrder, KeepsTheReasonWhyABendCannotBePressed) {
   BrakeTools tools = narrow_tools();
-  tools.punches.front().segments = {10.0};
+  tools.punches.front().segments = {1000.0};
+  tools.machine.length = 900.0;
   Checked part(u_channel(), tools);
   const CheckedOrder checked = part.check(one_by_one({0, 1}));
   ASSERT_EQ(checked.strokes.size(), 2u);

@@ -82,9 +82,17 @@ TEST(PlanBending, SaysWhichToolIsMissing) {
     return plan ? "" : std::string(code_name(plan.error().code));
   };
   BrakeTools blunt = plain_tools();
-  blunt.punches[0].tip_radius = 3.1;
-  EXPECT_EQ(code(l_bracket(), blunt), "no_tool");  // r 3
-  blunt.punches[0].tip_radius = 2.9;
+  PlanOptions drawn;
+  drawn.radius = RadiusWanted::drawn;
+  for (const VChoice v : {VChoice::any, VChoice::wanted}) {
+    drawn.v = v;
+    blunt.punches[0].tip_radius = 4.1;  // r 3: within a third up to 4
+    EXPECT_EQ(code(l_bracket(), blunt, drawn), "no_tool");
+    blunt.punches[0].tip_radius = 3.9;
+    EXPECT_EQ(code(l_bracket(), blunt, drawn), "");
+  }
+  // What is drawn below every tip is bent with the smallest.
+  blunt.punches[0].tip_radius = 4.1;
   EXPECT_EQ(code(l_bracket(), blunt), "");
   // 80° tools bend by up to 100°.
   EXPECT_EQ(code(strip({Straight{50}, turn_up(99.9), Straight{50}}, 40, 1.5), plain_tools()), "");
@@ -151,8 +159,10 @@ TEST(PlanBending, NeedsNoStrokeForAPlateOrARolledBend) {
   ASSERT_TRUE(plate);
   EXPECT_EQ(plate->status, PlanStatus::optimal);
   EXPECT_TRUE(plate->strokes.empty());
+  PlanOptions options;
+  options.large_radii = Forming::rolled;
   const auto rolled = plan_of(strip({Straight{50}, turn_up(90, 30), Straight{50}}, 40, 1.5),
-                              plain_tools());
+                              plain_tools(), options);
   ASSERT_TRUE(rolled);
   EXPECT_TRUE(rolled->strokes.empty());
   ASSERT_EQ(rolled->remarks.size(), 1u);

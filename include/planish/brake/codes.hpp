@@ -13,6 +13,9 @@ inline constexpr ErrorCode no_straight_bend{
     "no bend has a straight line that a press brake could press"};
 inline constexpr ErrorCode no_tool{"no_tool", ExitStatus::refused,
                                    "no tool suits this thickness, radius or hem"};
+inline constexpr ErrorCode press_too_small{
+    "press_too_small", ExitStatus::refused,
+    "the press brake is not long or not strong enough for a bend"};
 inline constexpr ErrorCode cannot_bend{"cannot_bend", ExitStatus::refused,
                                        "no order of strokes forms all bends with these tools"};
 

@@ -14,6 +14,21 @@
 
 namespace planish {
 
+/// Which V a bend may be pressed over (math.md#v-choice).
+enum class VChoice {
+  any,     ///< every one from 4 to 12 thicknesses; a size away from the wanted one costs
+  wanted,  ///< the one nearest to the wanted one
+};
+
+/// Which inside radius is wanted (math.md#made-radius).
+enum class RadiusWanted {
+  made,   ///< what the tools leave; told where it is not the drawn one
+  drawn,  ///< the drawn one, within a third of it
+};
+
+/// How a bend whose drawn radius no usual V leaves is formed (math.md#large-radii).
+enum class Forming { over_v, bumps, rolled };
+
 /// How a sheet is to be bent. Lengths in mm.
 struct PlanOptions {
   double clearance = 0.0;                ///< kept between the workpiece and the tools
@@ -23,6 +38,10 @@ struct PlanOptions {
   double tensile_strength = 450.0;       ///< R_m, N/mm²
   double radius_of_opening = 0.16;       ///< inside radius that air bending leaves, per opening
   std::optional<double> opening = {};    ///< wanted of the V; empty: by thickness
+  VChoice v = VChoice::any;
+  RadiusWanted radius = RadiusWanted::made;
+  std::optional<Forming> large_radii = {};  ///< empty: over a V that leaves them, else by bumps
+  double chord_error = 0.2;                 ///< of bumps, from the drawn inside radius
   std::vector<BendId> begin_with = {};   ///< bends that come first, in this order
   StrokeWeights weights;
   StrokeLimits limits;
@@ -47,6 +66,10 @@ struct Stroke {
   bool flattening = false;                       ///< closes a hem that was bent before
   Angle angle;                                   ///< turned by it, without springback
   std::string punch, die;                        ///< ids
+  double v_wanted = 0.0;                         ///< opening, mm; 0 if it flattens
+  int v_away = 0;                                ///< sizes of the catalogue from the wanted V
+  double radius_drawn = 0.0;                     ///< inside, of the whole bend, mm
+  double radius_made = 0.0;                      ///< inside, that these tools leave, mm
   std::vector<SegmentRow> punch_rows, die_rows;  ///< as the operator sees them, from the left
   bool reference_up = true;                      ///< the side of the lying sheet that faces up
   std::optional<FlangeId> to_gauge = {};         ///< the flange on the gauge's side of the bend
@@ -95,6 +118,17 @@ struct Proposal {
   std::vector<BendId> bends = {};
 };
 
+/// A bend of large radius. Of bumps `pitch` is that along the neutral surface, and `chord_error` how
+/// far the drawn radius lies from the plane pieces between them.
+struct LargeBend {
+  BendId bend;
+  Forming forming = Forming::over_v;
+  int bumps = 0;
+  double pitch = 0.0;  ///< mm
+  Angle angle = {};    ///< of each bump
+  double chord_error = 0.0;
+};
+
 /// The order in which a sheet is bent, or why there is none.
 struct Plan {
   PlanStatus status = PlanStatus::gave_up;
@@ -102,6 +136,7 @@ struct Plan {
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
   long long states = 0;              ///< stages that were looked at
   std::vector<Stroke> strokes;       ///< empty unless optimal or feasible
+  std::vector<LargeBend> large = {};
   std::vector<BlockedBend> blocked;  ///< if infeasible
   std::vector<BendId> unformed;      ///< if infeasible: what is left in the stage that got furthest
   /// If each bend can be formed in some stage: what is in the way of some of the unformed there.

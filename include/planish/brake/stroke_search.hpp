@@ -23,12 +23,19 @@ struct StrokeChoice {
   bool reference_up = true;  ///< the side of the lying sheet that faces up
   int direction = 0;         ///< of the pattern, towards the gauge
   bool gauged = true;
+  int v_away = 0;  ///< sizes of the catalogue between its V and the wanted one
 };
 
 /// Costs, at least 0 each: of a stroke; of a stroke without gauge, besides; of turning the sheet
-/// over, of rotating it and of changing a tool or both between two strokes.
+/// over, of rotating it and of changing a tool or both between two strokes; of each size by which
+/// the V of a stroke differs from the wanted one.
 struct StrokeWeights {
-  double turn_over = 3.0, rotate = 2.0, tool_change = 5.0, stroke = 1.0, ungauged = 4.0;
+  double turn_over = 3.0, rotate = 2.0, tool_change = 5.0, stroke = 1.0, ungauged = 4.0, v = 1.0;
+
+  /// Of a stroke by itself, without what is changed before it.
+  double of(const StrokeChoice& choice) const {
+    return stroke + (choice.gauged ? 0.0 : ungauged) + v * choice.v_away;
+  }
 };
 
 /// Where a search ends although more could be found.

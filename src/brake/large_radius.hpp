@@ -1,0 +1,26 @@
+#pragma once
+
+#include "workpiece.hpp"
+
+#include <planish/brake/plan.hpp>
+
+#include <vector>
+
+namespace planish::brake_detail {
+
+/// The bumps by which a bend of a radius and an allowance is formed, so that the drawn radius lies
+/// within `chord_error` of the plane pieces between them (math.md#large-radii). At least two; no
+/// closer than one thickness, which may leave a larger error.
+LargeBend bumps_of(Angle angle, double radius, double allowance, double thickness,
+                   double chord_error);
+
+/// How each bend of a radius that no usual V leaves is formed. Bends with press lines are not
+/// asked: these are how they are pressed.
+std::vector<LargeBend> large_bends(const Sheet& sheet, const Layout& layout,
+                                   const BrakeTools& tools, const PlanOptions& options);
+
+/// Makes bumps of a bend that was to be formed over a V; false if it was not.
+bool make_bumps(std::vector<LargeBend>& large, BendId bend, const Sheet& sheet,
+                const Layout& layout, const PlanOptions& options);
+
+}  // namespace planish::brake_detail
