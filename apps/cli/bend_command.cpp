@@ -59,7 +59,7 @@ void add_time_limit(CLI::App& app, BendArguments& to) {
                      std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds));
   };
   app.add_option_function<double>("--time-limit", set,
-                                  "time after which the best plan so far is given; default 6")
+                                  "time after which the best plan so far is given; default 60")
       ->check(check_of(kTimeLimit))
       ->type_name("SECONDS")
       ->group("Order");

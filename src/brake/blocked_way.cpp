@@ -12,11 +12,14 @@
 #include "standing.hpp"
 #include "sweep.hpp"
 
+#include <limits>
+
 namespace planish::brake_detail {
 namespace {
 
 constexpr double kDepthFound = 0.005;  // mm
 constexpr double kDeepest = 1000.0;    // mm: beyond any tool
+constexpr int kMostMeasured = 100;     // ways of one stroke, those over the wanted V first
 
 /// The flange that a part belongs to, or of a zone the one behind it.
 std::optional<FlangeId> flange_of(StageCache& cache, int line, int part) {
@@ -135,21 +138,30 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
   const bool closes = first.closes.has_value();
   BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
   Setting way{&formed, pressed, line, 0, 0, 1};
+  double missing = std::numeric_limits<double>::infinity();
+  int measured = 0;
   for (const ToolPair& pair : fitting.pairs)
-      for (const int direction : {1, -1}) {
-        if (Clock::now() > until && (best.hits || best.why)) continue;
-        const Setting stroke{&formed, pressed, line, pair.punch, pair.die, direction};
-        const auto obstruction = obstruction_of(cache, stroke);
-        if (!obstruction) continue;
-        const double most = best.hits ? best.depth : kDeepest;
-        BlockedBend found = obstruction->lack.kind == Lack::Kind::nothing
-                                ? deepest_of_all(cache, stroke, most)
-                                : deepest(cache, stroke, *obstruction, {0.0, most});
-        if (!found.hits && (best.hits || best.why)) continue;
-        if (found.hits && best.hits && found.depth >= best.depth) continue;
-        best = std::move(found);
-        way = stroke;
-      }
+    for (const int direction : {1, -1}) {
+      const bool enough = measured >= kMostMeasured || Clock::now() > until;
+      if (enough && (best.hits || best.why)) continue;
+      const Setting stroke{&formed, pressed, line, pair.punch, pair.die, direction};
+      const auto obstruction = obstruction_of(cache, stroke);
+      if (!obstruction) continue;
+      // Of sides that are too short the one that lacks least.
+      const double lacks = obstruction->lack.needs - obstruction->lack.is;
+      const bool is_short = obstruction->lack.kind == Lack::Kind::reach;
+      if (is_short && (best.hits || lacks >= missing)) continue;
+      if (is_short) missing = lacks;
+      measured += is_short ? 0 : 1;
+      const double most = best.hits ? best.depth : kDeepest;
+      BlockedBend found = obstruction->lack.kind == Lack::Kind::nothing
+                              ? deepest_of_all(cache, stroke, most)
+                              : deepest(cache, stroke, *obstruction, {0.0, most});
+      if (!found.hits && !is_short && (best.hits || best.why)) continue;
+      if (found.hits && best.hits && found.depth >= best.depth) continue;
+      best = std::move(found);
+      way = stroke;
+    }
   if (!best.hits) best.depth = 0.0;
   StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
   choice.direction = direction_number(inputs, way.direction * first.across());

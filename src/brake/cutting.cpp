@@ -17,8 +17,8 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kNoRadius = 1e-3;     // mm: a bend that is drawn sharp inside
-constexpr double kOneLine = 1e-3;      // mm, and radians: lines that are one straight line
+constexpr double kNoRadius = 1e-3;  // mm: a bend that is drawn sharp inside
+constexpr double kOneLine = 1e-3;   // mm, and radians: lines that are one straight line
 
 /// Range of u over the faces of a bend.
 Interval u_range(const Sheet& sheet, const Bend& bend) {
@@ -96,12 +96,6 @@ void Cutting::unite_across(const Joint& joint) {
   if (!a || !b || *a != *b) nodes_.unite(node_at(joint.a), node_at(joint.b));
 }
 
-/// Whether the pattern's viewer looks at the reference skin.
-bool Cutting::shows_reference() const {
-  const FaceId face = layout_.root;
-  return layout_.placement[face].linear().determinant() * sheet_[face].sense > 0.0;
-}
-
 BrakeLine Cutting::line_of(BendId id) const {
   const Bend& bend = sheet_[id];
   BrakeLine line;
@@ -113,7 +107,7 @@ BrakeLine Cutting::line_of(BendId id) const {
   line.bend.neutral = layout_.allowance[id].k_factor * sheet_.thickness;
   line.bend.allowance = layout_.allowance[id].allowance;
   line.reference_up = bend.reference_inside;
-  line.up = bend.reference_inside == shows_reference();
+  line.up = bend.reference_inside == layout_.shows_reference(sheet_);
   return line;
 }
 

@@ -34,7 +34,6 @@ class Cutting {
   int region_of(BendId bend, double u) const;
   int node_at(const BorderRef& ref) const;
   void unite_across(const Joint& joint);
-  bool shows_reference() const;
   BrakeLine line_of(BendId id) const;
   std::optional<Error> add_lines(BendId id);
   void add_press_line(BendId id, int number);

@@ -69,10 +69,10 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   if (choice.gauged && !line.closes) stroke.gauge = gauge(cache, at);
   stroke.force = force(inputs, at);
   stroke.radius_drawn = line.drawn_radius;
-  stroke.radius_made = line.closes || line.closed_by ? line.drawn_radius
-                                                     : made_radius(inputs.tools.punches[at.punch],
-                                                                   inputs.tools.dies[at.die],
-                                                                   inputs.options);
+  stroke.radius_made = line.closes || line.closed_by
+                           ? line.drawn_radius
+                           : made_radius(inputs.tools.punches[at.punch], inputs.tools.dies[at.die],
+                                         inputs.options);
   stroke.v_away = choice.v_away;
   if (!line.closes) stroke.v_wanted = wanted_opening(line, inputs.tools, inputs.options);
   if (!line.closes && rows) stroke.clearance = clearance(cache, at, *rows);

@@ -212,8 +212,7 @@ class Fitting {
   bool has_radius(const Punch& punch, const Die& die) const {
     const bool insists = line_.is_large ||
                          (options_.radius == RadiusWanted::drawn && !line_.press_line);
-    if (!insists)
-      return punch.tip_radius <= largest_tip(die);
+    if (!insists) return punch.tip_radius <= largest_tip(die);
     return meets(made_radius(punch, die, options_), line_.drawn_radius);
   }
 
@@ -261,14 +260,13 @@ class Fitting {
   Remark why() const {
     const double span = pressed_span(line_, shortfall_);
     if (span > tools_.machine.length + kWritten)
-      return remark_of(say::short_press, {{"span", span, unit::mm},
-                                          {"length", tools_.machine.length, unit::mm}});
+      return remark_of(say::short_press,
+                       {{"span", span, unit::mm}, {"length", tools_.machine.length, unit::mm}});
     if (is_hem(line_.angle) && !line_.closed_by) return remark_of(say::no_flat_tools);
     if (most_angle_ <= kWritten)
       return remark_of(say::has_to_be_rolled,
                        {{"bend_angle", 180.0 - options_.springback.degrees(), unit::degrees}});
-    const Facts angle{
-        {"tool_angle", Angle::radians(most_angle_).degrees(), unit::degrees}};
+    const Facts angle{{"tool_angle", Angle::radians(most_angle_).degrees(), unit::degrees}};
     if (std::ranges::none_of(tools_.punches, [&](const Punch& one) { return is_sharp(one); }))
       return remark_of(say::no_sharp_punch, angle);
     if (sizes_.empty()) return remark_of(say::no_sharp_die, angle);
@@ -284,10 +282,9 @@ class Fitting {
         [&](const Punch& p, const Die& d) { return suits(p, d) && borne_by_tools(p, d); });
     if (!strong) return remark_of(say::no_strong_tools, {{"force", force(most()), say::kPerMetre}});
     const Die& die = widest();
-    return remark_of(say::weak_press,
-                     {{"force", force_of(line_, die, options_), unit::kilonewtons},
-                      {"most", tools_.machine.force, unit::kilonewtons},
-                      {"opening", die.opening, unit::mm}});
+    return remark_of(say::weak_press, {{"force", force_of(line_, die, options_), unit::kilonewtons},
+                                       {"most", tools_.machine.force, unit::kilonewtons},
+                                       {"opening", die.opening, unit::mm}});
   }
 
   /// The widest V that suits the line.
@@ -327,8 +324,10 @@ FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
   if (fitting.pairs.empty())
     fitting.why = remark_of(say::no_strong_flat_tools);
   else if (whole > tools.machine.force)
-    fitting = {{}, remark_of(say::weak_press_for_hem, {{"force", whole, unit::kilonewtons},
-                                                  {"most", tools.machine.force, unit::kilonewtons}})};
+    fitting = {
+        {},
+        remark_of(say::weak_press_for_hem, {{"force", whole, unit::kilonewtons},
+                                            {"most", tools.machine.force, unit::kilonewtons}})};
   return fitting;
 }
 

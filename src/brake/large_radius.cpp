@@ -1,7 +1,7 @@
 // Bends of a radius that no usual V leaves: over a wider V if a tool of the shop leaves it within a
-// third, else by bumps, n small bends of α/n at the pitch BA/n. With the chord error e the most that
-// a bump may turn is 2 acos(1 − e/R). Where that takes more bumps than anybody presses, the bend is
-// rolled (math.md#large-radii).
+// third, else by bumps, n small bends of α/n at the pitch BA/n. With the chord error e the most
+// that a bump may turn is 2 acos(1 − e/R). Where that takes more bumps than anybody presses, the
+// bend is rolled (math.md#large-radii).
 #include "large_radius.hpp"
 
 #include "fits.hpp"
@@ -12,8 +12,8 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr int kMostBumps = 60;          // of one bend: more are rolled
-constexpr double kAlwaysLarge = 10.0;   // inside radius in thicknesses, as in the rules
+constexpr int kMostBumps = 60;         // of one bend: more are rolled
+constexpr double kAlwaysLarge = 10.0;  // inside radius in thicknesses, as in the rules
 
 bool is_asked(const Bend& bend) {
   return bend.press_lines.empty() && bend.kind != BendKind::general && !bend.faces.empty() &&
@@ -79,12 +79,13 @@ std::vector<LargeBend> large_bends(const Sheet& sheet, const Layout& layout,
   return large;
 }
 
-bool make_bumps(std::vector<LargeBend>& large, BendId bend, const Sheet& sheet,
-                const Layout& layout, const PlanOptions& options) {
+bool take_next(std::vector<LargeBend>& large, BendId bend, const Sheet& sheet, const Layout& layout,
+               const PlanOptions& options) {
   const auto found = std::ranges::find(large, bend, &LargeBend::bend);
-  if (found == large.end() || found->forming != Forming::over_v || options.large_radii)
+  if (found == large.end() || found->forming == Forming::rolled || options.large_radii)
     return false;
-  *found = by_bumps(bend, sheet, layout, options);
+  *found = found->forming == Forming::over_v ? by_bumps(bend, sheet, layout, options)
+                                             : LargeBend{bend, Forming::rolled};
   return true;
 }
 

@@ -19,8 +19,9 @@ LargeBend bumps_of(Angle angle, double radius, double allowance, double thicknes
 std::vector<LargeBend> large_bends(const Sheet& sheet, const Layout& layout,
                                    const BrakeTools& tools, const PlanOptions& options);
 
-/// Makes bumps of a bend that was to be formed over a V; false if it was not.
-bool make_bumps(std::vector<LargeBend>& large, BendId bend, const Sheet& sheet,
-                const Layout& layout, const PlanOptions& options);
+/// Takes the next way to form a bend that has no room for this one: bumps instead of a V, rolls
+/// instead of bumps; false if the way was asked for or there is no other.
+bool take_next(std::vector<LargeBend>& large, BendId bend, const Sheet& sheet, const Layout& layout,
+               const PlanOptions& options);
 
 }  // namespace planish::brake_detail

@@ -225,7 +225,7 @@ ToolSections tool_sections(const BrakeTools& tools) {
   for (const Punch& punch : tools.punches) {
     sections.punches.push_back(section_of(punch).outline);
     if (!tools.machine.upper_beam.empty())
-      sections.upper_beams.push_back(section_of(tools.machine.upper_beam, lowered(punch)).outline);
+      sections.upper_beams.push_back(upper_beam_over(punch, tools.machine).outline);
   }
   sections.dies = mapped(tools.dies, [](const Die& die) { return section_of(die).outline; });
   if (!tools.machine.lower_beam.empty())

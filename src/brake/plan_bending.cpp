@@ -54,7 +54,6 @@ class Remarks {
 
 /// Where tools leave another radius than the drawn one, or the V is not the wanted one.
 void note_tools(const StrokeInputs& inputs, Plan& plan) {
-  constexpr double kTold = 0.1, kToldOfThickness = 0.2;  // math.md#made-radius
   constexpr double kNarrow = 5.0;                        // V in thicknesses (math.md#v-choice)
   const double thickness = inputs.work.thickness;
   Remarks remarks;
@@ -62,9 +61,7 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
     if (stroke.flattening || is_hem(stroke.angle)) continue;
     const auto die = std::ranges::find(inputs.tools.dies, stroke.die, &Die::id);
     const Fact opening("opening", die->opening, unit::mm);
-    const double differs = std::abs(stroke.radius_made - stroke.radius_drawn);
-    if (!stroke.press_line &&
-        differs > std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness))
+    if (is_made_otherwise(stroke, thickness))
       remarks.add(say::other_radius,
                   {opening,
                    {"left", stroke.radius_made, unit::mm},
@@ -73,13 +70,13 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
     if (die->opening < kNarrow * thickness - tolerance::kWrittenDigits)
       remarks.add(say::narrow_v, {opening, {"least", kNarrow * thickness, unit::mm}}, stroke.bends);
     if (stroke.v_away > 0)
-      remarks.add(say::other_v,
-                  {opening,
-                   {"wanted", stroke.v_wanted, unit::mm},
-                   {"force", force_per_length(inputs.options.tensile_strength, thickness,
-                                              die->opening),
-                    say::kPerMetre}},
-                  stroke.bends);
+      remarks.add(
+          say::other_v,
+          {opening,
+           {"wanted", stroke.v_wanted, unit::mm},
+           {"force", force_per_length(inputs.options.tensile_strength, thickness, die->opening),
+            say::kPerMetre}},
+          stroke.bends);
   }
   remarks.tell(plan);
 }
@@ -89,11 +86,12 @@ void note_large(const StrokeInputs& inputs, Plan& plan) {
     const Fact bend("bend", place::bend(name_of(large.bend)));
     if (large.forming == Forming::rolled) plan.remarks.push_back(remark_of(say::rolled, {bend}));
     if (large.forming == Forming::bumps)
-      plan.remarks.push_back(remark_of(say::bumped, {bend,
-                                                     {"bumps", large.bumps},
-                                                     {"angle", large.angle.degrees(), unit::degrees},
-                                                     {"pitch", large.pitch, unit::mm},
-                                                     {"error", large.chord_error, unit::mm}}));
+      plan.remarks.push_back(
+          remark_of(say::bumped, {bend,
+                                  {"bumps", large.bumps},
+                                  {"angle", large.angle.degrees(), unit::degrees},
+                                  {"pitch", large.pitch, unit::mm},
+                                  {"error", large.chord_error, unit::mm}}));
   }
 }
 
@@ -163,6 +161,13 @@ void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_poin
 
 }  // namespace
 
+bool is_made_otherwise(const Stroke& stroke, double thickness) {
+  constexpr double kTold = 0.1, kToldOfThickness = 0.2;  // math.md#made-radius
+  if (stroke.flattening || stroke.press_line || is_hem(stroke.angle)) return false;
+  return std::abs(stroke.radius_made - stroke.radius_drawn) >
+         std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness);
+}
+
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                           const PlanOptions& options, const Progress& progress) {
   const auto inputs = prepared(sheet, layout, tools, options);
@@ -182,6 +187,9 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   plan.tool_changes = search->tool_changes;
   plan.ungauged = search->ungauged;
   plan.states = search->stages;
+  if (search->timed_out)
+    plan.remarks.push_back(
+        remark_of(say::timed_out, {{"seconds", options.limits.seconds, unit::seconds}}));
   add_strokes(cache, *search, plan);
   note_tools(*inputs, plan);
   if (plan.status == PlanStatus::infeasible) add_blocked(cache, *search, until, plan);

@@ -21,6 +21,7 @@ StrokeProblem problem_of(StageCache& cache) {
   problem.check = [&cache](const LineSet& formed, const StrokeChoice& choice) {
     return check(cache, formed, choice);
   };
+  problem.checks = [&cache] { return cache.checks(); };
   problem.possible = possible(inputs);
   problem.depth = line_depths(inputs.work);
   for (const BendId bend : inputs.options.begin_with)
@@ -35,12 +36,13 @@ StrokeProblem problem_of(StageCache& cache) {
 
 Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
   constexpr int kMany = 14;           // lines: fewer are searched whole in a moment
-  constexpr double kOutsideIn = 0.4;  // share of the time
+  constexpr double kOutsideIn = 0.4;  // share of the work and of the time
   const PlanOptions& options = cache.inputs().options;
   const StrokeProblem whole = problem_of(cache);
   StrokeLimits limits = options.limits;
   std::optional<StrokeSearch> outside_in;
   const auto start = std::chrono::steady_clock::now();
+  const std::int64_t before = whole.checks();
   if (whole.lines > kMany) {
     StrokeProblem narrow = whole;
     narrow.choices = [&cache](const LineSet& formed) {
@@ -50,6 +52,7 @@ Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
       return outermost;
     };
     limits.seconds *= kOutsideIn;
+    limits.checks = static_cast<std::int64_t>(kOutsideIn * static_cast<double>(limits.checks));
     limits.reasons = false;
     auto found = search_strokes(narrow, options.weights, limits, progress);
     if (!found) return found;
@@ -57,7 +60,9 @@ Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
     if (outside_in && options.limits.first) return *outside_in;
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const std::int64_t done = whole.checks() - before;
   limits = options.limits;
+  limits.checks -= done;
   limits.seconds = std::max(0.0, options.limits.seconds - taken.count());
   auto found = search_strokes(whole, options.weights, limits, progress);
   const bool better = found && outside_in &&

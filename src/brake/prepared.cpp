@@ -50,8 +50,7 @@ std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options
 
 namespace {
 
-/// A bend of large radius that is to be formed over a V, beside which nothing is long enough for
-/// any, even if nothing is formed.
+/// A bend of large radius beside which nothing is long enough for any V, even if nothing is formed.
 std::optional<BendId> large_without_room(const StrokeInputs& inputs) {
   StageCache cache(inputs);
   const LineSet nothing = no_lines(inputs.lines());
@@ -60,7 +59,8 @@ std::optional<BendId> large_without_room(const StrokeInputs& inputs) {
     const auto has_room = [&](const ToolPair& pair) {
       return !too_short(cache, {&nothing, only(inputs.lines(), line), line, pair.punch, pair.die});
     };
-    if (large.is_large && std::ranges::none_of(inputs.fitting[line].pairs, has_room))
+    if ((large.is_large || large.bump_pitch) &&
+        std::ranges::none_of(inputs.fitting[line].pairs, has_room))
       return large.bends.front();
   }
   return std::nullopt;
@@ -112,7 +112,7 @@ Result<StrokeInputs> prepared(const Sheet& sheet, const Layout& layout, const Br
     if (!work) return pass_on(work);
     StrokeInputs inputs = stroke_inputs(std::move(*work), tools, options);
     if (const auto bend = large_without_room(inputs);
-        bend && make_bumps(cut.large, *bend, sheet, layout, options))
+        bend && take_next(cut.large, *bend, sheet, layout, options))
       continue;
     if (const auto error = line_without_tool(inputs)) return tl::unexpected(*error);
     return inputs;

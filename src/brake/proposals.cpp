@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <set>
 
 namespace planish {
@@ -23,20 +22,10 @@ constexpr double kFinest = 0.1;         // mm: to which a flange is told
 constexpr double kTallest = 300.0;      // mm: by which punches may be taller
 constexpr double kStepOfPunch = 10.0;   // mm
 constexpr double kOneOpening = 1e-3;    // mm
+constexpr std::int64_t kLeastChecks = 20;  // that a change counts as, for what is made ready
 constexpr std::size_t kMostSwaps = 28;  // of 8 bends in an order
 
-// A search is limited by the clock, which runs faster where others use the processor too.
-constexpr double kMostShared = 1.5;
-
 using Kind = Proposal::Kind;
-
-/// What the thread has used, so that proposals do not depend on what else the machine does.
-double processor_seconds() {
-  constexpr double kNano = 1e-9;
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + kNano * static_cast<double>(used.tv_nsec);
-}
 
 /// A punch whose upper half is moved up.
 Punch taller(Punch punch, double by) {
@@ -69,8 +58,8 @@ class Trying {
         plan_(plan),
         others_(trying.others),
         progress_(progress),
-        end_(processor_seconds() + trying.seconds),
-        share_end_(end_) {
+        until_(trying.until),
+        left_(trying.checks) {
     auto work = work_for(options);
     if (work) work_ = std::move(*work);
     obstacles_ = std::make_shared<ToolRoom>(tools, options.clearance);
@@ -82,9 +71,11 @@ class Trying {
                                                 &Trying::try_punches, &Trying::try_taller,
                                                 &Trying::try_shorter, &Trying::try_split};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-      const double now = processor_seconds();
-      share_end_ = now + (end_ - now) / static_cast<double>(kinds.size() - i);
+      // What one kind leaves of its share the others may use.
+      share_ = left_ / static_cast<std::int64_t>(kinds.size() - i);
+      left_ -= share_;
       (this->*kinds[i])();
+      left_ += std::max<std::int64_t>(share_, 0);
     }
     return std::move(found_);
   }
@@ -95,20 +86,23 @@ class Trying {
   }
 
   /// Whether an order is found in what is left of the share.
-  bool can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options) const {
-    const double left = share_end_ - processor_seconds();
-    if (left <= 0.0 || progress_.should_stop()) return false;
+  bool can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options) {
+    const std::chrono::duration<double> time = until_ - Clock::now();
+    if (share_ <= 0 || time.count() <= 0.0 || progress_.should_stop()) return false;
     options.limits.first = true;
     options.limits.reasons = false;
-    options.limits.seconds = kMostShared * left;
+    options.limits.seconds = std::min(options.limits.seconds, time.count());
+    options.limits.checks = share_;
+    share_ -= kLeastChecks;
     const StrokeInputs inputs = stroke_inputs(std::move(work), tools, options);
     if (line_without_tool(inputs)) return false;
     StageCache cache(inputs, &tools == &tools_ ? obstacles_ : nullptr);
     const auto search = search_plan(cache, progress_);
+    share_ -= cache.checks();
     return search &&
            (search->status == PlanStatus::optimal || search->status == PlanStatus::feasible);
   }
-  bool can_bend(const BrakeTools& tools) const { return can_bend(work_, tools, options_); }
+  bool can_bend(const BrakeTools& tools) { return can_bend(work_, tools, options_); }
 
   void try_orders() {
     const std::vector<BendId>& order = options_.begin_with;
@@ -127,20 +121,22 @@ class Trying {
     if (can_bend(work_, tools_, changed)) found_.push_back({.kind = Kind::any_order});
   }
 
-  /// The widest V that any line is pressed over now.
-  double widest() const {
-    double opening = 0.0;
+  /// Openings of all V that some line may be pressed over now.
+  std::set<double> taken() const {
+    std::set<double> openings;
     for (const BrakeLine& line : work_.lines)
       for (const ToolPair& pair : fitting_tools(line, tools_, options_).pairs)
-        opening = std::max(opening, tools_.dies[pair.die].opening);
-    return opening;
+        openings.insert(tools_.dies[pair.die].opening);
+    return openings;
   }
 
   void try_openings() {
-    const double now = widest();
+    const std::set<double> now = taken();
     std::set<double, std::greater<>> openings;
     for (const Die& die : tools_.dies)
-      if (die.opening > 0.0 && die.opening < now - kOneOpening) openings.insert(die.opening);
+      if (die.opening > 0.0 && !now.empty() && die.opening < *now.rbegin() - kOneOpening &&
+          !now.contains(die.opening))
+        openings.insert(die.opening);
     for (const double opening : openings) {
       PlanOptions changed = options_;
       changed.opening = opening;
@@ -300,7 +296,8 @@ class Trying {
   const Plan& plan_;
   const BrakeTools* others_;
   const Progress& progress_;
-  double end_, share_end_;  ///< of the processor's time
+  Clock::time_point until_;
+  std::int64_t left_, share_ = 0;  ///< of the work, of all kinds and of this one
   Workpiece work_;
   std::shared_ptr<ToolRoom> obstacles_;
   std::vector<Proposal> found_;

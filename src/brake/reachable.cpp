@@ -6,21 +6,20 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr std::int64_t kMostReached = 5'000;          // stages
-constexpr std::chrono::milliseconds kLongest(2'000);  // the verdict is known, this only explains it
+constexpr std::int64_t kMostReached = 5'000;  // stages: the verdict is known, this only explains it
 
 class Reaching {
  public:
   explicit Reaching(StrokeWork& work) : work_(work), book_(work.book()) {}
 
   bool run() {
-    const auto end = std::min(std::chrono::steady_clock::now() + kLongest, work_.end());
+    work_.look_for_reasons();
     reach(LineSet(book_.full().size()));
     while (!left_.empty() && !work_.all_seen()) {
       const int stage = left_.back();
       left_.pop_back();
       if (static_cast<std::int64_t>(reached_.size()) > kMostReached) return false;
-      if (std::chrono::steady_clock::now() > end || work_.is_cancelled()) return false;
+      if (work_.stopped() != StrokeWork::Stop::none) return false;
       go_on(stage);
     }
     return true;

@@ -43,11 +43,12 @@ constexpr Refusal no_tool_bears{
     "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
     "Add such a tool, or change the bend."};
 
-constexpr Refusal press_too_short{
-    code::press_too_small, "{@bend} is {length} long, but there is {why}.",
-    "Bend it on a longer press, or divide the part."};
+constexpr Refusal press_too_short{code::press_too_small,
+                                  "{@bend} is {length} long, but there is {why}.",
+                                  "Bend it on a longer press, or divide the part."};
 constexpr Refusal press_too_weak{
-    code::press_too_small, "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
+    code::press_too_small,
+    "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
     "Bend it on a stronger press, or over a wider V if the shop has one."};
 
 // Tools. `subject` is 'The opening of die "V16"' or 'Die "V16"', since tools are no places; the

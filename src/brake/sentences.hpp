@@ -15,16 +15,17 @@ struct Sentence {
 constexpr Sentence other_radius{"other_radius",
                                 "air bending over a V of {opening} leaves an inside radius of "
                                 "about {left}, not the {radius} of {@bend}"};
+constexpr Sentence timed_out{
+    "timed_out",
+    "the time of {seconds} ended the search, so the next run may find another plan"};
 constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
-constexpr Sentence bumped{
-    "bumped",
-    "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a chord error of {error:3}"};
+constexpr Sentence bumped{"bumped",
+                          "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a "
+                          "chord error of {error:3}"};
 constexpr Sentence other_v{
-    "other_v",
-    "{@bend} takes a V of {opening} instead of {wanted}, which needs {force:4}"};
+    "other_v", "{@bend} takes a V of {opening} instead of {wanted}, which needs {force:4}"};
 constexpr Sentence narrow_v{
-    "narrow_v",
-    "a V of {opening}, less than {least}, marks the sheet at {@bend} and may crack it"};
+    "narrow_v", "a V of {opening}, less than {least}, marks the sheet at {@bend} and may crack it"};
 
 // What is in the way of a bend in the stage that got furthest.
 constexpr Sentence cannot_be_bent{kFurthestStage,

@@ -38,9 +38,9 @@ class StageCache {
   /// Where each part of the line's tree is. Valid until parts of another stage are asked for.
   const std::vector<const PlacedPart*>& parts(const Setting& stroke);
 
-  /// Where a part is in the way of an obstacle of that key, within a range; `make` finds it out. The
-  /// key stands for all that `make` uses of the tools: their shapes, and of the die its shoulder if
-  /// it moves.
+  /// Where a part is in the way of an obstacle of that key, within a range; `make` finds it out.
+  /// The key stands for all that `make` uses of the tools: their shapes, and of the die its
+  /// shoulder if it moves.
   template <typename Make>
   const std::vector<Interval>& blocked(const Setting& stroke, int part, int obstacle,
                                        const Interval& within, const Make& make) {
@@ -76,6 +76,9 @@ class StageCache {
     return kept(contacts_, line * static_cast<int>(inputs_.tools.dies.size()) + die, make);
   }
 
+  /// How often it was found out whether a tool stands: what the work of a search is counted in.
+  std::int64_t checks() const { return checks_; }
+
   /// What is in the way of one tool of a stroke, whichever the other is; nothing: it stands.
   template <typename Make>
   const std::optional<Obstruction>& in_the_way(const Setting& stroke, ToolKind row,
@@ -88,6 +91,7 @@ class StageCache {
     if (in_the_way_.size() >= kMostKept) in_the_way_.clear();
     const auto found = in_the_way_.find(key);
     if (found != in_the_way_.end()) return found->second;
+    ++checks_;
     return in_the_way_.emplace(std::move(key), make()).first->second;
   }
 
@@ -144,6 +148,7 @@ class StageCache {
   const StrokeInputs& inputs_;
   std::shared_ptr<ToolRoom> tools_;
   std::size_t most_blocks_, blocks_known_ = 0;
+  std::int64_t checks_ = 0;
   std::vector<std::unique_ptr<Room>> rooms_;
   std::unordered_map<int, Interval> contacts_;
   std::unordered_map<LineSet, BlockedWay, LineSetHash> blocked_ways_;

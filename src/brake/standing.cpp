@@ -156,10 +156,8 @@ StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls
   std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces,
                                               walls.walls[row]);
   if (!made.empty()) return made;
-  return tl::unexpected(Obstruction{walls.because[row],
-                                    kind,
-                                    -1,
-                                    {Lack::Kind::segments, pieces.back().hi - pieces.front().lo}});
+  return tl::unexpected(Obstruction{
+      walls.because[row], kind, -1, {Lack::Kind::segments, pieces.back().hi - pieces.front().lo}});
 }
 
 Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls) {

@@ -156,7 +156,8 @@ double StrokeBound::operator()(const LineSet& formed, const SetUp* from) {
   const Costs& least = costs(counts);
   if (!from) return *std::ranges::min_element(least);
   if (from->has_tools()) return least[place_of(*from)];
-  const std::size_t first = place(sides_.at(from->reference_up), directions_.at(from->direction), 0);
+  const std::size_t first = place(sides_.at(from->reference_up), directions_.at(from->direction),
+                                  0);
   return *std::min_element(least.begin() + first, least.begin() + first + size_[2]);
 }
 

@@ -28,6 +28,7 @@ StrokeWork::StrokeWork(const StrokeProblem& problem, const StrokeWeights& weight
       progress_(progress),
       lines_(problem.lines),
       end_(limits.end(std::chrono::steady_clock::now())),
+      most_checks_((problem.checks ? problem.checks() : 0) + limits.checks),
       book_(problem, weights),
       bound_(std::make_unique<StrokeBound>(problem, weights)),
       cheapest_(std::numeric_limits<double>::infinity()) {}
@@ -64,9 +65,15 @@ bool StrokeWork::cheaper(double cost, double than) const {
 
 StrokeWork::Stop StrokeWork::stopped() {
   if (progress_.should_stop()) return Stop::cancelled;
-  const bool over = std::chrono::steady_clock::now() > end_ || book_.asked() >= limits_.stages ||
-                    book_.offers_kept() > kMostOffers;
-  return over ? Stop::limit : Stop::none;
+  const bool over = book_.asked() >= limits_.stages || book_.offers_kept() > kMostOffers ||
+                    (problem_.checks && problem_.checks() >= most_checks_);
+  if (over) return Stop::limit;
+  return std::chrono::steady_clock::now() > end_ ? Stop::time : Stop::none;
+}
+
+void StrokeWork::look_for_reasons() {
+  constexpr std::int64_t kShare = 4;  // a quarter of what the search may do
+  if (problem_.checks) most_checks_ = problem_.checks() + limits_.checks / kShare;
 }
 
 int StrokeWork::depth_of(const StrokeChoice& choice) const {
@@ -193,6 +200,7 @@ Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWe
     if (ended) tell_blocked(result, work, problem.lines);
     result.furthest = work.book().furthest();
   }
+  result.timed_out = work.stopped() == StrokeWork::Stop::time;
   result.stages = work.book().asked();
   result.bound = work.has_plan() && ended ? result.cost : work.proven();
   return result;

@@ -45,11 +45,12 @@ class StrokeWork {
   bool all_seen() const;
 
   bool wants_reasons() const { return limits_.reasons; }
-  std::chrono::steady_clock::time_point end() const { return end_; }  ///< of its time
 
   /// Why the search ends before it is done.
-  enum class Stop { none, limit, cancelled };
+  enum class Stop { none, limit, time, cancelled };
   Stop stopped();
+  /// Grants the search for reasons a share of the work besides.
+  void look_for_reasons();
   bool is_cancelled() const { return progress_.should_stop(); }
 
  private:
@@ -59,6 +60,7 @@ class StrokeWork {
   const Progress& progress_;
   int lines_;
   std::chrono::steady_clock::time_point end_;
+  std::int64_t most_checks_;
   StageBook book_;
   std::unique_ptr<StrokeBound> bound_;
   std::set<std::size_t> refuted_rows_;

@@ -1,9 +1,9 @@
 // Whether a part of the sheet meets a tool at any turn. An interval of turns is proven clear if in
 // its middle the distance exceeds what part and tool can move in half of it, else it is halved,
 // down to `kFollowed`. A part that reaches far is halved first: what is near the bend line comes
-// near the tools but is slow, what is fast is far away. Along the line the same is asked of slices: a stroke keeps x, so where a
-// block is in the way is found by halving x. What must hold: the speeds bound the motion
-// (math.md#stroke-clearance).
+// near the tools but is slow, what is fast is far away. Along the line the same is asked of slices:
+// a stroke keeps x, so where a block is in the way is found by halving x. What must hold: the
+// speeds bound the motion (math.md#stroke-clearance).
 #include "sweep.hpp"
 
 #include <planish/geometry/plane.hpp>
@@ -87,8 +87,8 @@ bool too_near(const PressMotion& motion, const Moving& part, const Obstacle& obs
   return margin(relative(motion, part, obstacle, turn), obstacle, 0.0) <= 0.0;
 }
 
-/// A polygon cut across its longer side where one half then stays less than half as far from a point
-/// as the other; empty if there is no such half.
+/// A polygon cut across its longer side where one half then stays less than half as far from a
+/// point as the other; empty if there is no such half.
 std::vector<Convex> halves_of(const Convex& section, const Vec2& from) {
   constexpr double kShort = 2.0;    // mm: halving turns is as good
   constexpr double kSlower = 0.45;  // or where even the nearest is about as fast

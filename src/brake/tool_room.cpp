@@ -40,7 +40,7 @@ ToolSection ToolRoom::section(ToolKind kind, int tool) const {
   if (kind == ToolKind::punch) return section_of(tools_.punches[tool]);
   if (kind == ToolKind::die) return section_of(tools_.dies[tool]);
   if (kind == ToolKind::lower_beam) return section_of(tools_.machine.lower_beam);
-  return section_of(tools_.machine.upper_beam, lowered(tools_.punches[tool]));
+  return upper_beam_over(tools_.punches[tool], tools_.machine);
 }
 
 ToolRoom::Seen ToolRoom::seen(Obstacle obstacle, ToolKind kind, int tool) {

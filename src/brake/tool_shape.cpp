@@ -114,6 +114,10 @@ ToolSection section_of(const ToolProfile& profile, double lowered) {
   return {moved(oriented(profile), {0.0, -lowered})};
 }
 
+ToolSection upper_beam_over(const Punch& punch, const PressBrake& machine) {
+  return section_of(machine.upper_beam, lowered(punch) - punch.raises_beam);
+}
+
 Shoulder shoulder_of(const Die& die) {
   const double half = 0.5 * die.opening;
   const auto round = rounding(oriented(die.profile), {half, 0.0}, die.shoulder_radius);

@@ -20,6 +20,8 @@ struct ToolSection {
 ToolSection section_of(const Punch& punch);
 /// How far the punch moves down because its tip is rounded, and the upper beam with it.
 double lowered(const Punch& punch);
+/// The upper beam as it stands when it holds that punch.
+ToolSection upper_beam_over(const Punch& punch, const PressBrake& machine);
 ToolSection section_of(const Die& die);
 ToolSection section_of(const ToolProfile& profile, double lowered = 0.0);
 /// The rounded corner of the V.

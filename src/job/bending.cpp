@@ -176,10 +176,12 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   if (!begin) return begin.error();
   options.begin_with = std::move(*begin);
   const BrakeTools& tools = tools_of(bending);
+  const auto until = options.limits.end(std::chrono::steady_clock::now());
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
   if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
     progress.at("looking for changes that would help", 0.97);
-    const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr};
+    const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr,
+                                 .until = until};
     plan->proposals = proposals(report.sheet, report.layout, tools, options, *plan, trying,
                                 progress);
   }

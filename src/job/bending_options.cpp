@@ -22,9 +22,9 @@ struct Weight {
 };
 
 constexpr std::array kStrokeWeights{
-    Weight{"turn_over", &StrokeWeights::turn_over}, Weight{"rotate", &StrokeWeights::rotate},
+    Weight{"turn_over", &StrokeWeights::turn_over},     Weight{"rotate", &StrokeWeights::rotate},
     Weight{"tool_change", &StrokeWeights::tool_change}, Weight{"stroke", &StrokeWeights::stroke},
-    Weight{"ungauged", &StrokeWeights::ungauged}, Weight{"v", &StrokeWeights::v}};
+    Weight{"ungauged", &StrokeWeights::ungauged},       Weight{"v", &StrokeWeights::v}};
 
 /// What a metal does at the press brake: the upper ends of what shops measure, since tools that
 /// bear more do no harm (shop-floor.md#press-brake).
@@ -137,8 +137,7 @@ const std::vector<Option>& bending_options() {
                        "distance by which the punch may be short of each end of a bend line, in mm",
                        stored<&Request::bending, &Bending::plan, &PlanOptions::shortfall>,
                        "the thickness"),
-           row::number("opening", kAboveZero,
-                       "wanted opening of the V, in mm",
+           row::number("opening", kAboveZero, "wanted opening of the V, in mm",
                        stored<&Request::bending, &Bending::plan, &PlanOptions::opening>,
                        "by thickness: 6 times to 2.5 mm, 8 times to 8 mm, 10 times above"),
            row::word("v", {"choice", "wanted"}, "choice",
@@ -167,7 +166,7 @@ const std::vector<Option>& bending_options() {
            {.name = "search_time",
             .kind = OptionKind::number,
             .description = "seconds after which the best plan so far is given",
-            .otherwise = "6",
+            .otherwise = "60",
             .range = kAboveZero,
             .on_command_line = false,
             .set = stored<&Request::bending, &Bending::plan, &PlanOptions::limits,

@@ -195,6 +195,44 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   return error_refusal(report.findings, given.checks);
 }
 
+/// The bends that a plan makes with a radius that is told besides the drawn one.
+std::vector<MadeFlat::Row> made_otherwise(const Report& report) {
+  std::vector<MadeFlat::Row> rows;
+  for (const Stroke& stroke : report.plan->strokes)
+    for (const BendId bend : stroke.bends)
+      if (is_made_otherwise(stroke, report.sheet.thickness) &&
+          std::ranges::find(rows, bend, &MadeFlat::Row::bend) == rows.end())
+        rows.push_back({bend, stroke.radius_drawn, stroke.radius_made});
+  return rows;
+}
+
+/// Lays the sheet flat once more, for the radii that the plan makes; certified and inspected as the
+/// drawn one. Returns why it cannot be.
+std::optional<Error> lay_as_made(Report& report, const SheetToLay& given, FlattenOptions options,
+                                 const Progress& progress) {
+  std::vector<MadeFlat::Row> rows = made_otherwise(report);
+  if (rows.empty()) return std::nullopt;
+  options.root = report.layout.root;
+  options.up = report.layout.shows_reference(report.sheet) ? UpSide::reference : UpSide::other;
+  for (const MadeFlat::Row& row : rows)
+    options.made_radius.emplace_back(row.bend, row.made);
+  Report made;
+  made.sheet = given.sheet;
+  if (auto error = lay_and_certify(made, given, options, progress)) return error;
+  std::vector<Finding> overlaps = find_overlaps(given.sheet, made.layout, made.flat);
+  if (auto error = relieve(made, given, overlaps)) return error;
+  if (auto refusal = overlap_refusal(overlaps)) return refusal;
+  for (MadeFlat::Row& row : rows)
+    row.change = made.layout.allowance[row.bend].allowance -
+                 report.layout.allowance[row.bend].allowance;
+  for (FlatBend& bend : made.flat.bends)
+    for (const MadeFlat::Row& row : rows)
+      if (bend.bend == row.bend) bend.inside_radius = row.made;
+  number_bends(made.flat, *report.plan);
+  report.as_made = MadeFlat{std::move(made.flat), made.size, std::move(rows)};
+  return std::nullopt;
+}
+
 }  // namespace
 
 SheetSummary summary_of(const Sheet& sheet) {
@@ -216,7 +254,11 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
   if (progress.should_stop()) return stopped();
   progress.at("checking", 0.9);
   if (auto refusal = inspect_pattern(report, given)) return refusal;
-  return plan_strokes(report, given.checks.bending, progress);
+  if (auto refusal = plan_strokes(report, given.checks.bending, progress)) return refusal;
+  if (!report.plan) return std::nullopt;
+  if (const auto why = lay_as_made(report, given, options, progress))
+    report.notes.push_back(tell(say::no_made_flat, {{"why", why->message}}).sentence);
+  return std::nullopt;
 }
 
 Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,

@@ -11,6 +11,7 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/places.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::sheet_detail {
@@ -29,6 +30,34 @@ Result<BendAllowance> allowance_of(const Sheet& sheet, BendId id, const FlattenO
   for (const auto& [single, k] : options.bend_k)
     if (single == id) return by(ConstantK{k, "this bend"});
   return by(options.allowance);
+}
+
+/// The allowance of a bend that is made with another radius: its flanges keep their planes, so each
+/// ends (drawn − made) tan(α/2) farther from the bend, and what is left between the drawn ends is
+/// developed as if K made it so long. Nothing may be left out of that.
+Result<BendAllowance> allowance_as_made(const Sheet& sheet, BendId id, const FlattenOptions& options,
+                                        double radius) {
+  const Bend& bend = sheet[id];
+  auto made = bend_allowance(options.allowance, sheet.thickness, radius, bend.angle);
+  for (const auto& [single, k] : options.bend_k)
+    if (single == id)
+      made = bend_allowance(ConstantK{k, "this bend"}, sheet.thickness, radius, bend.angle);
+  if (!made) return made;
+  const double angle = bend.angle.radians();
+  // Faces of a sharp bend may meet below the inside skin.
+  const double below = bend.reference_inside ? sheet.reference_depth
+                                             : sheet.thickness - sheet.reference_depth;
+  const bool meet_below = bend.faces.empty() && sheet.reference_depth > 0.0;
+  const double moved = 2.0 * (bend.inside_radius - radius - (meet_below ? below : 0.0)) *
+                       std::tan(0.5 * angle);
+  made->allowance += moved;
+  made->deduction = 2.0 * outside_setback(bend.inside_radius, sheet.thickness, bend.angle) -
+                    made->allowance;
+  made->k_factor = (made->allowance / angle - bend.inside_radius) / sheet.thickness;
+  if (!(made->allowance > 0.0))
+    return fail(refuse::radius_takes_flanges,
+                {{"bend", place_of(sheet, id)}, {"radius", radius, unit::mm}});
+  return made;
 }
 
 /// If the reference surface lies between the skins, a sharp bend turns about it; on an outside skin
@@ -64,9 +93,12 @@ Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
                                                       const FlattenOptions& options) {
   IdVector<BendId, BendAllowance> allowances;
   for (const BendId id : sheet.bends.ids()) {
-    auto allowance = allowance_of(sheet, id, options);
+    const auto made = std::ranges::find(options.made_radius, id, &std::pair<BendId, double>::first);
+    const bool as_drawn = made == options.made_radius.end();
+    auto allowance = as_drawn ? allowance_of(sheet, id, options)
+                              : allowance_as_made(sheet, id, options, made->second);
     if (!allowance) return pass_on(allowance);
-    if (sheet[id].faces.empty() && sheet.reference_depth > 0.0)
+    if (as_drawn && sheet[id].faces.empty() && sheet.reference_depth > 0.0)
       settle_hinge(sheet, sheet[id], *allowance);
     allowances.push_back(std::move(*allowance));
   }

@@ -114,6 +114,10 @@ Vec2 Layout::fold(const Sheet& sheet, FaceId face, const Vec2& p) const {
   return bend ? development[*bend]->fold(local) : local;
 }
 
+bool Layout::shows_reference(const Sheet& sheet) const {
+  return placement[root].linear().determinant() * sheet[root].sense > 0.0;
+}
+
 void Layout::move(const Isometry2& motion) {
   for (Isometry2& placed : placement)
     placed = motion * placed;

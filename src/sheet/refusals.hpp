@@ -14,6 +14,10 @@ constexpr Refusal root_unknown{code::no_such_face,
 constexpr Refusal k_for_no_bend{code::bad_option,
                                 "A K-factor is given for {@bend}, but the sheet has {count:bend}.",
                                 "Leave it out."};
+constexpr Refusal radius_takes_flanges{
+    code::bad_option,
+    "Made with an inside radius of {radius}, {@bend} takes more of its flanges than it leaves.",
+    "Bend it with a smaller radius."};
 constexpr Refusal tolerance_not_positive{code::bad_option,
                                          "The tolerances of a flat pattern must be above 0 mm."};
 constexpr Refusal loop_misses{

@@ -43,7 +43,9 @@ Schema punch_schema() {
        required(
            "angle",
            angle(kToolAngle).said("between the flanks of the tip; 180: flat, for closing hems")),
-       required("segments", segments_schema()), optional("max_force", force_schema())});
+       required("segments", segments_schema()), optional("max_force", force_schema()),
+       optional("raises_beam",
+                length(kAtLeastZero).said("by which the upper beam is higher than drawn"))});
 }
 
 Schema die_schema() {
@@ -127,7 +129,8 @@ Punch punch_at(const JsonPlace& place, Profiles& profiles) {
           .tip_radius = place["tip_radius"].length(),
           .angle = place["angle"].angle(),
           .segments = lengths_at(place["segments"]),
-          .max_force = place["max_force"].maybe_number()};
+          .max_force = place["max_force"].maybe_number(),
+          .raises_beam = place["raises_beam"].maybe_length().value_or(0.0)};
 }
 
 Die die_at(const JsonPlace& place, Profiles& profiles) {

@@ -31,8 +31,8 @@ TEST(Cutting, GivesASharpFoldTheRadiusOfTheV) {
   EXPECT_EQ(work->bodies.size(), 2u);
 }
 
-/// A bend that is rolled has no line, and stays flat; bumps are lines at the middles of equal shares
-/// of its zone.
+/// A bend that is rolled has no line, and stays flat; bumps are lines at the middles of equal
+/// shares of its zone.
 TEST(Cutting, CutsALargeBendAsItIsFormed) {
   const Sheet sheet = strip(
       {Straight{60}, Turn{Angle::degrees(90), 30.0, BendDirection::up}, Straight{60}}, 40, 1.5);
@@ -55,7 +55,8 @@ TEST(Cutting, CutsALargeBendAsItIsFormed) {
     EXPECT_NEAR(line.angle.degrees(), 30.0, 1e-9);
     EXPECT_EQ(line.press_line, i);
     EXPECT_EQ(line.drawn_radius, 30.0);
-    EXPECT_NEAR(std::abs(first.across().dot(line.origin - first.origin)), i * allowance / 3.0, 1e-6);
+    EXPECT_NEAR(std::abs(first.across().dot(line.origin - first.origin)), i * allowance / 3.0,
+                1e-6);
   }
 }
 

@@ -52,8 +52,8 @@ TEST(Fits, GivesWhatIsDrawnSharpTheRadiusOfTheV) {
   EXPECT_NEAR(workpiece_options(2.0, plain_tools(), options).air_radius, 0.2 * 20.0, 1e-12);
 }
 
-/// Any catalogue, without the words: which punches over which dies bend a line by what math.md says,
-/// and how many sizes of the catalogue their V is from the wanted one.
+/// Any catalogue, without the words: which punches over which dies bend a line by what math.md
+/// says, and how many sizes of the catalogue their V is from the wanted one.
 std::vector<ToolPair> by_hand(const BrakeLine& line, const BrakeTools& tools,
                               const PlanOptions& options) {
   const double t = line.bend.thickness, rho = options.radius_of_opening;
@@ -152,8 +152,8 @@ TEST(Fits, TakesTheToolsThatBendALine) {
   }
 }
 
-/// The press on both sides of its force: 100 mm of 2 mm over a V of 12 take 21.3 kN, and over one of
-/// 24, the widest that may be taken, 10.65 kN.
+/// The press on both sides of its force: 100 mm of 2 mm over a V of 12 take 21.3 kN, and over one
+/// of 24, the widest that may be taken, 10.65 kN.
 TEST(Fits, TakeAWiderVWhereThePressIsWeak) {
   BrakeTools tools = plain_tools();
   tools.dies = {die({12.0, Angle::degrees(80)}), die({24.0, Angle::degrees(80)}),
@@ -245,8 +245,7 @@ TEST(Fits, GivesBumpsAVThatDoesNotReachTheNext) {
   line.inside_radius = 2.0;
   line.press_line = 0;
   line.bump_pitch = 2.5;
-  EXPECT_EQ(fitting_tools(line, tools, {}).pairs,
-            (std::vector<ToolPair>{{0, 2, 1}, {0, 1, 2}}));
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 2, 1}, {0, 1, 2}}));
   line.bump_pitch = 1.0;
   EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 1, 2}}));
 }

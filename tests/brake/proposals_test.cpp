@@ -33,7 +33,7 @@ Tried tried(const Sheet& sheet, const BrakeTools& tools, const PlanOptions& opti
   auto plan = plan_bending(sheet, flat->layout, tools, options);
   EXPECT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->status, PlanStatus::infeasible);
-  const ProposalOptions trying{.others = others, .seconds = 20.0};
+  const ProposalOptions trying{.others = others, .checks = 1'000'000};
   return {*plan, proposals(sheet, flat->layout, tools, options, *plan, trying)};
 }
 
@@ -95,12 +95,20 @@ TEST(Proposals, NameTheWidestVForAShortFlange) {
     tools.dies.back().id = "V" + std::to_string(static_cast<int>(opening));
   }
   const double half_zone = 0.25 * std::numbers::pi * (1.0 + 0.44 * 2.0);
-  const Sheet sheet = strip({Straight{60}, bent_up(1.0), Straight{7.0 - half_zone}}, 50, 2.0);
-  const Tried all = tried(sheet, tools);
-  const Proposal* smaller = all.of(Kind::smaller_v);
-  ASSERT_NE(smaller, nullptr);
-  EXPECT_EQ(smaller->opening, 10.0);
-  EXPECT_EQ(smaller->tools, std::vector<std::string>{"V10"});
+  const auto proposed = [&](double flange, VChoice v) {
+    PlanOptions options;
+    options.v = v;
+    const Sheet sheet = strip({Straight{60}, bent_up(1.0), Straight{flange - half_zone}}, 50, 2.0);
+    const Tried all = tried(sheet, tools, options);
+    const Proposal* smaller = all.of(Kind::smaller_v);
+    EXPECT_NE(smaller, nullptr);
+    return smaller ? std::pair(smaller->opening, smaller->tools)
+                   : std::pair<double, std::vector<std::string>>();
+  };
+  using Named = std::pair<double, std::vector<std::string>>;
+  EXPECT_EQ(proposed(7.0, VChoice::wanted), Named(10.0, {"V10"}));
+  // From 4 T on the plan itself takes it.
+  EXPECT_EQ(proposed(4.7, VChoice::any), Named(6.0, {"V6"}));
 }
 
 /// check_test.cpp: a beam at Z above the tip takes legs up to
@@ -142,7 +150,7 @@ TEST(Proposals, TakeNoTimeThatTheyAreNotGiven) {
   const auto flat = flat_sheet(sheet);
   const auto plan = plan_bending(sheet, flat->layout, plain_tools());
   ASSERT_TRUE(plan);
-  EXPECT_TRUE(proposals(sheet, flat->layout, plain_tools(), {}, *plan, {.seconds = 0.0}).empty());
+  EXPECT_TRUE(proposals(sheet, flat->layout, plain_tools(), {}, *plan, {.checks = 0}).empty());
 }
 
 }  // namespace

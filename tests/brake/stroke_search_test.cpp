@@ -443,7 +443,7 @@ TEST(SearchStrokes, GivesTheBestFoundWhenALimitEndsIt) {
     const int line = std::countr_zero(choice.lines[0]);
     return {(line * 7 + std::popcount(formed[0])) % 6 == choice.punch, {}};
   };
-  const auto found = search_strokes(problem, {}, {.seconds = 1.0, .stages = 3000});
+  const auto found = search_strokes(problem, {}, {.stages = 3000, .seconds = 1.0});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->status, PlanStatus::feasible);
   EXPECT_EQ(found->strokes.size(), 24u);
@@ -457,7 +457,7 @@ TEST(SearchStrokes, GivesUpWithoutAPlanWhenALimitEndsIt) {
   problem.check = [](const LineSet& formed, const StrokeChoice&) -> StrokeVerdict {
     return {std::popcount(formed[0]) < 23, {}};
   };
-  const auto found = search_strokes(problem, {}, {.seconds = 30.0, .stages = 3000});
+  const auto found = search_strokes(problem, {}, {.stages = 3000, .seconds = 30.0});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->status, PlanStatus::gave_up);
   EXPECT_TRUE(found->strokes.empty());

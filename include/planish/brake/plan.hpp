@@ -42,7 +42,7 @@ struct PlanOptions {
   RadiusWanted radius = RadiusWanted::made;
   std::optional<Forming> large_radii = {};  ///< empty: over a V that leaves them, else by bumps
   double chord_error = 0.2;                 ///< of bumps, from the drawn inside radius
-  std::vector<BendId> begin_with = {};   ///< bends that come first, in this order
+  std::vector<BendId> begin_with = {};      ///< bends that come first, in this order
   StrokeWeights weights;
   StrokeLimits limits;
 };
@@ -78,6 +78,10 @@ struct Stroke {
   double force = 0.0;                            ///< kN
   double clearance = 0.0;                        ///< least left over all turns, mm
 };
+
+/// Whether a stroke leaves an inside radius that is worth telling besides the drawn one: by more
+/// than a tenth of it or 0.2 T. Bumps and hems make theirs otherwise.
+bool is_made_otherwise(const Stroke& stroke, double thickness);
 
 /// The code of what is said of a bend in the stage that got furthest.
 inline constexpr std::string_view kFurthestStage = "furthest_stage";
@@ -118,8 +122,8 @@ struct Proposal {
   std::vector<BendId> bends = {};
 };
 
-/// A bend of large radius. Of bumps `pitch` is that along the neutral surface, and `chord_error` how
-/// far the drawn radius lies from the plane pieces between them.
+/// A bend of large radius. Of bumps `pitch` is that along the neutral surface, and `chord_error`
+/// how far the drawn radius lies from the plane pieces between them.
 struct LargeBend {
   BendId bend;
   Forming forming = Forming::over_v;
@@ -134,8 +138,8 @@ struct Plan {
   PlanStatus status = PlanStatus::gave_up;
   double cost = 0.0;
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
-  long long states = 0;              ///< stages that were looked at
-  std::vector<Stroke> strokes;       ///< empty unless optimal or feasible
+  long long states = 0;         ///< stages that were looked at
+  std::vector<Stroke> strokes;  ///< empty unless optimal or feasible
   std::vector<LargeBend> large = {};
   std::vector<BlockedBend> blocked;  ///< if infeasible
   std::vector<BendId> unformed;      ///< if infeasible: what is left in the stage that got furthest

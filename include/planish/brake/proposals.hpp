@@ -2,6 +2,8 @@
 
 #include <planish/brake/plan.hpp>
 
+#include <chrono>
+#include <cstdint>
 #include <vector>
 
 namespace planish {
@@ -9,7 +11,9 @@ namespace planish {
 /// What is tried.
 struct ProposalOptions {
   const BrakeTools* others = nullptr;  ///< tools that the shop might get; may be null
-  double seconds = 2.0;                ///< of the processor's time, all kinds together
+  std::int64_t checks = 12'000;        ///< all kinds together, as in `StrokeLimits`
+  /// A guard: after this nothing more is tried.
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
 /// Looks for changes by which an infeasible sheet can be bent: of each kind the smallest that is

@@ -38,12 +38,14 @@ struct StrokeWeights {
   }
 };
 
-/// Where a search ends although more could be found.
+/// Where a search ends although more could be found: after so much work, which gives the same answer
+/// everywhere; and after a time, whatever it did, as a guard.
 struct StrokeLimits {
-  bool first = false;             ///< at the first plan
-  bool reasons = true;            ///< if there is none: find out which lines cannot be formed
-  double seconds = 6.0;           ///< after this time, in which reasons are found too
-  std::int64_t stages = 300'000;  ///< after looking at so many stages
+  bool first = false;              ///< at the first plan
+  bool reasons = true;             ///< if there is none: find out which lines cannot be formed
+  std::int64_t stages = 300'000;   ///< looked at
+  std::int64_t checks = 40'000;    ///< of a tool in a stroke, as `StrokeProblem::checks` counts
+  double seconds = 60.0;           ///< of all, with the reasons
 
   /// When the time is over of what starts then.
   std::chrono::steady_clock::time_point end(std::chrono::steady_clock::time_point start) const;
@@ -66,6 +68,8 @@ struct StrokeProblem {
   std::function<std::vector<StrokeChoice>(const LineSet& formed)> choices;
   /// Whether one of them can be made; slow. Empty: each can.
   std::function<StrokeVerdict(const LineSet& formed, const StrokeChoice& choice)> check = {};
+  /// How much work `check` has done so far, of whatever is counted. Empty: nothing is counted.
+  std::function<std::int64_t()> checks = {};
   /// Covers what `choices` gives in any stage: for each choice there is one here with the same
   /// tools, side and direction, that is gauged if the choice is, and that presses its lines and
   /// perhaps more. The narrower, the sooner a plan is proven cheapest. Empty: nothing is known.
@@ -93,6 +97,7 @@ struct StrokeSearch {
   double bound = 0.0;  ///< no plan costs less
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
   std::int64_t stages = 0;  ///< looked at
+  bool timed_out = false;   ///< the time ended it, not the work: it may end otherwise next time
   /// If infeasible: lines that no reachable stage can form. `blocked_all`: these are all such
   /// lines; else it was not looked at every stage once this was proven, and there may be more.
   std::vector<int> blocked = {};

@@ -23,6 +23,7 @@ struct Punch {
                                          ///< closing hems, and the origin anywhere on its edge
   std::vector<double> segments;          ///< lengths, mm, one of each
   std::optional<double> max_force = {};  ///< kN per metre; empty: not limited
+  double raises_beam = 0.0;              ///< how much higher the upper beam is than drawn, mm
 };
 
 struct Die {

@@ -30,6 +30,19 @@ std::string_view status_name(Status status);
 /// What every command reports about a flat pattern. A refused report, which an `Outcome` only shows
 /// beside its error, has no pattern; `summary` (if its thickness > 0) and `flat` (if its outer
 /// contour is not empty) then hold what was known. Lengths are mm; `units` is for the reports.
+/// The pattern that fits the tools of a plan, where these leave other inside radii than the drawn
+/// ones. The folded part has its flanges where they are drawn.
+struct MadeFlat {
+  struct Row {
+    BendId bend;
+    double drawn = 0.0, made = 0.0;  ///< inside radii, mm
+    double change = 0.0;             ///< of the developed length, mm; above 0: longer
+  };
+  FlatPattern flat;
+  Vec2 size = Vec2::Zero();  ///< as `Report::size`
+  std::vector<Row> bends;
+};
+
 struct Report {
   std::string input;
   std::string body;      ///< name of the part: of the body in its file, or of its input file
@@ -49,6 +62,7 @@ struct Report {
   std::vector<std::string> notes;
   std::optional<double> mass;      ///< kg, when the density is known
   std::optional<Plan> plan;        ///< of the strokes that bend it, if that was asked for
+  std::optional<MadeFlat> as_made = {};  ///< if the plan makes other radii than the drawn ones
   std::string_view task = {};      ///< that reports it, "bend"; empty: that of the maker
   std::vector<std::string> files;  ///< written, named as the writer names them
   LengthUnit units = LengthUnit::mm;

@@ -22,6 +22,9 @@ inline constexpr double kImageTolerance = 1e-4;
 struct FlattenOptions {
   AllowanceRule allowance = ConstantK{};
   std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends; overrides `allowance`
+  /// Inside radii, mm, that single bends are made with instead of the drawn ones, between flanges
+  /// in the same planes (math.md#made-flat).
+  std::vector<std::pair<BendId, double>> made_radius = {};
   /// The face that stays where it is; default: the largest face of a flange.
   std::optional<FaceId> root = std::nullopt;
   /// Keeps the pattern in the coordinates of the root face; otherwise the longest bend line lies
@@ -60,6 +63,9 @@ struct Layout {
   Vec2 develop(const Sheet& sheet, FaceId face, const Vec2& uv) const;
   /// (u, v) of the point of a face whose image is p: the inverse of `develop`.
   Vec2 fold(const Sheet& sheet, FaceId face, const Vec2& p) const;
+
+  /// Whether the pattern's viewer looks at the reference skin.
+  bool shows_reference(const Sheet& sheet) const;
 
   /// Moves the whole layout; a reflection shows the sheet from its other side.
   void move(const Isometry2& motion);
