@@ -91,7 +91,17 @@ Finding cannot_bend_finding(Error why, std::vector<Vec2> at) {
           std::move(at),
           {},
           std::move(why.places),
-          std::move(why.numbers)};
+          std::move(why.numbers),
+          std::move(why.remedies)};
+}
+
+/// "; it can be bent over a V of 10 mm, or as two parts, cut at B6".
+std::string help_of(const Report& report, const Plan& plan) {
+  std::vector<std::string> ways;
+  for (const Proposal& proposal : plan.proposals)
+    ways.push_back(proposal_sentence(proposal, report));
+  return ways.empty() ? std::string()
+                      : fmt::format("; it can be bent {}", fmt::join(ways, ", or "));
 }
 
 std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
@@ -100,10 +110,13 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
   name_once(plan.blocked);
   if (plan.status == PlanStatus::infeasible) {
     Error why = cannot_bend(report, plan, bending);
-    if (only_finding)
+    why.remedies = remedies_of(plan.proposals, report);
+    if (only_finding) {
       report.findings.push_back(cannot_bend_finding(std::move(why), places_of(report, plan)));
-    else
+      report.findings.back().message += help_of(report, plan);
+    } else {
       refusal = std::move(why);
+    }
   }
   if (plan.status == PlanStatus::gave_up) {
     Told told = no_plan_found(plan);
@@ -154,14 +167,11 @@ Told cannot_be_bent(const Report& report, const Plan& plan, const Bending& bendi
     say_blocked(told, report, plan.blocked);
     return told;
   }
-  Facts left{{"are", plan.unformed.size() == 1 ? "is" : "are"}};
-  for (const BendId bend : plan.unformed)
-    left.emplace_back("bend", part_place(report.flat, bend));
+  const Facts left = mapped(
+      plan.unformed, [&](BendId bend) { return Fact("bend", part_place(report.flat, bend)); });
   say_after(told, "; ", tell(say::not_after_others, left));
-  // The last of these remarks: it says the most.
-  const auto furthest = std::ranges::find(plan.remarks.rbegin(), plan.remarks.rend(),
-                                          kFurthestStage, &Remark::code);
-  if (furthest != plan.remarks.rend()) say_after(told, "; ", furthest->told);
+  // The last of these: it says the most.
+  if (!plan.in_the_way.empty()) say_after(told, "; ", told_of(plan.in_the_way.back(), report));
   return told;
 }
 
@@ -177,9 +187,11 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   options.begin_with = std::move(*begin);
   const BrakeTools& tools = tools_of(bending);
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
-  if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
+  if (plan && plan->status == PlanStatus::infeasible) {
     progress.at("looking for changes that would help", 0.97);
-    const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr};
+    ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr};
+    // Where many parts are looked into, the time for each is short.
+    trying.seconds = std::min(trying.seconds, options.limits.seconds);
     plan->proposals = proposals(report.sheet, report.layout, tools, options, *plan, trying,
                                 progress);
   }

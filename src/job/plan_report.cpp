@@ -4,7 +4,9 @@
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
+#include <planish/drawing/bend_pages.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
 
@@ -66,7 +68,12 @@ Schema stroke_schema() {
        required("to_gauge", text().or_null().said("flange on the gauge's side")),
        required("gauge_direction",
                 tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
-       required("gauge", gauge.or_null()), required("force", measured_number().said("kN")),
+       required("gauge", gauge.or_null()),
+       optional("check_dimension",
+                object({required("flange", text()),
+                        required("length", measured_length().said("from the outside of the bend"))})
+                    .said("to measure after the stroke")),
+       required("force", measured_number().said("kN")),
        required("clearance", measured_length().said("least that is left"))});
 }
 
@@ -104,22 +111,35 @@ std::string strokes_text(const Plan& plan, const Report& report, const Units& un
                {"angle", Align::right},
                {"punch"},
                {"die"},
-               {"up"},
+               {"side up"},
                {"to gauge"},
                {"gauge", Align::right},
+               {"check"},
                {"force kN", Align::right}});
-  int number = 0;
-  for (const Stroke& stroke : plan.strokes)
-    table.add({std::to_string(++number),
-               fmt::format("{}", fmt::join(bend_ids(report, stroke.bends), " ")),
-               fmt::format("{:.1f}°", stroke.angle.degrees()), stroke.punch, stroke.die,
-               stroke.reference_up ? "reference" : "other",
-               stroke.to_gauge ? flange_id(*stroke.to_gauge) : "", gauge_text(stroke, units),
-               fmt::format("{:.0f}", stroke.force)});
+  const auto checks = check_dimensions(report, plan.strokes);
+  std::size_t number = 0;
+  for (const Stroke& stroke : plan.strokes) {
+    const auto& check = checks[number];
+    table.add(
+        {std::to_string(++number),
+         fmt::format("{}", fmt::join(bend_ids(report, stroke.bends), " ")),
+         fmt::format("{:.1f}°", stroke.angle.degrees()), stroke.punch, stroke.die,
+         std::string(drawing::side_up(stroke, report.layout)),
+         stroke.to_gauge ? flange_id(*stroke.to_gauge) : "", gauge_text(stroke, units),
+         check ? fmt::format("{} {}", flange_id(check->flange), units.length_text(check->length))
+               : std::string(),
+         fmt::format("{:.0f}", stroke.force)});
+  }
   return table.text();
 }
 
 }  // namespace
+
+bool has_order(const Plan& plan) {
+  return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
+}
+
+bool nothing_to_bend(const Plan& plan) { return has_order(plan) && plan.strokes.empty(); }
 
 std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }
 
@@ -132,11 +152,13 @@ std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId
   return mapped(bends, [&](BendId bend) { return bend_id(report, bend); });
 }
 
-std::string_view status_word(PlanStatus status) {
-  return word_of(status, {"optimal", "feasible", "infeasible", "gave_up"});
+std::string_view status_word(const Plan& plan) {
+  if (nothing_to_bend(plan)) return "nothing_to_bend";
+  return word_of(plan.status, {"optimal", "feasible", "infeasible", "gave_up"});
 }
 
-Json stroke_json(const Stroke& stroke, const Report& report) {
+Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& check,
+                 const Report& report) {
   const Units units(report.units);
   Json json;
   json["bends"] = bend_ids(report, stroke.bends);
@@ -152,6 +174,9 @@ Json stroke_json(const Stroke& stroke, const Report& report) {
   json["gauge_direction"] = Json::array(
       {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
   json["gauge"] = gauge_json(stroke.gauge, units);
+  if (check)
+    json["check_dimension"] = {{"flange", flange_id(check->flange)},
+                               {"length", number_json(units.length(check->length))}};
   json["force"] = number_json(stroke.force);
   json["clearance"] = number_json(units.length(stroke.clearance));
   return json;
@@ -175,18 +200,18 @@ Json blocked_json(const BlockedBend& blocked, const Report& report) {
 }
 
 Json plan_json(const Plan& plan, const Report& report) {
-  const bool found = plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
   Json json;
-  json["status"] = status_word(plan.status);
-  json["cost"] = found ? number_json(plan.cost) : Json(nullptr);
+  json["status"] = status_word(plan);
+  json["cost"] = has_order(plan) ? number_json(plan.cost) : Json(nullptr);
   json["turn_overs"] = plan.turn_overs;
   json["rotations"] = plan.rotations;
   json["tool_changes"] = plan.tool_changes;
   json["ungauged"] = plan.ungauged;
   json["states"] = plan.states;
   json["strokes"] = Json::array();
-  for (const Stroke& stroke : plan.strokes)
-    json["strokes"].push_back(stroke_json(stroke, report));
+  const auto checks = check_dimensions(report, plan.strokes);
+  for (std::size_t s = 0; s < plan.strokes.size(); ++s)
+    json["strokes"].push_back(stroke_json(plan.strokes[s], checks[s], report));
   json["blocked"] = Json::array();
   for (const BlockedBend& blocked : plan.blocked)
     json["blocked"].push_back(blocked_json(blocked, report));
@@ -204,7 +229,8 @@ Json plan_json(const Plan& plan, const Report& report) {
 }
 
 Schema plan_schema() {
-  return object({required("status", words({"optimal", "feasible", "infeasible", "gave_up"})),
+  return object({required("status", words({"optimal", "feasible", "infeasible", "gave_up",
+                                           "nothing_to_bend"})),
                  required("cost", measured_number().said("null if there is no plan")),
                  required("turn_overs", whole()), required("rotations", whole()),
                  required("tool_changes", whole()), required("ungauged", whole()),
@@ -223,15 +249,16 @@ Schema plan_schema() {
 
 std::string plan_text(const Plan& plan, const Report& report) {
   const Units units(report.units);
-  if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
+  if (nothing_to_bend(plan)) return "plan: nothing to bend\n";
+  if (!has_order(plan))
     return fmt::format("plan: {} ({} examined)\n",
                        plan.status == PlanStatus::infeasible ? "impossible" : "none found",
                        counted(plan.states, "stage")) +
            proposals_text(plan, report);
-  return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
-                     counted(plan.strokes.size(), "stroke"), counted(plan.turn_overs, "turn-over"),
-                     counted(plan.rotations, "rotation"), counted(plan.tool_changes, "tool change"),
-                     strokes_text(plan, report, units));
+  return fmt::format("plan: {}, cost {}: {}, {}, {}, {}\n{}", status_word(plan),
+                     number_text(plan.cost), counted(plan.strokes.size(), "stroke"),
+                     counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
+                     counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units));
 }
 
 void number_bends(FlatPattern& flat, const Plan& plan) {

@@ -282,12 +282,13 @@ class WrongRequests(BendTest):
             self.skipTest(f"{part} is absent")
         self.run_cli("bend", str(part), "--json", "r.json", "-o", "plan.svg", "-q", status=4)
         report = self.json("r.json")
-        told = [note for note in report["notes"] if "the stage that got furthest" in note]
+        told = [note for note in report["notes"] if "where the order gets furthest" in note]
         self.assertEqual(len(told), len(report["plan"]["in_the_way"]))
         self.assertTrue(told)
         for note in told:
-            self.assertRegex(note, r"^in the stage that got furthest, B\d cannot be bent: \S")
-        self.assertIn(told[-1], report["reason"]["message"])
+            self.assertRegex(note, r"^where the order gets furthest, B\d cannot be bent: \S")
+        last = report["plan"]["in_the_way"][-1]
+        self.assertIn(f"flat; {last['bend']}: ", report["reason"]["message"])
         remarks = [one for one in report["plan"]["remarks"] if one["code"] == "furthest_stage"]
         self.assertEqual([one["message"] for one in remarks], told)
         for remark, blocked in zip(remarks, report["plan"]["in_the_way"]):
