@@ -135,7 +135,7 @@ void add_order(Json& json, const CheckedOrder& checked, const Report& report,
   json["tool_changes"] = checked.tool_changes;
   json["ungauged"] = checked.ungauged;
   json["strokes"] = Json::array();
-  const auto checks = check_dimensions(report, mapped(checked.strokes, &CheckedStroke::stroke));
+  const auto checks = checks_of(report, mapped(checked.strokes, &CheckedStroke::stroke));
   for (const CheckedStroke& stroke : checked.strokes) {
     Json row = stroke_json(stroke.stroke, checks[json["strokes"].size()], report);
     row["blocked"] = stroke.blocked ? blocked_stroke_json(*stroke.blocked, report) : Json(nullptr);

@@ -1,5 +1,4 @@
 #include "bending.hpp"
-#include "check_dimensions.hpp"
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
 #include "report_text.hpp"
@@ -62,7 +61,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
   if (!report.plan) return drawing;
   for (const Proposal& proposal : report.plan->proposals)
     drawing.proposals.push_back(proposal_sentence(proposal, report));
-  drawing.checks = mapped(check_dimensions(report, report.plan->strokes), named);
+  drawing.checks = mapped(checks_of(report, report.plan->strokes), named);
   for (const Remark& remark : report.plan->remarks)
     if (remark.code != kFurthestStage)
       drawing.notes.push_back(capitalized(remark.told.sentence) + ".");

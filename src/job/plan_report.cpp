@@ -116,7 +116,7 @@ std::string strokes_text(const Plan& plan, const Report& report, const Units& un
                {"gauge", Align::right},
                {"check"},
                {"force kN", Align::right}});
-  const auto checks = check_dimensions(report, plan.strokes);
+  const auto checks = checks_of(report, plan.strokes);
   std::size_t number = 0;
   for (const Stroke& stroke : plan.strokes) {
     const auto& check = checks[number];
@@ -140,6 +140,11 @@ bool has_order(const Plan& plan) {
 }
 
 bool nothing_to_bend(const Plan& plan) { return has_order(plan) && plan.strokes.empty(); }
+
+std::vector<std::optional<CheckDimension>> checks_of(const Report& report,
+                                                     const std::vector<Stroke>& strokes) {
+  return check_dimensions(report.sheet, report.layout, report.flat, strokes);
+}
 
 std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }
 
@@ -209,7 +214,7 @@ Json plan_json(const Plan& plan, const Report& report) {
   json["ungauged"] = plan.ungauged;
   json["states"] = plan.states;
   json["strokes"] = Json::array();
-  const auto checks = check_dimensions(report, plan.strokes);
+  const auto checks = checks_of(report, plan.strokes);
   for (std::size_t s = 0; s < plan.strokes.size(); ++s)
     json["strokes"].push_back(stroke_json(plan.strokes[s], checks[s], report));
   json["blocked"] = Json::array();

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "check_dimensions.hpp"
-
+#include <planish/brake/check_dimensions.hpp>
 #include <planish/job/report.hpp>
 #include <planish/schema/schema.hpp>
 #include <planish/schema/units.hpp>
@@ -20,6 +19,10 @@ std::string flange_id(FlangeId flange);
 /// "B3", as the pattern of a report calls the bend.
 std::string bend_id(const Report& report, BendId bend);
 std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId>& bends);
+
+/// What to measure after each of the strokes.
+std::vector<std::optional<CheckDimension>> checks_of(const Report& report,
+                                                     const std::vector<Stroke>& strokes);
 
 /// The plan of a report with the keys of formats.md#plan.
 schema::Json plan_json(const Plan& plan, const Report& report);

@@ -1,5 +1,4 @@
-#include "check_dimensions.hpp"
-
+#include <planish/brake/check_dimensions.hpp>
 #include <planish/geometry/curve.hpp>
 
 #include <algorithm>
@@ -14,25 +13,25 @@
 // yet. Its far end is looked for in the flat pattern, and setbacks are added for what lies outside
 // the tangent lines: up to 90° to the mould line, beyond to the plane that touches the bend.
 
-namespace planish::job {
+namespace planish {
 namespace {
 
-constexpr double kParallel = 1.7e-3;  // sine of 0.1°
-constexpr double kSameEnd = 0.01;     // mm
-constexpr double kShortest = 1.0;     // mm: of an edge that a caliper's jaw touches
-constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr double kAlongBend = 1.7e-3;  // sine of 0.1°
+constexpr double kSameEnd = 0.01;      // mm
+constexpr double kShortest = 1.0;      // mm: of an edge that a caliper's jaw touches
+constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 constexpr double kSameAngle = 0.1;  // degrees
 
 /// How far a plane region reaches along a direction.
 struct Reach {
-  double straight = kNone;  ///< of what is parallel to the bend line, setbacks included
-  double any = kNone;
+  double straight = kNowhere;  ///< of what is parallel to the bend line, setbacks included
+  double any = kNowhere;
 };
 
 class Measuring {
  public:
-  explicit Measuring(const Report& report)
-      : sheet_(report.sheet), layout_(report.layout), flat_(report.flat) {
+  Measuring(const Sheet& sheet, const Layout& layout, const FlatPattern& flat)
+      : sheet_(sheet), layout_(layout), flat_(flat) {
     for (const Joint& joint : sheet_.joints) {
       joints_[key(joint.a)] = {&joint, joint.b};
       joints_[key(joint.b)] = {&joint, joint.a};
@@ -130,7 +129,7 @@ class Measuring {
               continue;
             }
             if (std::ranges::count(pressed, *bend) > 0) continue;
-            beyond = setback(*bend).value_or(kNone);
+            beyond = setback(*bend).value_or(kNowhere);
           }
           add(reach, border, away, beyond);
         }
@@ -145,7 +144,7 @@ class Measuring {
     const auto* segment = std::get_if<Segment>(&curve);
     if (!segment || outward(border).dot(away) <= 0.0) return;
     const Vec2 along = segment->b - segment->a;
-    if (along.norm() < kShortest || std::abs(away.dot(along)) > kParallel * along.norm()) return;
+    if (along.norm() < kShortest || std::abs(away.dot(along)) > kAlongBend * along.norm()) return;
     reach.straight = std::max(reach.straight, end + beyond);
   }
 
@@ -158,14 +157,13 @@ class Measuring {
 
 }  // namespace
 
-std::vector<std::optional<CheckDimension>> check_dimensions(const Report& report,
-                                                            std::span<const Stroke> strokes) {
-  std::vector<std::optional<CheckDimension>> all(strokes.size());
-  if (report.sheet.faces.empty()) return all;
-  Measuring measuring(report);
-  for (std::size_t s = 0; s < strokes.size(); ++s)
-    all[s] = measuring.next(strokes[s]);
-  return all;
+std::vector<std::optional<CheckDimension>> check_dimensions(const Sheet& sheet,
+                                                            const Layout& layout,
+                                                            const FlatPattern& pattern,
+                                                            const std::vector<Stroke>& strokes) {
+  if (sheet.faces.empty()) return std::vector<std::optional<CheckDimension>>(strokes.size());
+  Measuring measuring(sheet, layout, pattern);
+  return mapped(strokes, [&](const Stroke& stroke) { return measuring.next(stroke); });
 }
 
-}  // namespace planish::job
+}  // namespace planish
