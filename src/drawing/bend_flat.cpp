@@ -155,10 +155,12 @@ void draw_flat_pattern(Page& page, const BendDrawing& drawing, const Rectangle& 
   constexpr double kLine = 4.0;
   const Vec2 corner = into.corner + into.size;
   const TextStyle grey{.size = 2.8, .anchor = TextAnchor::end, .colour = kPageGrey};
-  page.text(corner - Vec2(0.0, kLine),
-            fmt::format("the front of the sheet, {}; blue bends up, red down; numbers are strokes",
-                        scale_text(fit.scale())),
-            grey);
+  page.text(
+      corner - Vec2(0.0, kLine),
+      fmt::format(
+          "the front of the sheet, {}{}", scale_text(fit.scale()),
+          strokes_of(drawing).empty() ? "" : "; blue bends up, red down; numbers are strokes"),
+      grey);
   if (strokes_of(drawing).empty()) return;
   page.text(corner,
             "strokes: the sheet from above, the workpiece before (light) and after; "

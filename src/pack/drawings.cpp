@@ -159,8 +159,10 @@ std::vector<Page> cover_of(const PartList& list, const StockSheets& stock, const
     drawing.groups.push_back(group_of(list, group, currency));
   if (!list.parts.empty())
     drawing.sums = sums_of("In all", totals_of(list, 0, list.parts.size()), currency);
-  const auto without = std::ranges::count(list.parts, kUnknown, &PackPart::material);
-  if (without > 0) drawing.sections.push_back(material_of(static_cast<std::size_t>(without)));
+  std::size_t without = 0;
+  for (const PackPart& part : list.parts)
+    without += part.material == kUnknown ? 1 : 0;
+  if (without > 0) drawing.sections.push_back(material_of(without));
   if (!stock.sheets.empty() || !stock.notes.empty()) drawing.sections.push_back(sheets_of(stock));
   if (!list.refused.empty()) drawing.sections.push_back(refused_of(list));
   if (list.passed_over.count > 0) drawing.sections.push_back(passed_of(list.passed_over));

@@ -365,6 +365,14 @@ class Folder(PackTest):
                          ["angle_2mm_x1.dxf", "angle_2mm_x1.pdf", "cover.pdf",
                           "notes.txt", "parts.csv"])
 
+    def test_what_would_help_at_the_press_brake_is_told(self):
+        (self.dir / "in").mkdir()
+        self.write("in/deep.json", json.dumps(step_files.deep_channel()))
+        self.pack("in", "-o", "out", "--no-drawings")
+        (row,) = self.parts()
+        self.assertEqual(row["plan"], "cannot be bent")
+        self.assertIn("it can be bent ", row["warnings"])
+
     def test_drawings_can_be_left_out(self):
         self.angle()
         self.pack("part.step", "-o", "out", "--no-drawings", "--no-plan")
