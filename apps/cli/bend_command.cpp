@@ -79,8 +79,13 @@ std::optional<Error> unwritable(const BendArguments& arguments) {
     if (suffix_of(name) != ".pdf" && suffix_of(name) != ".svg")
       return error_of(refuse::output_unclear,
                       {{"option", "-o"}, {"file", name}, {"suffixes", ".pdf, .svg"}});
+  if (!arguments.as_made.empty() && suffix_of(arguments.as_made) != ".dxf")
+    return error_of(
+        refuse::output_unclear,
+        {{"option", "--as-made"}, {"file", arguments.as_made}, {"suffixes", ".dxf"}});
   std::vector<std::string> names = arguments.outputs;
   names.push_back(arguments.json);
+  names.push_back(arguments.as_made);
   const auto files = files_named(names);
   const auto tools = files_named({arguments.options.text("tools"),
                                   arguments.options.text("k_table"),
@@ -141,6 +146,15 @@ class Bend : public Command {
   Result<std::vector<OutputFile>> files_of(const job::Made& made,
                                            const job::Request& request) const {
     std::vector<OutputFile> files;
+    for (int piece = 0; piece < made.pieces() && !arguments_.as_made.empty(); ++piece) {
+      if (made.report().refusal) break;
+      auto dxf = job::dxf_as_made(made.piece(piece), request);
+      if (!dxf) return pass_on(dxf);
+      std::filesystem::path file(arguments_.as_made);
+      if (made.pieces() > 1)
+        file.replace_filename(fmt::format("{}-{}.dxf", file.stem().string(), piece + 1));
+      files.push_back({file, std::move(*dxf)});
+    }
     if (arguments_.outputs.empty()) return files;
     const std::vector<Page> pages = job::bend_plan_pages(made, request.bending);
     for (const std::string& name : arguments_.outputs) {
@@ -207,6 +221,9 @@ CLI::App* add_bend(const Program& program, BendArguments& arguments) {
   add_repeatable(*command, "-o,--output", arguments.outputs,
                  "plan on pages to hang at the machine: .pdf or .svg; may be given several times")
       ->type_name("PATH")
+      ->group("Output");
+  add_text(*command, "--as-made", arguments.as_made, "OUT.dxf",
+           "flat pattern for the inside radii that the tools of the plan leave")
       ->group("Output");
   add_text(*command, "--json", arguments.json, "FILE", "report as JSON; - for standard output")
       ->group("Output");

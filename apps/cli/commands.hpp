@@ -47,6 +47,7 @@ struct BendArguments {
   std::string input;
   std::vector<std::string> outputs;  ///< the plan on pages: .pdf, .svg
   std::string json;                  ///< file, or "-"; empty: none
+  std::string as_made;               ///< DXF of the flat pattern for the radii made; empty: none
   bool quiet = false;
   job::OptionValues options;
   process::Limits limits;

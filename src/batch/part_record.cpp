@@ -79,6 +79,16 @@ std::string sentence_at(const Json& reason) {
   return sentence;
 }
 
+/// One remedy stands alone, several in a list.
+std::vector<std::string> remedies_at(const Json& finding) {
+  std::vector<std::string> changes;
+  for (const Json& remedy : at(finding, "/remedies"))
+    changes.push_back(text_at(remedy, "/change"));
+  if (changes.empty()) changes.push_back(text_at(finding, "/remedy/change"));
+  std::erase(changes, std::string());
+  return changes;
+}
+
 void enter_report(PartRecord& record, const Json& report) {
   for (const SaidText& text : kTexts)
     record.*text.member = text_at(report, text.pointer);
@@ -89,8 +99,8 @@ void enter_report(PartRecord& record, const Json& report) {
     if (const Json& said = at(report, size.pointer); said.is_number())
       record.*size.member = said.get<double>();
   for (const Json& found : at(report, "/checks"))
-    record.findings.push_back(
-        {text_at(found, "/severity"), text_at(found, "/code"), text_at(found, "/message")});
+    record.findings.push_back({text_at(found, "/severity"), text_at(found, "/code"),
+                               text_at(found, "/message"), remedies_at(found)});
   record.message = sentence_at(at(report, "/reason"));
   record.notes = texts_at(report, "/notes");
   record.written = texts_at(report, "/files");

@@ -14,6 +14,14 @@ namespace {
 
 std::string cell(const std::string& text) { return text; }
 
+/// What would help with its warnings.
+std::string remedies_of(const PartRecord& part) {
+  std::vector<std::string> all;
+  for (const RecordedFinding& warning : warnings_of(part))
+    all.insert(all.end(), warning.remedies.begin(), warning.remedies.end());
+  return fmt::format("{}", fmt::join(all, "; "));
+}
+
 std::string cell(const std::optional<double>& number) { return csv_number(number); }
 std::string cell(const std::optional<int>& number) {
   return number ? std::to_string(*number) : std::string();
@@ -42,7 +50,8 @@ std::vector<std::pair<std::string, std::string>> row_of(const PartRecord& part,
           {"warnings", std::to_string(warnings_of(part).size())},
           {"files", fmt::format("{}", fmt::join(part.written, ";"))},
           {"same_as", same_as},
-          {"material", cell(part.material)}};
+          {"material", cell(part.material)},
+          {"remedies", remedies_of(part)}};
 }
 
 }  // namespace

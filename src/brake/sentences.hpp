@@ -29,15 +29,15 @@ constexpr Sentence narrow_v{
 
 // What is in the way of a bend in the stage that got furthest.
 constexpr Sentence cannot_be_bent{kFurthestStage,
-                                  "in the stage that got furthest, {@bend:id} cannot be bent"};
+                                  "where the order gets furthest, {@bend:id} cannot be bent"};
 constexpr Sentence flange_in_tool{
     kFurthestStage,
-    "in the stage that got furthest, {@bend:id} cannot be bent: {@flange} is {depth:3} deep in the "
-    "{tool}"};
+    "where the order gets furthest, {@bend:id} cannot be bent: {@flange} would run {depth:3} into "
+    "the {tool}"};
 constexpr Sentence sheet_in_tool{
     kFurthestStage,
-    "in the stage that got furthest, {@bend:id} cannot be bent: the sheet is {depth:3} deep in the "
-    "{tool}"};
+    "where the order gets furthest, {@bend:id} cannot be bent: the sheet would run {depth:3} into "
+    "the {tool}"};
 constexpr std::string_view at_turn = "at {turn:3}";
 
 // What a stroke lacks.

@@ -1,4 +1,7 @@
+#include <planish/base/message.hpp>
 #include <planish/drawing/page_parts.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +42,12 @@ double fitting_size(const std::string& text, double room, double largest) {
   constexpr double kWide = 0.62;  // of a letter, by its size
   return std::min(largest,
                   room / (kWide * static_cast<double>(std::max<std::size_t>(1, text.size()))));
+}
+
+std::string scale_text(double scale) {
+  constexpr int kDigits = 3;
+  return scale < 1.0 ? fmt::format("1 : {}", number_text(1.0 / scale, kDigits))
+                     : fmt::format("{} : 1", number_text(scale, kDigits));
 }
 
 void number(Page& page, const Vec2& at, std::size_t stroke, const Colour& colour) {

@@ -120,10 +120,9 @@ void write_facts(Filling& filling, const PartDrawing& drawing) {
 std::vector<std::string> captions_of(const PartDrawing& drawing, const Fit& fit,
                                      std::size_t unwritten, bool turned) {
   const Units units(drawing.units);
-  const std::string scale = fit.scale() < 1.0 ? fmt::format("1 : {:.3g}", 1.0 / fit.scale())
-                                              : fmt::format("{:.3g} : 1", fit.scale());
-  std::vector<std::string> captions{fmt::format(
-      "flat pattern, scale {}; blue bends up, red down, lengths in {}", scale, units.symbol())};
+  std::vector<std::string> captions{
+      fmt::format("flat pattern, scale {}; blue bends up, red down, lengths in {}",
+                  scale_text(fit.scale()), units.symbol())};
   if (turned) {
     const Vec2 size = blank_size(*drawing.flat);
     captions.push_back(

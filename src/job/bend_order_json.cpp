@@ -106,7 +106,7 @@ Json sections_json(const CheckedOrder& checked, const BrakeTools& tools) {
 
 Json planned_order_json(const Plan& plan, const Bending& bending, const Report& report) {
   Json json;
-  json["status"] = status_word(plan.status);
+  json["status"] = status_word(plan);
   json["sentence"] = nullptr;
   if (plan.status == PlanStatus::infeasible)
     add_sentence(json, cannot_be_bent(report, plan, bending), report);
@@ -135,8 +135,9 @@ void add_order(Json& json, const CheckedOrder& checked, const Report& report,
   json["tool_changes"] = checked.tool_changes;
   json["ungauged"] = checked.ungauged;
   json["strokes"] = Json::array();
+  const auto checks = checks_of(report, mapped(checked.strokes, &CheckedStroke::stroke));
   for (const CheckedStroke& stroke : checked.strokes) {
-    Json row = stroke_json(stroke.stroke, report);
+    Json row = stroke_json(stroke.stroke, checks[json["strokes"].size()], report);
     row["blocked"] = stroke.blocked ? blocked_stroke_json(*stroke.blocked, report) : Json(nullptr);
     row["scene"] = scene_json(stroke);
     json["strokes"].push_back(std::move(row));

@@ -1,8 +1,12 @@
 #include "bending.hpp"
+#include "plan_report.hpp"
 #include "proposal_report.hpp"
 #include "report_text.hpp"
 
+#include <planish/base/message.hpp>
+#include <planish/base/text.hpp>
 #include <planish/drawing/bend_pages.hpp>
+#include <planish/io/flat_writers.hpp>
 #include <planish/job/bend_plan_pages.hpp>
 #include <planish/job/output_paths.hpp>
 
@@ -13,16 +17,21 @@ namespace {
 
 /// What the force and the angles are for.
 std::string metal_of(const Bending& bending) {
-  std::string text = fmt::format("{} {:g} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
-                                 bending.plan.tensile_strength);
+  std::string text = fmt::format("{} {} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
+                                 number_text(bending.plan.tensile_strength));
   const double springback = bending.plan.springback.degrees();
-  return springback == 0.0 ? text : text + fmt::format(", springback {:g}°", springback);
+  return springback == 0.0 ? text : text + fmt::format(", springback {}°", number_text(springback));
 }
 
 /// The part as its file is called, and its body where that has a name of its own.
 std::string title_of(const Report& report) {
   const std::string file = stem_of_input(input_name(report));
-  return report.body.empty() || report.body == file ? file : file + " · " + report.body;
+  return says_nothing(report.body, file) ? file : file + " · " + report.body;
+}
+
+std::optional<drawing::FlangeCheck> named(const std::optional<CheckDimension>& check) {
+  if (!check) return std::nullopt;
+  return drawing::FlangeCheck{flange_id(check->flange), check->length};
 }
 
 /// What keeps the part of a report from being bent; empty if it can be.
@@ -48,9 +57,15 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
     drawing.blocked.push_back(blocked.bend);
     drawing.obstacles.push_back(told_of(blocked, report).sentence);
   }
-  if (report.plan)
-    for (const Proposal& proposal : report.plan->proposals)
-      drawing.proposals.push_back(proposal_sentence(proposal, report));
+  if (!report.sheet.faces.empty())
+    drawing.flanges = drawing::flange_names(report.sheet, report.layout);
+  if (!report.plan) return drawing;
+  for (const Proposal& proposal : report.plan->proposals)
+    drawing.proposals.push_back(proposal_sentence(proposal, report));
+  drawing.checks = mapped(checks_of(report, report.plan->strokes), named);
+  for (const Remark& remark : report.plan->remarks)
+    if (remark.code != kFurthestStage)
+      drawing.notes.push_back(capitalized(remark.told.sentence) + ".");
   return drawing;
 }
 
@@ -70,6 +85,13 @@ std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending) {
     for (Page& page : bend_plan_pages(made.piece(piece), bending))
       pages.push_back(std::move(page));
   return pages;
+}
+
+Result<std::string> dxf_as_made(const Report& report, const Request& request) {
+  if (report.not_as_made) return tl::unexpected(*report.not_as_made);
+  DxfOptions options = request.dxf;
+  options.units = report.units;
+  return dxf_text(report.as_made ? report.as_made->flat : report.flat, options);
 }
 
 }  // namespace planish::job

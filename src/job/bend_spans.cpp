@@ -2,6 +2,7 @@
 
 #include "sentences.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 
@@ -33,33 +34,31 @@ Said round_the_back(const FittedBend& bend) {
   if (bend.edge_kind == EdgeKind::facing || bend.frame.parallel()) return std::nullopt;
   if (bend.angle.degrees() <= kHalfTurn) return std::nullopt;
   return fmt::format(
-      "turns {:.4g}° round the back of the plates; edges that face each other would need {:.4g}°",
-      bend.angle.degrees(), kHalfTurn - bend.frame.beta.degrees());
+      "turns {}° round the back of the plates; edges that face each other would need {}°",
+      number_text(bend.angle.degrees()), number_text(kHalfTurn - bend.frame.beta.degrees()));
 }
 
 Said long_span(const FittedBend& bend) {
   if (bend.reach <= kManyTimes * bend.joined) return std::nullopt;
-  return fmt::format(
-      "is {:.4g} mm long from plate to plate and {:.4g} mm wide: {:.3g} times as "
-      "long as wide",
-      bend.reach, bend.joined, bend.reach / bend.joined);
+  return fmt::format("is {} mm long from plate to plate and {} mm wide: {} times as long as wide",
+                     number_text(bend.reach), number_text(bend.joined),
+                     number_text(bend.reach / bend.joined, 3));
 }
 
 Said unused_edge(const FittedBend& bend) {
   const double unused = std::min(bend.unused[0], bend.unused[1]);
   if (unused <= bend.joined) return std::nullopt;
   return fmt::format(
-      "is {:.4g} mm wide, and the edges of the plates on its tangent lines have "
-      "{:.4g} and {:.4g} mm more",
-      bend.joined, bend.unused[0], bend.unused[1]);
+      "is {} mm wide, and the edges of the plates on its tangent lines have {} and {} mm more",
+      number_text(bend.joined), number_text(bend.unused[0]), number_text(bend.unused[1]));
 }
 
 Said edges_beside(const FittedBend& bend) {
   if (!bend.beside) return std::nullopt;
   return fmt::format(
-      "joins edges that lie beside each other, {:.4g} mm apart along the bend, so it never runs "
+      "joins edges that lie beside each other, {} mm apart along the bend, so it never runs "
       "straight from one plate to the other",
-      *bend.beside);
+      number_text(*bend.beside));
 }
 
 Vec2 middle_of(const FlatBend& bend) {

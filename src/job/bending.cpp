@@ -71,6 +71,17 @@ void find_ungauged(Report& report, const Plan& plan) {
       finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {}));
 }
 
+/// A bend that the press brake does not form is said where the plan is called done.
+void find_rolled(Report& report, const Plan& plan) {
+  Facts facts;
+  for (const LargeBend& large : plan.large)
+    if (large.forming == Forming::rolled)
+      facts.emplace_back("bend", part_place(report.flat, large.bend));
+  if (!facts.empty())
+    report.findings.push_back(
+        finding_of("rolled_bend", Severity::warning, say::rolled_bend, facts, {}));
+}
+
 /// The whole part is meant: `where` is empty.
 Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending) {
   Told told = cannot_be_bent(report, plan, bending);
@@ -91,7 +102,17 @@ Finding cannot_bend_finding(Error why, std::vector<Vec2> at) {
           std::move(at),
           {},
           std::move(why.places),
-          std::move(why.numbers)};
+          std::move(why.numbers),
+          std::move(why.remedies)};
+}
+
+/// "; it can be bent over a V of 10 mm, or as two parts, cut at B6".
+std::string help_of(const Report& report, const Plan& plan) {
+  std::vector<std::string> ways;
+  for (const Proposal& proposal : plan.proposals)
+    ways.push_back(proposal_sentence(proposal, report));
+  return ways.empty() ? std::string()
+                      : fmt::format("; it can be bent {}", fmt::join(ways, ", or "));
 }
 
 std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
@@ -100,10 +121,13 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
   name_once(plan.blocked);
   if (plan.status == PlanStatus::infeasible) {
     Error why = cannot_bend(report, plan, bending);
-    if (only_finding)
+    why.remedies = remedies_of(plan.proposals, report);
+    if (only_finding) {
       report.findings.push_back(cannot_bend_finding(std::move(why), places_of(report, plan)));
-    else
+      report.findings.back().message += help_of(report, plan);
+    } else {
       refusal = std::move(why);
+    }
   }
   if (plan.status == PlanStatus::gave_up) {
     Told told = no_plan_found(plan);
@@ -112,6 +136,7 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
                                .at = {},
                                .numbers = std::move(told.numbers)});
   }
+  find_rolled(report, plan);
   number_bends(report.flat, plan);
   if (only_finding) return std::nullopt;
   find_ungauged(report, plan);
@@ -154,14 +179,11 @@ Told cannot_be_bent(const Report& report, const Plan& plan, const Bending& bendi
     say_blocked(told, report, plan.blocked);
     return told;
   }
-  Facts left{{"are", plan.unformed.size() == 1 ? "is" : "are"}};
-  for (const BendId bend : plan.unformed)
-    left.emplace_back("bend", part_place(report.flat, bend));
+  const Facts left = mapped(
+      plan.unformed, [&](BendId bend) { return Fact("bend", part_place(report.flat, bend)); });
   say_after(told, "; ", tell(say::not_after_others, left));
-  // The last of these remarks: it says the most.
-  const auto furthest = std::ranges::find(plan.remarks.rbegin(), plan.remarks.rend(),
-                                          kFurthestStage, &Remark::code);
-  if (furthest != plan.remarks.rend()) say_after(told, "; ", furthest->told);
+  // The last of these: it says the most.
+  if (!plan.in_the_way.empty()) say_after(told, "; ", told_of(plan.in_the_way.back(), report));
   return told;
 }
 
@@ -178,7 +200,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   const BrakeTools& tools = tools_of(bending);
   const auto until = options.limits.end(std::chrono::steady_clock::now());
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
-  if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
+  if (plan && plan->status == PlanStatus::infeasible) {
     progress.at("looking for changes that would help", 0.97);
     const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr,
                                  .until = until};

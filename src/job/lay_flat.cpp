@@ -1,8 +1,10 @@
 #include "lay_flat.hpp"
 
 #include "bending.hpp"
+#include "plan_report.hpp"
 #include "refusals.hpp"
 #include "reliefs.hpp"
+#include "sentences.hpp"
 #include "self_intersections.hpp"
 #include "taken_shop.hpp"
 #include "verdict.hpp"
@@ -256,8 +258,10 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
   if (auto refusal = inspect_pattern(report, given)) return refusal;
   if (auto refusal = plan_strokes(report, given.checks.bending, progress)) return refusal;
   if (!report.plan) return std::nullopt;
-  if (const auto why = lay_as_made(report, given, options, progress))
-    report.notes.push_back(tell(say::no_made_flat, {{"why", why->message}}).sentence);
+  report.not_as_made = lay_as_made(report, given, options, progress);
+  if (report.not_as_made)
+    report.notes.push_back(
+        tell(say::no_made_flat, {{"why", report.not_as_made->message}}).sentence);
   return std::nullopt;
 }
 

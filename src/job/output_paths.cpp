@@ -8,6 +8,24 @@
 #include <set>
 
 namespace planish::job {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// In lower case, without what parts words.
+std::string letters_and_digits(std::string_view name) {
+  std::string letters = lower_case(name);
+  std::erase_if(letters, [](char c) { return c > 0 && !is_digit(c) && (c < 'a' || c > 'z'); });
+  return letters;
+}
+
+std::string letters_of(std::string_view name) {
+  std::string letters = letters_and_digits(name);
+  std::erase_if(letters, is_digit);
+  return letters;
+}
+
+}  // namespace
 
 namespace fs = std::filesystem;
 
@@ -43,6 +61,20 @@ std::string stem_of_input(const fs::path& input) {
   const std::string suffix = lower_case(input.extension().string());
   const fs::path stem = input.stem();
   return (suffix == ".gz" || suffix == ".zip" ? stem.stem() : stem).string();
+}
+
+bool is_nameless(std::string_view body) {
+  static const std::set<std::string> kNames{
+      "body",   "brep",    "bossextrude", "compound", "compsolid", "component",
+      "none",   "extrude", "noname",      "pad",      "part",      "partbody",
+      "pocket", "shell",   "solid",       "unnamed",  "solidbody", "manifoldsolidbrep"};
+  return body.empty() || kNames.contains(letters_of(body)) ||
+         body.starts_with("Open CASCADE STEP translator");
+}
+
+bool says_nothing(std::string_view body, std::string_view file) {
+  return is_nameless(body) ||
+         letters_and_digits(file).find(letters_and_digits(body)) != std::string::npos;
 }
 
 fs::path name_of_piece(const fs::path& path, int piece, int pieces) {

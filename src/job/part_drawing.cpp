@@ -2,6 +2,7 @@
 
 #include "facts.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/drawing/part_pages.hpp>
 #include <planish/schema/units.hpp>
 
@@ -38,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Report& report) 
       {"openings", std::to_string(flat.openings.size())},
       {"bends", std::to_string(flat.bends.size())},
       {"press brake", plan_words(report)}};
-  if (report.mass) facts.emplace_back("mass", fmt::format("{:.3g} kg", *report.mass));
+  if (report.mass) facts.emplace_back("mass", number_text(*report.mass, 3) + " kg");
   return facts;
 }
 

@@ -4,7 +4,9 @@
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
+#include <planish/drawing/bend_pages.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
 
@@ -57,8 +59,11 @@ Schema stroke_schema() {
       {required("bends", list(text()).said("pressed together")),
        optional("press_line", whole(1).said("which one of a bend with several")),
        optional("flattening", flag().said("closes a hem that was bent before")),
-       required("angle", angle(kAnyNumber).or_null()), required("punch", text()),
-       required("die", text()), required("punch_segments", list(measured_length())),
+       required("angle", angle(kAnyNumber).or_null()),
+       required("v_wanted", measured_length().or_null().said("opening of the V")),
+       required("radius_drawn", measured_length().said("inside, of the bend")),
+       required("radius_made", measured_length().said("inside, that these tools leave")),
+       required("punch", text()), required("die", text()), required("punch_segments", list(measured_length())),
        required("punch_from", measured_length().said("from the end of the bend line")),
        optional("punch_rows", rows.said("where gaps are between segments")),
        required("die_segments", list(measured_length())), required("die_from", measured_length()),
@@ -66,7 +71,12 @@ Schema stroke_schema() {
        required("to_gauge", text().or_null().said("flange on the gauge's side")),
        required("gauge_direction",
                 tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
-       required("gauge", gauge.or_null()), required("force", measured_number().said("kN")),
+       required("gauge", gauge.or_null()),
+       optional("check_dimension",
+                object({required("flange", text()),
+                        required("length", measured_length().said("from the outside of the bend"))})
+                    .said("to measure after the stroke")),
+       required("force", measured_number().said("kN")),
        required("clearance", measured_length().said("least that is left"))});
 }
 
@@ -104,22 +114,43 @@ std::string strokes_text(const Plan& plan, const Report& report, const Units& un
                {"angle", Align::right},
                {"punch"},
                {"die"},
-               {"up"},
+               {"side up"},
                {"to gauge"},
                {"gauge", Align::right},
+               {"check"},
                {"force kN", Align::right}});
-  int number = 0;
-  for (const Stroke& stroke : plan.strokes)
-    table.add({std::to_string(++number),
-               fmt::format("{}", fmt::join(bend_ids(report, stroke.bends), " ")),
-               fmt::format("{:.1f}°", stroke.angle.degrees()), stroke.punch, stroke.die,
-               stroke.reference_up ? "reference" : "other",
-               stroke.to_gauge ? flange_id(*stroke.to_gauge) : "", gauge_text(stroke, units),
-               fmt::format("{:.0f}", stroke.force)});
+  const auto checks = checks_of(report, plan.strokes);
+  std::size_t number = 0;
+  for (const Stroke& stroke : plan.strokes) {
+    const auto& check = checks[number];
+    table.add(
+        {std::to_string(++number),
+         fmt::format("{}", fmt::join(bend_ids(report, stroke.bends), " ")),
+         fmt::format("{:.1f}°", stroke.angle.degrees()), stroke.punch, stroke.die,
+         std::string(drawing::side_up(stroke, report.layout)),
+         stroke.to_gauge ? flange_id(*stroke.to_gauge) : "", gauge_text(stroke, units),
+         check ? fmt::format("{} {}", flange_id(check->flange), units.length_text(check->length))
+               : std::string(),
+         fmt::format("{:.0f}", stroke.force)});
+  }
   return table.text();
 }
 
 }  // namespace
+
+bool has_order(const Plan& plan) {
+  return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
+}
+
+bool nothing_to_bend(const Plan& plan) {
+  const auto is_rolled = [](const LargeBend& large) { return large.forming == Forming::rolled; };
+  return has_order(plan) && plan.strokes.empty() && std::ranges::none_of(plan.large, is_rolled);
+}
+
+std::vector<std::optional<CheckDimension>> checks_of(const Report& report,
+                                                     const std::vector<Stroke>& strokes) {
+  return check_dimensions(report.sheet, report.layout, report.flat, strokes);
+}
 
 std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }
 
@@ -132,17 +163,23 @@ std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId
   return mapped(bends, [&](BendId bend) { return bend_id(report, bend); });
 }
 
-std::string_view status_word(PlanStatus status) {
-  return word_of(status, {"optimal", "feasible", "infeasible", "gave_up"});
+std::string_view status_word(const Plan& plan) {
+  if (nothing_to_bend(plan)) return "nothing_to_bend";
+  return word_of(plan.status, {"optimal", "feasible", "infeasible", "gave_up"});
 }
 
-Json stroke_json(const Stroke& stroke, const Report& report) {
+Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& check,
+                 const Report& report) {
   const Units units(report.units);
   Json json;
   json["bends"] = bend_ids(report, stroke.bends);
   if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
   if (stroke.flattening) json["flattening"] = true;
   json["angle"] = number_json(stroke.angle.degrees());
+  json["v_wanted"] = stroke.flattening ? Json(nullptr)
+                                       : number_json(units.length(stroke.v_wanted));
+  json["radius_drawn"] = number_json(units.length(stroke.radius_drawn));
+  json["radius_made"] = number_json(units.length(stroke.radius_made));
   json["punch"] = stroke.punch;
   json["die"] = stroke.die;
   add_rows(json, "punch", stroke.punch_rows, units);
@@ -152,6 +189,9 @@ Json stroke_json(const Stroke& stroke, const Report& report) {
   json["gauge_direction"] = Json::array(
       {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
   json["gauge"] = gauge_json(stroke.gauge, units);
+  if (check)
+    json["check_dimension"] = {{"flange", flange_id(check->flange)},
+                               {"length", number_json(units.length(check->length))}};
   json["force"] = number_json(stroke.force);
   json["clearance"] = number_json(units.length(stroke.clearance));
   return json;
@@ -174,19 +214,83 @@ Json blocked_json(const BlockedBend& blocked, const Report& report) {
   return json;
 }
 
+namespace {
+
+Json large_json(const LargeBend& large, const Report& report) {
+  const Units units(report.units);
+  Json json{{"bend", bend_id(report, large.bend)},
+            {"formed", word_of(large.forming, {"v", "bumps", "rolled"})}};
+  if (large.forming != Forming::bumps) return json;
+  json["bumps"] = large.bumps;
+  json["pitch"] = number_json(units.length(large.pitch));
+  json["angle"] = number_json(large.angle.degrees());
+  json["chord_error"] = number_json(units.length(large.chord_error));
+  return json;
+}
+
+Schema large_schema() {
+  return object({required("bend", text()), required("formed", words({"v", "bumps", "rolled"})),
+                 optional("bumps", whole(2)),
+                 optional("pitch", measured_length().said("along the neutral surface")),
+                 optional("angle", angle(kAnyNumber).said("of each bump")),
+                 optional("chord_error",
+                          measured_length().said("of the drawn radius from the pieces between"))});
+}
+
+Json as_made_json(const MadeFlat& made, const Report& report) {
+  const Units units(report.units);
+  Json bends = json_array(made.bends, [&](const MadeFlat::Row& row) -> Json {
+    return {{"bend", bend_id(report, row.bend)},
+            {"radius_drawn", number_json(units.length(row.drawn))},
+            {"radius_made", number_json(units.length(row.made))},
+            {"change", number_json(units.length(row.change))}};
+  });
+  return {{"length", number_json(units.length(made.size.x()))},
+          {"width", number_json(units.length(made.size.y()))},
+          {"bends", std::move(bends)}};
+}
+
+Schema as_made_schema() {
+  return object(
+             {required("length", measured_length()), required("width", measured_length()),
+              required("bends",
+                       list(object({required("bend", text()),
+                                    required("radius_drawn", measured_length()),
+                                    required("radius_made", measured_length()),
+                                    required("change", measured_length().said(
+                                                           "of the developed length"))})))})
+      .said("the flat pattern for the radii that these tools make, where they are others");
+}
+
+std::string as_made_text(const Report& report) {
+  if (!report.as_made) return {};
+  const Units units(report.units);
+  std::string text = fmt::format("flat as made: {} × {}, for the radii that these tools leave (`--as-made`)\n",
+                                 units.length_text(report.as_made->size.x()),
+                                 units.length_text(report.as_made->size.y()));
+  for (const MadeFlat::Row& row : report.as_made->bends)
+    text += fmt::format("  {}: radius {} instead of {}, developed {} {}\n",
+                        bend_id(report, row.bend), units.length_text(row.made),
+                        units.length_text(row.drawn), units.length_text(std::abs(row.change)),
+                        row.change < 0.0 ? "shorter" : "longer");
+  return text;
+}
+
+}  // namespace
+
 Json plan_json(const Plan& plan, const Report& report) {
-  const bool found = plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
   Json json;
-  json["status"] = status_word(plan.status);
-  json["cost"] = found ? number_json(plan.cost) : Json(nullptr);
+  json["status"] = status_word(plan);
+  json["cost"] = has_order(plan) ? number_json(plan.cost) : Json(nullptr);
   json["turn_overs"] = plan.turn_overs;
   json["rotations"] = plan.rotations;
   json["tool_changes"] = plan.tool_changes;
   json["ungauged"] = plan.ungauged;
   json["states"] = plan.states;
   json["strokes"] = Json::array();
-  for (const Stroke& stroke : plan.strokes)
-    json["strokes"].push_back(stroke_json(stroke, report));
+  const auto checks = checks_of(report, plan.strokes);
+  for (std::size_t s = 0; s < plan.strokes.size(); ++s)
+    json["strokes"].push_back(stroke_json(plan.strokes[s], checks[s], report));
   json["blocked"] = Json::array();
   for (const BlockedBend& blocked : plan.blocked)
     json["blocked"].push_back(blocked_json(blocked, report));
@@ -197,6 +301,11 @@ Json plan_json(const Plan& plan, const Report& report) {
       json["in_the_way"].push_back(blocked_json(blocked, report));
   }
   if (plan.status == PlanStatus::infeasible) json["proposals"] = proposals_json(plan, report);
+  if (!plan.large.empty())
+    json["large_radii"] = json_array(plan.large, [&](const LargeBend& large) {
+      return large_json(large, report);
+    });
+  if (report.as_made) json["as_made"] = as_made_json(*report.as_made, report);
   json["remarks"] = Json::array();
   for (const Remark& remark : plan.remarks)
     json["remarks"].push_back(remark_json(remark, Units(report.units)));
@@ -204,7 +313,8 @@ Json plan_json(const Plan& plan, const Report& report) {
 }
 
 Schema plan_schema() {
-  return object({required("status", words({"optimal", "feasible", "infeasible", "gave_up"})),
+  return object({required("status", words({"optimal", "feasible", "infeasible", "gave_up",
+                                           "nothing_to_bend"})),
                  required("cost", measured_number().said("null if there is no plan")),
                  required("turn_overs", whole()), required("rotations", whole()),
                  required("tool_changes", whole()), required("ungauged", whole()),
@@ -217,21 +327,26 @@ Schema plan_schema() {
                           list(blocked_schema()).said("of bends left there, of four at most")),
                  optional("proposals",
                           list(proposal_schema()).said("if infeasible: what it can be bent with")),
+                 optional("large_radii",
+                          list(large_schema()).said("bends of a radius that no usual V leaves")),
+                 optional("as_made", as_made_schema()),
                  required("remarks", list(remark_schema()))})
       .said("the strokes at a press brake, in order");
 }
 
 std::string plan_text(const Plan& plan, const Report& report) {
   const Units units(report.units);
-  if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
+  if (nothing_to_bend(plan)) return "plan: nothing to bend\n";
+  if (!has_order(plan))
     return fmt::format("plan: {} ({} examined)\n",
                        plan.status == PlanStatus::infeasible ? "impossible" : "none found",
                        counted(plan.states, "stage")) +
            proposals_text(plan, report);
-  return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
-                     counted(plan.strokes.size(), "stroke"), counted(plan.turn_overs, "turn-over"),
-                     counted(plan.rotations, "rotation"), counted(plan.tool_changes, "tool change"),
-                     strokes_text(plan, report, units));
+  return fmt::format("plan: {}, cost {}: {}, {}, {}, {}\n{}", status_word(plan),
+                     number_text(plan.cost), counted(plan.strokes.size(), "stroke"),
+                     counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
+                     counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units)) +
+         as_made_text(report);
 }
 
 void number_bends(FlatPattern& flat, const Plan& plan) {

@@ -4,6 +4,7 @@
 #include "report_schema.hpp"
 #include "sentences.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
 #include <planish/schema/json_parts.hpp>
 
@@ -15,6 +16,8 @@ using namespace schema;
 namespace {
 
 using Kind = Proposal::Kind;
+
+constexpr int kDigits = 6;  // of an opening that is given as an option
 
 const std::vector<std::string_view> kKinds{
     "smaller_v", "punch", "taller_punches", "shorter_flange", "swap", "any_order", "split"};
@@ -69,6 +72,17 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
       break;
   }
   return fmt::format("as two parts, cut at {}", fmt::join(bends, ", "));
+}
+
+std::vector<Remedy> remedies_of(const std::vector<Proposal>& proposals, const Report& report) {
+  return mapped(proposals, [&](const Proposal& proposal) {
+    Remedy remedy{{}, {}, "Bend it " + proposal_sentence(proposal, report)};
+    if (proposal.kind == Kind::smaller_v) {
+      remedy.option = "opening";
+      remedy.value = number_text(proposal.opening, kDigits);
+    }
+    return remedy;
+  });
 }
 
 Json proposals_json(const Plan& plan, const Report& report) {

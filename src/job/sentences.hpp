@@ -106,8 +106,8 @@ constexpr std::string_view no_order = "no order of strokes forms all bends with 
 constexpr std::string_view that_begins = "that begins with {begun}";
 constexpr std::string_view more_blocked = "and {more} more";
 constexpr std::string_view not_after_others =
-    "each can be formed, but not after the others: {@bend:id} {are} left at "
-    "best";
+    "each can be formed, but not all in one order: the order that gets furthest leaves {@bend:id} "
+    "flat";
 constexpr std::string_view no_plan =
     "no order of strokes was found among {stages:stage}, nor was it shown that there is none: give "
     "it more time";
@@ -129,6 +129,8 @@ constexpr std::string_view joints_left_open_more =
 constexpr std::string_view shorter_bend =
     "{@bend} has a span of {span}; that of {other} would have {shorter}, but does not hold: "
     "{reason}";
+constexpr std::string_view rolled_bend =
+    "no stroke of the plan forms {@bend}, whose radius no V of the shop leaves: roll it";
 constexpr std::string_view
     no_gauge_edge = "the back gauge finds no straight edge parallel to the bend line of {@bend}";
 

@@ -126,10 +126,10 @@ void add_findings(SlitReport& report) {
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
     if (strip.too_tight)
       add("min_radius",
-          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}; the material allows "
-                      "{:.4g} mm",
-                      i + 1, strip.min_radius, strip.tightest_ridge + 1,
-                      report.design.sheet.min_radius()),
+          fmt::format("strip {} is bent to a radius of {} mm at ridge {}; the material allows "
+                      "{} mm",
+                      i + 1, number_text(strip.min_radius), strip.tightest_ridge + 1,
+                      number_text(report.design.sheet.min_radius())),
           i, strip.tightest_ridge);
     for (const int other : strip.crosses)
       add("strips_cross",
@@ -140,9 +140,9 @@ void add_findings(SlitReport& report) {
     if (const double reach = length_of(report.design.sheet, i);
         strip.scan_distance > kFarOff * reach)
       add("scan_far",
-          fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their "
+          fmt::format("strip {} stays {} mm from its scanned points on average: check their "
                       "units, their position and the strip that they belong to",
-                      i + 1, strip.scan_distance),
+                      i + 1, number_text(strip.scan_distance)),
           i, last);
     if (strip.crosses_plane)
       add("strips_cross", fmt::format("strip {} runs through its mirror image", i + 1), i, last);

@@ -2,12 +2,14 @@
 
 #include "parts_csv.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
 #include <planish/drawing/list_pages.hpp>
 #include <planish/drawing/part_pages.hpp>
 #include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -32,7 +34,6 @@ std::string blank_of(const PackPart& part) {
 std::vector<std::pair<std::string, std::string>> facts_of(const PackPart& part) {
   std::vector<std::pair<std::string, std::string>> facts{
       {"quantity", std::to_string(part.quantity)},
-      {"material", part.material},
       {"thickness", with_unit(part, part.flat.thickness)},
       {"blank", blank_of(part)},
       {"cutting length", with_unit(part, part.cut_length)},
@@ -40,7 +41,8 @@ std::vector<std::pair<std::string, std::string>> facts_of(const PackPart& part) 
       {"openings", std::to_string(part.flat.openings.size())},
       {"bends", std::to_string(part.flat.bends.size())},
       {"press brake", part.plan}};
-  if (part.mass) facts.emplace_back("mass", fmt::format("{:.3g} kg", *part.mass));
+  if (part.material != kUnknown) facts.insert(facts.begin() + 1, {"material", part.material});
+  if (part.mass) facts.emplace_back("mass", number_text(*part.mass, 3) + " kg");
   return facts;
 }
 
@@ -58,7 +60,7 @@ std::string origin_of(const PackPart& part) {
 drawing::ListedPart listed(const PackPart& part, const std::string& currency) {
   std::string work = fmt::format("blank {}, {}", blank_of(part),
                                  counted(part.flat.bends.size(), "bend"));
-  if (part.mass) work += fmt::format(", {:.3g} kg", *part.mass);
+  if (part.mass) work += fmt::format(", {} kg", number_text(*part.mass, 3));
   if (part.cost) work += fmt::format(", {:.2f} {}", *part.cost, currency);
   const bool alert = !part.warnings.empty();
   return {.name = part.stem,
@@ -67,16 +69,17 @@ drawing::ListedPart listed(const PackPart& part, const std::string& currency) {
           .quantity = part.quantity,
           .flat = &part.flat,
           .view = part.view ? &*part.view : nullptr,
-          .alert = alert};
+          .alert = alert,
+          .help = fmt::format("{}", fmt::join(part.help, "; "))};
 }
 
 std::string sums_of(const std::string& what, const Totals& totals, const std::string& currency) {
   constexpr double kMetre = 1000.0;
-  std::string text = fmt::format("{}: {}, {}, {:.4g} m to cut, {}, {}", what,
+  std::string text = fmt::format("{}: {}, {}, {} m to cut, {}, {}", what,
                                  counted(totals.parts, "part"), counted(totals.quantity, "piece"),
-                                 totals.cut_length / kMetre, counted(totals.pierces, "pierce"),
-                                 counted(totals.bends, "bend"));
-  if (totals.mass && *totals.mass > 0.0) text += fmt::format(", {:.4g} kg", *totals.mass);
+                                 number_text(totals.cut_length / kMetre),
+                                 counted(totals.pierces, "pierce"), counted(totals.bends, "bend"));
+  if (totals.mass && *totals.mass > 0.0) text += fmt::format(", {} kg", number_text(*totals.mass));
   if (totals.cost) text += fmt::format(", {:.2f} {}", *totals.cost, currency);
   return text;
 }
@@ -84,8 +87,8 @@ std::string sums_of(const std::string& what, const Totals& totals, const std::st
 drawing::ListedGroup group_of(const PartList& list, const PartGroup& group,
                               const std::string& currency) {
   drawing::ListedGroup listed_group{
-      fmt::format("{}, {:g} mm", group.material == kUnknown ? "material unknown" : group.material,
-                  group.thickness),
+      (group.material == kUnknown ? "" : group.material + ", ") +
+          fmt::format("{:g} mm", group.thickness),
       {},
       sums_of("Together", totals_of(list, group.first, group.end), currency)};
   for (std::size_t i = group.first; i < group.end; ++i)
@@ -102,6 +105,14 @@ drawing::ListedLines sheets_of(const StockSheets& stock) {
   for (const std::string& note : stock.notes)
     section.lines.push_back({note, true});
   return section;
+}
+
+/// Told once: names of files and groups leave out a material that is not known.
+drawing::ListedLines material_of(std::size_t without) {
+  return {
+      {"Material"},
+      {{fmt::format("not known of {}: `--material` names that of all, `--materials` that of each",
+                    counted(without, "part"))}}};
 }
 
 drawing::ListedLines refused_of(const PartList& list) {
@@ -128,8 +139,9 @@ drawing::ListedLines passed_of(const batch::PassedOver& passed) {
 std::vector<Page> drawing_of(const PackPart& part) {
   drawing::PartDrawing drawing;
   drawing.title = part.name;
-  drawing.subtitle = fmt::format("{}, {}, {}", part.material, with_unit(part, part.flat.thickness),
+  drawing.subtitle = fmt::format("{}, {}", with_unit(part, part.flat.thickness),
                                  counted(part.quantity, "piece"));
+  if (part.material != kUnknown) drawing.subtitle.insert(0, part.material + ", ");
   drawing.facts = facts_of(part);
   drawing.flat = &part.flat;
   drawing.view = part.view ? &*part.view : nullptr;
@@ -147,6 +159,10 @@ std::vector<Page> cover_of(const PartList& list, const StockSheets& stock, const
     drawing.groups.push_back(group_of(list, group, currency));
   if (!list.parts.empty())
     drawing.sums = sums_of("In all", totals_of(list, 0, list.parts.size()), currency);
+  std::size_t without = 0;
+  for (const PackPart& part : list.parts)
+    without += part.material == kUnknown ? 1 : 0;
+  if (without > 0) drawing.sections.push_back(material_of(without));
   if (!stock.sheets.empty() || !stock.notes.empty()) drawing.sections.push_back(sheets_of(stock));
   if (!list.refused.empty()) drawing.sections.push_back(refused_of(list));
   if (list.passed_over.count > 0) drawing.sections.push_back(passed_of(list.passed_over));

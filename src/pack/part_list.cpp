@@ -29,6 +29,12 @@ namespace {
 
 using batch::PartRecord;
 
+/// Thicknesses that are the same to a thousandth of a millimetre are in one group.
+double rounded(double thickness) {
+  constexpr double kThousandths = 1000.0;
+  return std::round(thickness * kThousandths) / kThousandths;
+}
+
 LengthUnit units_of(const PartRecord& record) {
   if (record.units == "inch") return LengthUnit::inch;
   return record.units == "m" ? LengthUnit::m : LengthUnit::mm;
@@ -141,19 +147,7 @@ class Collecting {
     return job::stem_of_input(record.input);
   }
 
-  /// Names that programs give to bodies of which they know none.
-  static bool says_nothing(const std::string& body) {
-    static const std::set<std::string> kKinds{"SOLID", "COMPOUND", "COMPSOLID", "SHELL", "body-1"};
-    return kKinds.contains(body) || body.starts_with("Open CASCADE STEP translator");
-  }
-
   static std::string stem_of(const PartSource& source) { return job::stem_of_input(source.input); }
-
-  /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
-  static double rounded(double thickness) {
-    constexpr double kThousandths = 1000.0;
-    return std::round(thickness * kThousandths) / kThousandths;
-  }
 
   /// What the list of materials says of a part.
   const shop::PartMaterial* row_of(const PartRecord& record, const PartSource& source) {
@@ -183,7 +177,7 @@ class Collecting {
                   {{"folder", record.folder}, {"reason", continued(flat.error().message)}});
     const bool alone = record.shapes.size() == 1;
     PackPart part;
-    const std::string name = record.folder == source.input && says_nothing(source.body)
+    const std::string name = record.folder == source.input && job::is_nameless(source.body)
                                  ? stem_of(source)
                                  : source.body;
     part.name = alone ? name : fmt::format("{}-{}", name, piece + 1);
@@ -206,8 +200,10 @@ class Collecting {
     const PartRecord& record = from.record;
     part.units = units_of(record);
     part.plan = plan_of(record, part.flat);
-    for (const batch::RecordedFinding& warning : batch::warnings_of(record))
+    for (const batch::RecordedFinding& warning : batch::warnings_of(record)) {
       part.warnings.push_back(warning.message);
+      if (warning.code == "cannot_bend") part.help = warning.remedies;
+    }
     part.notes = record.notes;
     // With a shop the batch knows the density of each material.
     part.mass = mass_of(record, part.flat, row, request_.shop ? std::nullopt : request_.density,
@@ -228,8 +224,7 @@ class Collecting {
     std::set<std::string> taken;
     for (PackPart& part : list_.parts) {
       const std::string name = job::safe_name(part.name);
-      const std::string kind = fmt::format("_{}_{:g}mm", job::safe_name(part.material),
-                                           rounded(part.flat.thickness));
+      const std::string kind = kind_of(part.material, part.flat.thickness);
       std::string stem = name + kind;
       for (int number = 2; !taken.insert(lower_case(stem)).second; ++number)
         stem = fmt::format("{}-{}{}", name, number, kind);
@@ -244,6 +239,11 @@ class Collecting {
 };
 
 }  // namespace
+
+std::string kind_of(const std::string& material, double thickness) {
+  const std::string field = material == kUnknown ? "" : "_" + job::safe_name(material);
+  return fmt::format("{}_{:g}mm", field, rounded(thickness));
+}
 
 Result<PartList> part_list(const std::filesystem::path& batch, const job::Request& request) {
   Collecting collecting(request);

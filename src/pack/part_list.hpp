@@ -15,6 +15,9 @@ namespace planish::pack {
 /// What a part is called whose material nobody says.
 inline constexpr auto kUnknown = "unknown";
 
+/// "_S235_2mm", "_2mm": what names of files say of material and thickness.
+std::string kind_of(const std::string& material, double thickness);
+
 /// Where a part came from.
 struct PartSource {
   std::string input;  ///< name of the file
@@ -25,7 +28,8 @@ struct PartSource {
 /// One part to be made, as often as its quantity says. Lengths in mm.
 struct PackPart {
   std::string name;  ///< as its body is called
-  /// Of its files, "<part>_<material>_<t>mm_x<quantity>"; no two are the same, in any case.
+  /// Of its files, "<part>_<material>_<t>mm_x<quantity>", without a material that is not known; no
+  /// two are the same, in any case.
   std::string stem;
   std::string material = kUnknown;
   FlatPattern flat;
@@ -38,6 +42,7 @@ struct PackPart {
   double bend_length = 0.0;         ///< of all bends
   std::optional<double> mass = {};  ///< kg, of one
   std::string plan;                 ///< whether it can be bent, in a few words
+  std::vector<std::string> help;    ///< of one that cannot: sentences, what it can be bent with
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
   std::optional<drawing::PartView> view = {};

@@ -27,9 +27,8 @@ Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
         progress);
     if (!nesting) return pass_on(nesting);
     for (std::size_t s = 0; s < nesting->sheets.size(); ++s) {
-      StockSheet sheet{
-          fmt::format("sheet_{}_{:g}mm_{}", job::safe_name(group.material), group.thickness, s + 1),
-          group.material, group.thickness, std::move(nesting->sheets[s])};
+      StockSheet sheet{fmt::format("sheet{}_{}", kind_of(group.material, group.thickness), s + 1),
+                       group.material, group.thickness, std::move(nesting->sheets[s])};
       for (Placed& placed : sheet.nested.placed)
         placed.part += static_cast<int>(group.first);
       result.sheets.push_back(std::move(sheet));

@@ -101,6 +101,20 @@ class Results(BatchTest):
         self.assertEqual((summary["parts"], summary["ok"], summary["refused"]), (4, 3, 1))
         self.assertEqual(sum(summary["reasons"].values()), 1)
 
+    def test_what_would_help_at_the_press_brake_is_told(self):
+        (self.dir / "in").mkdir()
+        self.write("in/deep.json", json.dumps(step_files.deep_channel()))
+        self.batch("in", "-o", "out", "--check-bending")
+        (report,) = self.reports()
+        (check,) = [check for check in report["checks"] if check["code"] == "cannot_bend"]
+        changes = [one["change"] for one in check.get("remedies", [check["remedy"]])]
+        self.assertTrue(all(change.startswith("Bend it ") for change in changes), changes)
+        (row,) = csv.DictReader((self.dir / "out" / "summary.csv").open())
+        self.assertEqual(row["remedies"], "; ".join(changes))
+        page = (self.dir / "out" / "index.html").read_text()
+        for change in changes:
+            self.assertIn(change.removeprefix("Bend it "), page)
+
     def test_results_come_first_and_reasons_in_words(self):
         self.angles(2)
         for name in ("in/a.step", "in/b.step"):

@@ -282,18 +282,35 @@ class WrongRequests(BendTest):
             self.skipTest(f"{part} is absent")
         self.run_cli("bend", str(part), "--json", "r.json", "-o", "plan.svg", "-q", status=4)
         report = self.json("r.json")
-        told = [note for note in report["notes"] if "the stage that got furthest" in note]
+        told = [note for note in report["notes"] if "where the order gets furthest" in note]
         self.assertEqual(len(told), len(report["plan"]["in_the_way"]))
         self.assertTrue(told)
         for note in told:
-            self.assertRegex(note, r"^in the stage that got furthest, B\d cannot be bent: \S")
-        self.assertIn(told[-1], report["reason"]["message"])
+            self.assertRegex(note, r"^where the order gets furthest, B\d cannot be bent: \S")
+        last = report["plan"]["in_the_way"][-1]
+        self.assertIn(f"flat; {last['bend']}: ", report["reason"]["message"])
         remarks = [one for one in report["plan"]["remarks"] if one["code"] == "furthest_stage"]
         self.assertEqual([one["message"] for one in remarks], told)
         for remark, blocked in zip(remarks, report["plan"]["in_the_way"]):
             self.assertEqual(remark["places"][0], {"kind": "bend", "id": blocked["bend"]})
             if blocked["hits"]:
                 self.assertAlmostEqual(remark["numbers"]["depth"]["value"], blocked["depth"])
+
+    def test_a_flat_sheet_is_nothing_to_bend(self):
+        plate = {"thickness": 2, "plates": [{"id": "a", "outline": [[0, 0, 0], [80, 0, 0], [80, 50, 0], [0, 50, 0]]}]}
+        self.write("part.json", json.dumps(plate))
+        said = self.run_cli("bend", "part.json", "--json", "r.json", "-o", "plan.svg")[0]
+        self.assertIn("plan: nothing to bend\n", said)
+        plan = self.json("r.json")["plan"]
+        self.assertEqual((plan["status"], plan["strokes"]), ("nothing_to_bend", []))
+        self.assertIn(">nothing to bend<", (self.dir / "plan.svg").read_text())
+
+    def test_lengths_to_check_are_those_of_the_drawing(self):
+        # Plates give middle surfaces: legs of 30 to the middle of the web, and half of its 2 mm.
+        strokes = self.plan(channel(30))["plan"]["strokes"]
+        self.assertEqual(len({stroke["check_dimension"]["flange"] for stroke in strokes}), 2)
+        for stroke in strokes:
+            self.assertAlmostEqual(stroke["check_dimension"]["length"], 31, delta=1e-9)
 
     def test_a_bend_without_a_straight_line(self):
         lofted = pathlib.Path(__file__).parents[2] / "examples/connect/b_lofted.json"

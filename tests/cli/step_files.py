@@ -460,3 +460,12 @@ def assembly_of_file(part, uses=2):
                             "SHAPE_REPRESENTATION_RELATIONSHIP())")
         file.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({relation},{of})")
     return file.text()
+
+
+def deep_channel(leg=250):
+    """Plates whose legs cannot pass the upper beam of a press brake, whichever is bent first."""
+    upright = lambda x: [[x, 0, 5], [x, 100, 5], [x, 100, leg], [x, 0, leg]]
+    return {"thickness": 2, "defaults": {"inside_radius": 2},
+            "plates": [{"id": "web", "outline": [[5, 0, 0], [55, 0, 0], [55, 100, 0], [5, 100, 0]]},
+                       {"id": "left", "outline": upright(0)}, {"id": "right", "outline": upright(60)}],
+            "bends": [{"between": ["web", "left"]}, {"between": ["web", "right"]}]}

@@ -1,69 +1,11 @@
-#include "support/sheets.hpp"
-
-#include <planish/drawing/bend_pages.hpp>
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "drawing/planned_pages.hpp"
 
 namespace planish::drawing {
 namespace {
 
 using namespace planish::test;
 
-std::vector<std::string> words_of(const std::vector<Page>& pages) {
-  std::vector<std::string> words;
-  for (const Page& page : pages)
-    for (const Page::Text& text : page.texts())
-      words.push_back(text.text);
-  return words;
-}
-
-std::ptrdiff_t times(const std::vector<Page>& pages, const std::string& text) {
-  return std::ranges::count(words_of(pages), text);
-}
-
-/// A plan that presses each bend of a sheet in a stroke of its own.
-class BendPages : public ::testing::Test {
- protected:
-  void take(Sheet sheet) {
-    flat_ = *flat_sheet(sheet);
-    for (const FlatBend& bend : flat_.pattern.bends)
-      plan_.strokes.push_back({.bends = {bend.bend},
-                               .angle = bend.angle,
-                               .punch = "P88",
-                               .die = "V16",
-                               .punch_rows = {{0.5, {40.0, 15.0}}},
-                               .die_rows = {},
-                               .force = 12.3,
-                               .clearance = 5.0});
-  }
-  std::vector<Page> pages(LengthUnit units = LengthUnit::mm) {
-    const ToolProfile square{{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}};
-    StrokePicture picture;
-    picture.lying = picture.bent = {square};
-    picture.punch = picture.die = square;
-    return bend_pages({.title = "panel",
-                       .metal = "steel 400 N/mm²",
-                       .thickness = 2.0,
-                       .size = {254.0, 127.0},
-                       .mass = 1.5,
-                       .units = units,
-                       .flat = flat_.pattern,
-                       .layout = flat_.layout,
-                       .plan = has_plan_ ? &plan_ : nullptr,
-                       .blocked = blocked_,
-                       .obstacles = obstacles_,
-                       .proposals = proposals_},
-                      std::vector<StrokePicture>(has_plan_ ? plan_.strokes.size() : 0, picture));
-  }
-
-  FlatSheet flat_;
-  Plan plan_;
-  bool has_plan_ = true;
-  std::vector<BendId> blocked_;
-  std::vector<std::string> obstacles_, proposals_;
-};
+using BendPages = PlannedPages;
 
 TEST_F(BendPages, ShowEachStrokeOnce) {
   take(staircase(8));
@@ -85,15 +27,30 @@ TEST_F(BendPages, ShowEachStrokeOnce) {
   EXPECT_EQ(times(made, "12.3 kN, 5.0 mm clear"), 16);
 }
 
-TEST_F(BendPages, TellWhatIsTurnedSinceTheStrokeBefore) {
+TEST_F(BendPages, SayThatThereIsNothingToBend) {
+  take(l_bracket());
+  plan_.strokes.clear();
+  plan_.status = PlanStatus::optimal;
+  EXPECT_EQ(times(pages(), "nothing to bend"), 1);
+  EXPECT_EQ(times(pages(), "cheapest order, proven"), 0);
+}
+
+TEST_F(BendPages, SayWhereTheGaugeAndThePersonAre) {
   take(u_channel());
-  ASSERT_EQ(plan_.strokes.size(), 2U);
-  plan_.strokes[1].gauge_direction = -plan_.strokes[0].gauge_direction;
-  EXPECT_EQ(times(pages(), "ROTATE"), 1);
-  plan_.strokes[1].reference_up = !plan_.strokes[0].reference_up;
-  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE"), 1);
-  plan_.strokes[1].die = "V12";
-  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE, CHANGE TOOLS"), 1);
+  const auto made = pages();
+  EXPECT_EQ(times(made, "back gauge"), 2);
+  EXPECT_EQ(times(made, "you"), 4) << "in each picture";
+}
+
+TEST_F(BendPages, PutNotesBehindTheStrokes) {
+  take(staircase(2));
+  notes_ = std::vector<std::string>(40, "No stroke bends B9, which is rolled.");
+  const auto made = pages();
+  EXPECT_EQ(times(made, "To know"), 1);
+  EXPECT_EQ(times(made, notes_[0]), 40);
+  for (const Page& page : made)
+    for (const Page::Text& text : page.texts())
+      EXPECT_LE(text.at.y(), 285.0) << text.text;
 }
 
 TEST_F(BendPages, HaveLengthsInTheUnitOfThePart) {

@@ -30,6 +30,22 @@ TEST(BendPlanPages, DrawEachStrokeOfAPlan) {
   EXPECT_EQ(bend_plan_pages(*made, {}).size(), 1u) << "of its only piece";
 }
 
+TEST(BendPlanPages, SayWhatToMeasureAndHowFlangesAreCalled) {
+  // Legs of 30 to the middle of the web, 2 thick: 31 outside.
+  const auto made = bent_channel(30);
+  ASSERT_TRUE(made && made->report().plan);
+  const Page page = bend_plan_pages(made->report(), {}).front();
+  EXPECT_TRUE(says(page, ": 31.0 mm outside"));
+  for (const char* name : {"F1", "F2", "F3"})
+    EXPECT_TRUE(says(page, name));
+  EXPECT_TRUE(says(page, "front side up"));
+  made->report().plan->remarks = {{"rolled", tell("no stroke bends it", {})},
+                                  {kFurthestStage, tell("it is in the way", {})}};
+  const Page noted = bend_plan_pages(made->report(), {}).front();
+  EXPECT_TRUE(says(noted, "No stroke bends it."));
+  EXPECT_FALSE(says(noted, "in the way")) << "that is among the reasons";
+}
+
 TEST(BendPlanPages, SayWhyThereIsNone) {
   const auto made = bent_channel(250);
   ASSERT_TRUE(made && made->report().plan);
@@ -60,8 +76,10 @@ TEST(BendPlanPages, SayWhichPartOfWhatMetal) {
   EXPECT_EQ(title(), "channel") << "the body is called as its file";
   report.body = "left wall";
   EXPECT_EQ(title(), "channel · left wall");
-  report.body.clear();
-  EXPECT_EQ(title(), "channel");
+  for (const char* body : {"", "SOLID", "Solid1", "Channel"}) {
+    report.body = body;
+    EXPECT_EQ(title(), "channel") << body;
+  }
 }
 
 TEST(BendPlanPages, AreThoseOfAllPieces) {

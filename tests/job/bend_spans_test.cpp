@@ -61,6 +61,14 @@ TEST(SpanFindings, NameABendManyTimesLongerThanWide) {
   EXPECT_THAT(said(report, "long_span"), HasSubstr("10 mm wide: 9."));
 }
 
+TEST(SpanFindings, WriteLengthsInPlainDigits) {
+  const auto report = connected({rectangle("A", {0, 0, 0}, {10, 0, 0}, {0, 100, 0}),
+                                 rectangle("B", {0, 12100, 12000}, {10, 0, 0}, {0, 0, 12000})});
+  const std::string message = said(report, "long_span");
+  EXPECT_THAT(message, HasSubstr("mm long"));
+  EXPECT_THAT(message, ::testing::Not(HasSubstr("e+")));
+}
+
 TEST(SpanFindings, NameEdgesThatLieBesideEachOther) {
   const auto report = connected({kFloor, rectangle("B", {205, 110, 10}, {150, 0, 0}, {0, 0, 60})});
   EXPECT_THAT(said(report, "edges_beside"), HasSubstr("beside each other, 5 mm apart"));

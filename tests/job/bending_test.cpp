@@ -107,6 +107,11 @@ TEST(Bending, IsAFindingIfOnlyThatIsAsked) {
   EXPECT_FALSE(deep->report().refusal);
   EXPECT_THAT(codes_of(deep->report()), Contains("cannot_bend"));
   EXPECT_FALSE(deep->report().plan);
+  const auto found = std::ranges::find(deep->report().findings, "cannot_bend", &Finding::code);
+  ASSERT_FALSE(found->remedies.empty()) << "what it could be bent with";
+  EXPECT_THAT(found->message, HasSubstr("; it can be bent "));
+  for (const Remedy& remedy : found->remedies)
+    EXPECT_THAT(remedy.change, ::testing::StartsWith("Bend it "));
   const auto flat = made_of(channel(30), [](Bending& b) { b.ask = Bending::Ask::finding; });
   EXPECT_THAT(codes_of(flat->report()), Not(Contains("cannot_bend")));
 }

@@ -57,6 +57,18 @@ TEST_F(OutputPaths, AreNamedAfterWhatIsPacked) {
   EXPECT_EQ(stem_of_input("part.v2.json"), "part.v2");
 }
 
+TEST_F(OutputPaths, LeaveOutBodiesWhoseNamesSayNothing) {
+  for (const char* body : {"", "SOLID", "Body", "Solid1", "body-1", "COMPOUND", "Part__001",
+                           "Open CASCADE STEP translator 7.6 1", "MANIFOLD_SOLID_BREP #12"})
+    EXPECT_TRUE(is_nameless(body)) << body;
+  for (const char* body : {"Brace", "solid wall", "12", "Körper", "body of a lamp"})
+    EXPECT_FALSE(is_nameless(body)) << body;
+  EXPECT_TRUE(says_nothing("Brace", "sm109_Brace-V1"));
+  EXPECT_TRUE(says_nothing("metal sheet_003", "Metal-Sheet-003"));
+  EXPECT_TRUE(says_nothing("SOLID", "bracket"));
+  EXPECT_FALSE(says_nothing("left wall", "wall"));
+}
+
 TEST_F(OutputPaths, HaveANumberForEachOfSeveralPieces) {
   EXPECT_EQ(name_of_piece("out/net.dxf", 0, 1), "out/net.dxf");
   EXPECT_EQ(name_of_piece("out/net.dxf", 0, 2), "out/net-1.dxf");

@@ -124,6 +124,36 @@ TEST(PlanReport, HasNoCostWithoutAPlan) {
   }
 }
 
+TEST(PlanReport, IsNoPlanWhereNothingIsBent) {
+  Report report = planned_report();
+  report.plan->strokes.clear();
+  report.plan->cost = 0.0;
+  const Json plan = plan_of(report);
+  EXPECT_EQ(mistake_in(plan), "");
+  EXPECT_EQ(plan["status"], "nothing_to_bend");
+  EXPECT_EQ(plan_text(*report.plan, report), "plan: nothing to bend\n");
+  report.plan->status = PlanStatus::infeasible;
+  EXPECT_EQ(plan_of(report)["status"], "infeasible");
+}
+
+TEST(PlanReport, TellsWhatToMeasureAfterAStroke) {
+  const Report report = planned_report();
+  const Json row = stroke_json(report.plan->strokes[0], CheckDimension{FlangeId{1}, 25.4}, report);
+  EXPECT_EQ(row["check_dimension"], Json::parse(R"({"flange": "F2", "length": 25.4})"));
+  Report inches = report;
+  inches.units = LengthUnit::inch;
+  EXPECT_DOUBLE_EQ(stroke_json(report.plan->strokes[0], CheckDimension{FlangeId{1}, 25.4},
+                               inches)["check_dimension"]["length"],
+                   1.0);
+  EXPECT_FALSE(stroke_json(report.plan->strokes[0], {}, report).contains("check_dimension"));
+}
+
+TEST(PlanReport, WritesCostsInPlainDigits) {
+  Report report = planned_report();
+  report.plan->cost = 2345678.0;
+  EXPECT_THAT(plan_text(*report.plan, report), HasSubstr("cost 2345678:"));
+}
+
 TEST(PlanReport, SaysWhatIsInTheWay) {
   Report report = infeasible_report();
   report.plan->unformed = {BendId{1}};
@@ -184,10 +214,9 @@ TEST(PlanReport, IsATableOnTheTerminal) {
   std::getline(lines, second);
   EXPECT_THAT(head, HasSubstr("7.5"));
   EXPECT_THAT(head, HasSubstr("2 strokes, 1 turn-over, 2 rotations, 3 tool changes"));
-  EXPECT_THAT(first,
-              ::testing::MatchesRegex(" +1 +B1 +90.0. +P88 +V16 +reference +F2 +60.000 +12|"
-                                      " +1 +B1 +90.0.. +P88 +V16 +reference +F2 +60.000 +12"));
-  EXPECT_THAT(second, ::testing::MatchesRegex(" +2 +B2 +30.0.. +P88 +V16 +other +none +12"));
+  EXPECT_THAT(first, ::testing::MatchesRegex(" +1 +B1 +90.0. +P88 +V16 +front +F2 +60.000 +12|"
+                                             " +1 +B1 +90.0.. +P88 +V16 +front +F2 +60.000 +12"));
+  EXPECT_THAT(second, ::testing::MatchesRegex(" +2 +B2 +30.0.. +P88 +V16 +back +none +12"));
   EXPECT_EQ(lines.peek(), std::char_traits<char>::eof());
 }
 

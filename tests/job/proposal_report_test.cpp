@@ -69,6 +69,15 @@ TEST(ProposalReport, NamesToolsLengthsFlangesAndBends) {
   EXPECT_THAT(said(6), AllOf(HasSubstr("B2"), Not(HasSubstr("B1"))));
 }
 
+TEST(ProposalReport, IsARemedyEach) {
+  const Report report = infeasible_report();
+  const auto remedies = remedies_of(one_of_each(), report);
+  ASSERT_EQ(remedies.size(), 7U);
+  EXPECT_EQ(remedies[0],
+            (Remedy{"opening", "10.16", "Bend it over a V of 10.16 mm (V10-88, V10-85)"}));
+  EXPECT_EQ(remedies[6], (Remedy{{}, {}, "Bend it as two parts, cut at B2"}));
+}
+
 TEST(ProposalReport, IsALineEachOnTheTerminal) {
   Report report = infeasible_report();
   report.plan->proposals = one_of_each();

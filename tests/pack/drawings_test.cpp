@@ -110,6 +110,32 @@ TEST(PackCover, TellsSheetsNotesAndWhatWasRefused) {
   EXPECT_THAT(said_on(cover_of(list_of(1), {}, "chairs", "")), Not(Contains(HasSubstr("Sheets"))));
 }
 
+TEST(PackCover, SaysWhatWouldHelpWhereAPartCannotBeBent) {
+  PartList list = list_of(2);
+  list.parts[0].plan = "cannot be bent";
+  list.parts[0].help = {"Bend it over a V of 10 mm", "Bend it as two parts"};
+  const auto said = said_on(cover_of(list, {}, "chairs", ""));
+  EXPECT_THAT(said, Contains("Bend it over a V of 10 mm; Bend it as two parts"));
+}
+
+TEST(PackCover, SaysOnceThatAMaterialIsNotKnown) {
+  PartList list = list_of(3);
+  for (PackPart& part : list.parts)
+    part.material = kUnknown;
+  list.groups = {{kUnknown, 1.5, 0, 1}, {kUnknown, 2.0, 1, 3}};
+  const auto said = said_on(cover_of(list, {}, "chairs", ""));
+  EXPECT_THAT(said, Contains("1.5 mm"));
+  EXPECT_THAT(said, Contains("2 mm"));
+  EXPECT_THAT(said, Not(Contains(HasSubstr("unknown"))));
+  EXPECT_EQ(std::ranges::count_if(said,
+                                  [](const std::string& text) {
+                                    return text.find("not known of 3 parts") != std::string::npos;
+                                  }),
+            1);
+  EXPECT_THAT(said_on(drawing_of(list.parts[0])), Not(Contains(HasSubstr("unknown"))));
+  EXPECT_THAT(said_on(cover_of(list_of(3), {}, "chairs", "")), Not(Contains("Material")));
+}
+
 TEST(PackDrawing, HasTheFactsInTheUnitOfThePart) {
   PackPart part = drawn_part("leg", 5);
   part.mass = 0.25;

@@ -61,7 +61,7 @@ class Parts(PackTest):
         self.pack("bracket.step", "-o", "out", "--density", "7.85")
         (row,) = self.parts()
         length = flat_length(50.0)
-        self.assertEqual(row["file"], "angle_unknown_2mm_x1")
+        self.assertEqual(row["file"], "angle_2mm_x1")
         self.assertEqual((row["part"], row["material"], row["quantity"]), ("angle", "unknown", "1"))
         expected = {"thickness": 2.0, "length": max(length, DEPTH), "width": min(length, DEPTH),
                     "area": length * DEPTH, "cut_length": 2 * (length + DEPTH), "pierces": 1,
@@ -79,7 +79,7 @@ class Parts(PackTest):
         self.run_cli("unfold", "bracket.step", "-o", "alone.dxf", "-q", "--profile", "inventor",
                      "--units", "inch", "--check-bending")
         self.pack("bracket.step", "-o", "out", "--profile", "inventor", "--units", "inch")
-        self.assertEqual((self.dir / "out" / "angle_unknown_2mm_x1.dxf").read_bytes(),
+        self.assertEqual((self.dir / "out" / "angle_2mm_x1.dxf").read_bytes(),
                          (self.dir / "alone.dxf").read_bytes())
 
     def test_identical_parts_are_merged_with_their_quantities(self):
@@ -109,8 +109,8 @@ class Parts(PackTest):
             self.named(f"in/{i}.step", leg=leg, name="Angle" if i else "angle")
         self.pack("in", "-o", "out", "--no-drawings")
         names = sorted(path.name.lower() for path in (self.dir / "out").glob("*.dxf"))
-        self.assertEqual(names, ["angle-2_unknown_2mm_x1.dxf", "angle-3_unknown_2mm_x1.dxf",
-                                 "angle_unknown_2mm_x1.dxf"])
+        self.assertEqual(names, ["angle-2_2mm_x1.dxf", "angle-3_2mm_x1.dxf",
+                                 "angle_2mm_x1.dxf"])
 
     def test_what_is_refused_is_listed(self):
         (self.dir / "in").mkdir()
@@ -362,13 +362,21 @@ class Folder(PackTest):
         (self.dir / "in" / "b.step").unlink()
         self.pack("in", "-o", "out")
         self.assertEqual(sorted(self.files()),
-                         ["angle_unknown_2mm_x1.dxf", "angle_unknown_2mm_x1.pdf", "cover.pdf",
+                         ["angle_2mm_x1.dxf", "angle_2mm_x1.pdf", "cover.pdf",
                           "notes.txt", "parts.csv"])
+
+    def test_what_would_help_at_the_press_brake_is_told(self):
+        (self.dir / "in").mkdir()
+        self.write("in/deep.json", json.dumps(step_files.deep_channel()))
+        self.pack("in", "-o", "out", "--no-drawings")
+        (row,) = self.parts()
+        self.assertEqual(row["plan"], "cannot be bent")
+        self.assertIn("it can be bent ", row["warnings"])
 
     def test_drawings_can_be_left_out(self):
         self.angle()
         self.pack("part.step", "-o", "out", "--no-drawings", "--no-plan")
-        self.assertEqual(sorted(self.files()), ["angle_unknown_2mm_x1.dxf", "parts.csv"])
+        self.assertEqual(sorted(self.files()), ["angle_2mm_x1.dxf", "parts.csv"])
         self.assertEqual(self.parts()[0]["plan"], "not planned")
 
     def test_an_interrupted_pack_goes_on(self):
@@ -468,7 +476,7 @@ class Sheets(PackTest):
     def test_name_what_is_too_large(self):
         self.angle("part.step", leg=300.0)
         out = self.pack("part.step", "-o", "out", "--nest", "400x300")
-        self.assertIn("angle_unknown_2mm_x1 does not fit on a sheet of 400 × 300 mm", out)
+        self.assertIn("angle_2mm_x1 does not fit on a sheet of 400 × 300 mm", out)
         self.assertEqual(self.table(name="sheets.csv"), [])
 
 

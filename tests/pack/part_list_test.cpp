@@ -82,7 +82,7 @@ TEST_F(PackedBatch, HasPiecesAsOftenAsTheyAreWanted) {
   add("c.step", 70.0, {{"quantity", 2}});
   const auto list = listed(with_list("c;S235;;9\n"), {{"a.step", 3}});
   ASSERT_TRUE(list) << list.error().message;
-  EXPECT_THAT(stems_of(*list), ElementsAre("c_S235_2mm_x9", "a_unknown_2mm_x13"))
+  EXPECT_THAT(stems_of(*list), ElementsAre("c_S235_2mm_x9", "a_2mm_x13"))
       << "three times four and one; the list's quantity takes the place of the file's";
   EXPECT_EQ(list->passed_over.count, 1u);
   const auto twice = listed(with_list("c;S235;;9\n"), {{"c.step", 3}});
@@ -97,7 +97,7 @@ TEST_F(PackedBatch, IsOfTheMaterialThatWasChosen) {
   job::Request request = with_list("a.STEP;S235;;\nz;brass;;\n");
   auto list = listed(request);
   ASSERT_TRUE(list);
-  EXPECT_THAT(stems_of(*list), ElementsAre("a_S235_2mm_x1", "b_oak_2mm_x1", "c_unknown_2mm_x1"));
+  EXPECT_THAT(stems_of(*list), ElementsAre("a_S235_2mm_x1", "b_oak_2mm_x1", "c_2mm_x1"));
   EXPECT_THAT(list->unused_rows, ElementsAre(3)) << "no part is called z";
   request.material = "DC04";
   list = listed(request);
@@ -106,6 +106,26 @@ TEST_F(PackedBatch, IsOfTheMaterialThatWasChosen) {
   list = listed(request);
   EXPECT_EQ(list->groups.size(), 1u);
   EXPECT_THAT(list->unused_rows, IsEmpty());
+}
+
+TEST_F(PackedBatch, KnowsWhatAPartCouldBeBentWith) {
+  const json cannot{{"code", "cannot_bend"},
+                    {"severity", "warning"},
+                    {"message", "no order"},
+                    {"remedy", {{"change", "Bend it as two parts"}}}};
+  json other = cannot;
+  other["code"] = "volume_identity";
+  add("a.step", 100.0, {{"checks", json::array({cannot})}});
+  add("b.step", 90.0, {{"checks", json::array({other})}});
+  const auto list = listed({});
+  ASSERT_TRUE(list);
+  EXPECT_THAT(list->parts.at(0).help, ElementsAre("Bend it as two parts"));
+  EXPECT_THAT(list->parts.at(1).help, IsEmpty()) << "it is of no help at the press brake";
+}
+
+TEST(KindOf, LeavesOutAMaterialThatIsNotKnown) {
+  EXPECT_EQ(kind_of("oak", 2.0000001), "_oak_2mm");
+  EXPECT_EQ(kind_of(kUnknown, 1.5), "_1.5mm");
 }
 
 TEST_F(PackedBatch, WeighsByTheDensityOfItsMaterial) {

@@ -10,6 +10,7 @@ namespace planish::batch {
 /// A check of a part that found something.
 struct RecordedFinding {
   std::string severity, code, message;
+  std::vector<std::string> remedies = {};  ///< sentences, the best first
 };
 
 /// A part as a batch keeps it: its journal, tables and page, and packs, have it from here. Of what

@@ -9,13 +9,14 @@
 
 namespace planish::drawing {
 
-/// A part in a list: its pictures, and three lines beside them.
+/// A part in a list: its pictures, and three lines beside them, a fourth where it needs help.
 struct ListedPart {
   std::string name, work, state;
   int quantity = 1;
   const FlatPattern* flat = nullptr;
   const PartView* view = nullptr;  ///< null: the folded part is not drawn
   bool alert = false;              ///< its state is to be noticed
+  std::string help = {};           ///< what would help
 };
 
 /// Parts under a heading, and a line with their sums.

@@ -47,6 +47,9 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t letters);
 /// The size at which a line of text is no wider than the room for it, mm; at most `largest`.
 double fitting_size(const std::string& text, double room, double largest);
 
+/// "1 : 5.7", "2 : 1".
+std::string scale_text(double scale);
+
 /// The number of a stroke, from 0, in a circle: counted from 1 as people do.
 void number(Page& page, const Vec2& at, std::size_t stroke, const Colour& colour);
 

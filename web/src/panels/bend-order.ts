@@ -254,7 +254,7 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     : row.flattening
       ? ''
       : 'no gauge';
-  const small = [`${row.punch} / ${row.die}`, `pattern ${row.scene.pattern_up ? 'up' : 'down'}`, gauge]
+  const small = [`${row.punch} / ${row.die}`, `${row.scene.pattern_up ? 'front' : 'back'} side up`, gauge]
     .filter(Boolean)
     .join(' · ');
   return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked

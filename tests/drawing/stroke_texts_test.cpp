@@ -1,0 +1,64 @@
+#include "drawing/planned_pages.hpp"
+
+namespace planish::drawing {
+namespace {
+
+using namespace planish::test;
+
+using StrokeTexts = PlannedPages;
+
+TEST_F(StrokeTexts, KeepLongListsOfSegmentsInTheColumn) {
+  take(l_bracket());
+  plan_.strokes[0].punch_rows = {{-123.4, std::vector<double>(24, 835.5)},
+                                 {2000.0, std::vector<double>(6, 100.0)}};
+  plan_.strokes[0].die_rows = {{0.5, std::vector<double>(20, 500.0)}};
+  const auto made = pages();
+  std::ptrdiff_t segments = 0;
+  for (const Page::Text& text : made.front().texts()) {
+    constexpr double kDigit = 0.64, kRight = 198.0, kBottom = 12.0 + 24.0 + 104.0 + 60.0;
+    if (text.text.find(" + ") == std::string::npos) continue;
+    segments += std::ranges::count(text.text, '+');
+    // Blanks are half as wide as digits.
+    const auto blanks = static_cast<double>(std::ranges::count(text.text, ' '));
+    const double wide = static_cast<double>(text.text.size()) - 0.5 * blanks;
+    EXPECT_LE(text.at.x() + kDigit * text.style.size * wide, kRight + 2.0) << text.text;
+    EXPECT_LE(text.at.y(), kBottom) << text.text;
+    EXPECT_FALSE(text.text.ends_with("from")) << "with its length";
+  }
+  EXPECT_GE(segments, 40) << "none is left out";
+}
+
+TEST_F(StrokeTexts, WriteNumbersInPlainDigits) {
+  take(l_bracket());
+  plan_.strokes[0].force = 2034.4;
+  plan_.strokes[0].clearance = 12345.6;
+  EXPECT_EQ(times(pages(), "2030 kN, 12345.6 mm clear"), 1);
+  plan_.strokes[0].punch_rows = {{-0.04, {40.0}}};
+  EXPECT_EQ(times(pages(), "  40, from 0.0 mm"), 1);
+  for (const std::string& word : words_of(pages()))
+    EXPECT_EQ(word.find("e+"), std::string::npos) << word;
+}
+
+TEST_F(StrokeTexts, SayWhatToMeasureAndWhatAProtractorShows) {
+  take(u_channel());
+  checks_ = {FlangeCheck{"F2", 47.04}, std::nullopt};
+  plan_.strokes[1].angle = Angle::degrees(60.0);
+  const auto made = pages();
+  EXPECT_EQ(times(made, "check F2: 47.0 mm outside"), 1);
+  EXPECT_EQ(times(made, "leaves 120°"), 1);
+  EXPECT_EQ(times(made, "leaves 90°"), 0) << "the same either way";
+}
+
+TEST_F(StrokeTexts, TellWhatIsTurnedSinceTheStrokeBefore) {
+  take(u_channel());
+  ASSERT_EQ(plan_.strokes.size(), 2U);
+  plan_.strokes[1].gauge_direction = -plan_.strokes[0].gauge_direction;
+  EXPECT_EQ(times(pages(), "ROTATE"), 1);
+  plan_.strokes[1].reference_up = !plan_.strokes[0].reference_up;
+  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE"), 1);
+  plan_.strokes[1].die = "V12";
+  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE, CHANGE TOOLS"), 1);
+}
+
+}  // namespace
+}  // namespace planish::drawing
