@@ -80,9 +80,8 @@ std::optional<Error> unwritable(const BendArguments& arguments) {
       return error_of(refuse::output_unclear,
                       {{"option", "-o"}, {"file", name}, {"suffixes", ".pdf, .svg"}});
   if (!arguments.as_made.empty() && suffix_of(arguments.as_made) != ".dxf")
-    return error_of(
-        refuse::output_unclear,
-        {{"option", "--as-made"}, {"file", arguments.as_made}, {"suffixes", ".dxf"}});
+    return error_of(refuse::output_unclear,
+                    {{"option", "--as-made"}, {"file", arguments.as_made}, {"suffixes", ".dxf"}});
   std::vector<std::string> names = arguments.outputs;
   names.push_back(arguments.json);
   names.push_back(arguments.as_made);

@@ -54,7 +54,7 @@ class Remarks {
 
 /// Where tools leave another radius than the drawn one, or the V is not the wanted one.
 void note_tools(const StrokeInputs& inputs, Plan& plan) {
-  constexpr double kNarrow = 5.0;                        // V in thicknesses (math.md#v-choice)
+  constexpr double kNarrow = 5.0;  // V in thicknesses (math.md#v-choice)
   const double thickness = inputs.work.thickness;
   Remarks remarks;
   for (const Stroke& stroke : plan.strokes) {

@@ -18,12 +18,12 @@ namespace {
 
 using namespace brake_detail;
 
-constexpr double kFinest = 0.1;         // mm: to which a flange is told
-constexpr double kTallest = 300.0;      // mm: by which punches may be taller
-constexpr double kStepOfPunch = 10.0;   // mm
-constexpr double kOneOpening = 1e-3;    // mm
+constexpr double kFinest = 0.1;            // mm: to which a flange is told
+constexpr double kTallest = 300.0;         // mm: by which punches may be taller
+constexpr double kStepOfPunch = 10.0;      // mm
+constexpr double kOneOpening = 1e-3;       // mm
 constexpr std::int64_t kLeastChecks = 20;  // that a change counts as, for what is made ready
-constexpr std::size_t kMostSwaps = 28;  // of 8 bends in an order
+constexpr std::size_t kMostSwaps = 28;     // of 8 bends in an order
 
 using Kind = Proposal::Kind;
 

@@ -72,8 +72,7 @@ void add_tools(StrokePicture& picture, const BrakeTools& tools, const Stroke& st
   picture.punch = moved(section_of(punch).outline, punch_at);
   picture.die = moved(section_of(die).outline, die_at);
   if (!tools.machine.upper_beam.empty())
-    picture.upper_beam = moved(upper_beam_over(punch, tools.machine).outline,
-                               punch_at);
+    picture.upper_beam = moved(upper_beam_over(punch, tools.machine).outline, punch_at);
   if (!tools.machine.lower_beam.empty())
     picture.lower_beam = moved(section_of(tools.machine.lower_beam).outline, die_at);
   if (stroke.gauge && tools.machine.gauge)

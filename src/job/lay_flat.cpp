@@ -4,8 +4,8 @@
 #include "plan_report.hpp"
 #include "refusals.hpp"
 #include "reliefs.hpp"
-#include "sentences.hpp"
 #include "self_intersections.hpp"
+#include "sentences.hpp"
 #include "taken_shop.hpp"
 #include "verdict.hpp"
 

@@ -63,11 +63,15 @@ Schema stroke_schema() {
        required("v_wanted", measured_length().or_null().said("opening of the V")),
        required("radius_drawn", measured_length().said("inside, of the bend")),
        required("radius_made", measured_length().said("inside, that these tools leave")),
-       required("punch", text()), required("die", text()), required("punch_segments", list(measured_length())),
+       required("punch", text()),
+       required("die", text()),
+       required("punch_segments", list(measured_length())),
        required("punch_from", measured_length().said("from the end of the bend line")),
        optional("punch_rows", rows.said("where gaps are between segments")),
-       required("die_segments", list(measured_length())), required("die_from", measured_length()),
-       optional("die_rows", rows), required("side_up", words({"reference", "other"})),
+       required("die_segments", list(measured_length())),
+       required("die_from", measured_length()),
+       optional("die_rows", rows),
+       required("side_up", words({"reference", "other"})),
        required("to_gauge", text().or_null().said("flange on the gauge's side")),
        required("gauge_direction",
                 tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
@@ -176,8 +180,7 @@ Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& chec
   if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
   if (stroke.flattening) json["flattening"] = true;
   json["angle"] = number_json(stroke.angle.degrees());
-  json["v_wanted"] = stroke.flattening ? Json(nullptr)
-                                       : number_json(units.length(stroke.v_wanted));
+  json["v_wanted"] = stroke.flattening ? Json(nullptr) : number_json(units.length(stroke.v_wanted));
   json["radius_drawn"] = number_json(units.length(stroke.radius_drawn));
   json["radius_made"] = number_json(units.length(stroke.radius_made));
   json["punch"] = stroke.punch;
@@ -253,21 +256,21 @@ Json as_made_json(const MadeFlat& made, const Report& report) {
 Schema as_made_schema() {
   return object(
              {required("length", measured_length()), required("width", measured_length()),
-              required("bends",
-                       list(object({required("bend", text()),
-                                    required("radius_drawn", measured_length()),
-                                    required("radius_made", measured_length()),
-                                    required("change", measured_length().said(
-                                                           "of the developed length"))})))})
+              required(
+                  "bends",
+                  list(object(
+                      {required("bend", text()), required("radius_drawn", measured_length()),
+                       required("radius_made", measured_length()),
+                       required("change", measured_length().said("of the developed length"))})))})
       .said("the flat pattern for the radii that these tools make, where they are others");
 }
 
 std::string as_made_text(const Report& report) {
   if (!report.as_made) return {};
   const Units units(report.units);
-  std::string text = fmt::format("flat as made: {} × {}, for the radii that these tools leave (`--as-made`)\n",
-                                 units.length_text(report.as_made->size.x()),
-                                 units.length_text(report.as_made->size.y()));
+  std::string text = fmt::format(
+      "flat as made: {} × {}, for the radii that these tools leave (`--as-made`)\n",
+      units.length_text(report.as_made->size.x()), units.length_text(report.as_made->size.y()));
   for (const MadeFlat::Row& row : report.as_made->bends)
     text += fmt::format("  {}: radius {} instead of {}, developed {} {}\n",
                         bend_id(report, row.bend), units.length_text(row.made),
@@ -302,9 +305,8 @@ Json plan_json(const Plan& plan, const Report& report) {
   }
   if (plan.status == PlanStatus::infeasible) json["proposals"] = proposals_json(plan, report);
   if (!plan.large.empty())
-    json["large_radii"] = json_array(plan.large, [&](const LargeBend& large) {
-      return large_json(large, report);
-    });
+    json["large_radii"] = json_array(
+        plan.large, [&](const LargeBend& large) { return large_json(large, report); });
   if (report.as_made) json["as_made"] = as_made_json(*report.as_made, report);
   json["remarks"] = Json::array();
   for (const Remark& remark : plan.remarks)
@@ -329,8 +331,7 @@ Schema plan_schema() {
                           list(proposal_schema()).said("if infeasible: what it can be bent with")),
                  optional("large_radii",
                           list(large_schema()).said("bends of a radius that no usual V leaves")),
-                 optional("as_made", as_made_schema()),
-                 required("remarks", list(remark_schema()))})
+                 optional("as_made", as_made_schema()), required("remarks", list(remark_schema()))})
       .said("the strokes at a press brake, in order");
 }
 

@@ -29,18 +29,13 @@ using Json = nlohmann::ordered_json;
 
 /// Where the batch behind a pack is kept.
 constexpr auto kBatch = ".planish-pack";
-/// What the order of one part's bends may be looked for; what takes longer is for `planish bend`.
-constexpr double kSearchTime = 1.0;  // seconds
 
 /// The options of the batch: whether parts can be bent is looked for, not how. A list of materials
 /// that changes no pattern is left to the pack, so that another one costs no work.
 std::string batch_options(const PackOptions& options) {
   Json json = Json::parse(options.options);
   if (!json.contains("shop") && !json.contains("material")) json.erase("materials");
-  if (options.plan) {
-    json["check_bending"] = true;
-    json["search_time"] = kSearchTime;
-  }
+  if (options.plan) json["check_bending"] = true;
   return json.dump();
 }
 

@@ -35,8 +35,8 @@ Result<BendAllowance> allowance_of(const Sheet& sheet, BendId id, const FlattenO
 /// The allowance of a bend that is made with another radius: its flanges keep their planes, so each
 /// ends (drawn − made) tan(α/2) farther from the bend, and what is left between the drawn ends is
 /// developed as if K made it so long. Nothing may be left out of that.
-Result<BendAllowance> allowance_as_made(const Sheet& sheet, BendId id, const FlattenOptions& options,
-                                        double radius) {
+Result<BendAllowance> allowance_as_made(const Sheet& sheet, BendId id,
+                                        const FlattenOptions& options, double radius) {
   const Bend& bend = sheet[id];
   auto made = bend_allowance(options.allowance, sheet.thickness, radius, bend.angle);
   for (const auto& [single, k] : options.bend_k)

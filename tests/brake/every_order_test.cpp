@@ -96,19 +96,19 @@ StrokeTable table_of(brake_detail::StageCache& cache) {
   return table;
 }
 
-TEST(EveryOrder, OfRandomSheetsHasThePlansVerdictAndNoLessCost) {
-  std::mt19937 random(20261122);
-  int possible = 0, impossible = 0;
+/// What brute force over every stage says of random sheets.
+void compare(const BrakeTools& tools, const PlanOptions& options, unsigned seed) {
+  std::mt19937 random(seed);
+  int possible = 0, impossible = 0, other_v = 0;
   for (int run = 0; run < kSheets; ++run) {
     const Sheet sheet = random_tray(random, kBends[run % kBends.size()]);
-    const BrakeTools tools = shop();
-    Room room(sheet, tools);
+    Room room(sheet, tools, options);
     const StrokeTable table = table_of(room.cache());
     const auto cheapest = cheapest_by_table(table, {});
     if (table.lines <= 4) {
       EXPECT_EQ(cheapest_by_orders(table, {}), cheapest);
     }
-    const auto plan = plan_bending(sheet, room.layout(), tools);
+    const auto plan = plan_bending(sheet, room.layout(), tools, options);
     ASSERT_TRUE(plan) << plan.error().message;
     SCOPED_TRACE(run);
     EXPECT_EQ(plan->status, cheapest ? PlanStatus::optimal : PlanStatus::infeasible);
@@ -116,9 +116,31 @@ TEST(EveryOrder, OfRandomSheetsHasThePlansVerdictAndNoLessCost) {
       EXPECT_NEAR(plan->cost, *cheapest, 1e-9);
     }
     ++(cheapest ? possible : impossible);
+    other_v += std::ranges::any_of(plan->strokes, [](const Stroke& s) { return s.v_away > 0; });
   }
   EXPECT_GT(possible, kSheets / 5);
-  EXPECT_GT(impossible, kSheets / 10);
+  EXPECT_GT(impossible, options.v == VChoice::any ? 0 : kSheets / 10);
+  EXPECT_EQ(other_v > 0, options.v == VChoice::any);
+}
+
+TEST(EveryOrder, OfRandomSheetsHasThePlansVerdictAndNoLessCost) {
+  PlanOptions wanted;
+  wanted.v = VChoice::wanted;
+  compare(shop(), wanted, 20261122);
+}
+
+/// With a wider V and a narrower one besides.
+TEST(EveryOrder, AndEveryVHasThePlansVerdictAndNoLessCost) {
+  BrakeTools tools = shop();
+  for (const double opening : {4.0, 10.0}) {
+    PlainDie plain;
+    plain.opening = opening;
+    plain.shoulder_radius = 0.1 * opening;
+    plain.half_width = 0.5 * opening + 5.0;
+    tools.dies.push_back(die(plain));
+    tools.dies.back().id = "V" + std::to_string(static_cast<int>(opening));
+  }
+  compare(tools, {}, 20261126);
 }
 
 }  // namespace

@@ -190,6 +190,93 @@ TEST(PlanBending, TakesTheNearestV) {
   EXPECT_EQ(id(wide), "16");
 }
 
+/// A flange of x takes a V up to 2 (x − q): the widest of the catalogue within 4 T and 12 T costs
+/// one for each size away from the wanted one, and is told.
+TEST(PlanBending, TakesAnotherVWhereTheWantedDoesNotFit) {
+  BrakeTools tools = plain_tools();
+  tools.dies.clear();
+  for (const double opening : {6.0, 8.0, 10.0, 12.0, 16.0}) {
+    PlainDie plain;
+    plain.opening = opening;
+    tools.dies.push_back(die(plain));
+    tools.dies.back().id = std::to_string(static_cast<int>(opening));
+  }
+  const double q = tools.dies.front().shoulder_radius;
+  const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 2.0);
+  const auto plan = [&](double flange, VChoice v) {
+    PlanOptions options;
+    options.v = v;
+    return plan_of(strip({Straight{60}, turn_up(90, 2.0), Straight{flange - half_zone}}, 50, 2.0),
+                   tools, options);
+  };
+  const auto wanted = plan(6.0 + q + 0.01, VChoice::any),
+             narrower = plan(6.0 + q - 0.01, VChoice::any),
+             narrowest = plan(4.0 + q + 0.01, VChoice::any),
+             none = plan(4.0 + q - 0.01, VChoice::any),
+             insisted = plan(6.0 + q - 0.01, VChoice::wanted);
+  ASSERT_TRUE(wanted && narrower && narrowest && none && insisted);
+  EXPECT_EQ(wanted->strokes.at(0).die, "12");
+  EXPECT_EQ(wanted->cost, 1.0);
+  EXPECT_TRUE(wanted->remarks.empty());
+  EXPECT_EQ(narrower->strokes.at(0).die, "10");
+  EXPECT_EQ(narrower->cost, 2.0);
+  EXPECT_EQ(narrower->strokes.at(0).v_wanted, 12.0);
+  // 0.16 · 10 is 0.4 below the drawn radius: more than a tenth, so it is told, as is the V.
+  ASSERT_EQ(narrower->remarks.size(), 2u);
+  EXPECT_EQ(narrower->remarks[0].code, "other_radius");
+  EXPECT_EQ(narrower->remarks[1].code, "other_v");
+  EXPECT_NEAR(narrower->remarks[1].told.numbers.at(2).quantity.value, 1.42 * 450 * 4 / 10.0, 1e-9);
+  EXPECT_EQ(narrowest->strokes.at(0).die, "8");
+  EXPECT_EQ(narrowest->cost, 3.0);
+  EXPECT_TRUE(std::ranges::any_of(narrowest->remarks,
+                                  [](const Remark& r) { return r.code == "narrow_v"; }));
+  EXPECT_EQ(none->status, PlanStatus::infeasible);
+  ASSERT_EQ(none->blocked.size(), 1u);
+  EXPECT_EQ(none->blocked[0].why->code, "short_side");
+  EXPECT_EQ(insisted->status, PlanStatus::infeasible);
+}
+
+/// What is pressed together takes the force of all.
+TEST(PlanBending, PressesApartWhatIsTooMuchTogether) {
+  SheetBuilder builder(1.0);
+  const FaceId base = builder.flange(
+      Frame{},
+      {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
+  for (const int side : {0, 4}) {
+    const Rim rim = builder.bend(builder.rim(base, side),
+                                 {Angle::degrees(90), 1.0, BendDirection::up});
+    builder.flange_behind(rim, {rectangle(rim.length, 30)});
+  }
+  const Sheet sheet = builder.finish();
+  BrakeTools tools = plain_tools();
+  // 40 mm over a V of 12 take 2.13 kN.
+  for (const double force : {4.27, 4.25, 2.14, 2.12}) {
+    tools.machine.force = force;
+    const auto plan = plan_of(sheet, tools);
+    if (force < 2.13) {
+      ASSERT_FALSE(plan);
+      EXPECT_EQ(plan.error().code, code::press_too_small);
+      continue;
+    }
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->strokes.size(), force > 4.26 ? 1u : 2u) << force;
+  }
+}
+
+/// Longer than the press: that is said, not what it would hit.
+TEST(PlanBending, NeedsAPressAsLongAsTheBend) {
+  BrakeTools tools = plain_tools();
+  tools.punches[0].segments = tools.dies[0].segments = {500, 200, 100, 50, 20, 10};
+  const Sheet sheet = strip({Straight{50}, turn_up(), Straight{50}}, 400, 1.5);
+  tools.machine.length = 400.0;
+  EXPECT_TRUE(plan_of(sheet, tools));
+  tools.machine.length = 396.9;  // 400 less 1.5 at each end is 397
+  const auto plan = plan_of(sheet, tools);
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().code, code::press_too_small);
+  EXPECT_NE(plan.error().message.find("396.9"), std::string::npos) << plan.error().message;
+}
+
 /// Random sheets: what must not change the answer does not.
 class PlanInvariants : public testing::Test {
  protected:

@@ -33,7 +33,7 @@ inline double change_cost(const SetUpKey& a, const SetUpKey& b, const StrokeWeig
 }
 
 inline double stroke_cost(const StrokeChoice& choice, const StrokeWeights& w) {
-  return w.stroke + (choice.gauged ? 0.0 : w.ungauged);
+  return w.stroke + (choice.gauged ? 0.0 : w.ungauged) + w.v * choice.v_away;
 }
 
 /// Cost of the cheapest plan, from the strokes of every stage and set-up; empty if there is none.

@@ -60,12 +60,12 @@ struct Report {
   Certificate certificate;
   std::vector<Finding> findings;
   std::vector<std::string> notes;
-  std::optional<double> mass;      ///< kg, when the density is known
-  std::optional<Plan> plan;        ///< of the strokes that bend it, if that was asked for
-  std::optional<MadeFlat> as_made = {};  ///< if the plan makes other radii than the drawn ones
+  std::optional<double> mass;             ///< kg, when the density is known
+  std::optional<Plan> plan;               ///< of the strokes that bend it, if that was asked for
+  std::optional<MadeFlat> as_made = {};   ///< if the plan makes other radii than the drawn ones
   std::optional<Error> not_as_made = {};  ///< why there is none
-  std::string_view task = {};      ///< that reports it, "bend"; empty: that of the maker
-  std::vector<std::string> files;  ///< written, named as the writer names them
+  std::string_view task = {};             ///< that reports it, "bend"; empty: that of the maker
+  std::vector<std::string> files;         ///< written, named as the writer names them
   LengthUnit units = LengthUnit::mm;
   double read_seconds = 0.0, unfold_seconds = 0.0;
   bool has_warnings() const;

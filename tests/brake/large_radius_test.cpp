@@ -1,0 +1,118 @@
+#include "large_radius.hpp"
+
+#include "brake/stroke_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+using namespace brake_detail;
+
+constexpr double kPi = std::numbers::pi;
+
+/// n pieces of an arc of radius R leave R (1 − cos(α/2n)): as few as the error allows, on both
+/// sides of it, at the pitch BA/n.
+TEST(LargeRadius, TakesAsFewBumpsAsTheChordErrorAllows) {
+  for (const double radius : {15.0, 30.0, 80.0})
+    for (const int bumps : {2, 3, 5, 9}) {
+      const double error = radius * (1.0 - std::cos(kPi / 2.0 / (2.0 * bumps)));
+      const double allowance = kPi / 2.0 * (radius + 0.44);
+      const Angle angle = Angle::degrees(90);
+      const LargeBend at = bumps_of(angle, radius, allowance, 1.0, error * 1.0001);
+      EXPECT_EQ(at.bumps, bumps);
+      EXPECT_NEAR(at.chord_error, error, 1e-9);
+      EXPECT_NEAR(at.pitch, allowance / bumps, 1e-9);
+      EXPECT_NEAR(at.angle.degrees(), 90.0 / bumps, 1e-9);
+      EXPECT_EQ(bumps_of(angle, radius, allowance, 1.0, error * 0.9999).bumps, bumps + 1);
+    }
+}
+
+/// No closer than one thickness, and never one alone.
+TEST(LargeRadius, LeavesAThicknessBetweenBumps) {
+  const double allowance = kPi / 2.0 * 10.0;
+  EXPECT_EQ(bumps_of(Angle::degrees(90), 9.5, allowance, 2.0, 1e-6).bumps, 7);
+  EXPECT_EQ(bumps_of(Angle::degrees(90), 9.5, allowance, 2.0, 100.0).bumps, 2);
+}
+
+Sheet bent_by(double radius, double flange = 80.0) {
+  return strip(
+      {Straight{flange}, Turn{Angle::degrees(90), radius, BendDirection::up}, Straight{flange}}, 50,
+      2.0);
+}
+
+std::vector<LargeBend> of(const Sheet& sheet, const BrakeTools& tools,
+                          const PlanOptions& options = {}) {
+  return large_bends(sheet, flat_sheet(sheet)->layout, tools, options);
+}
+
+/// Steel of 2 mm: a V of 24 leaves 3.84, which meets 5.76 within a third.
+TEST(LargeRadius, BeginsWhereNoUsualVLeavesIt) {
+  EXPECT_TRUE(of(bent_by(5.75), plain_tools()).empty());
+  ASSERT_EQ(of(bent_by(5.77), plain_tools()).size(), 1u);
+  PlanOptions wanted;
+  wanted.v = VChoice::wanted;
+  EXPECT_TRUE(of(bent_by(19.9), plain_tools(), wanted).empty());
+  EXPECT_EQ(of(bent_by(20.1), plain_tools(), wanted).size(), 1u);
+}
+
+/// Over a V of the shop, else by bumps, or as it is asked for; what takes too many bumps is rolled.
+TEST(LargeRadius, IsFormedOverAVOrByBumps) {
+  BrakeTools tools = plain_tools();
+  const Sheet sheet = bent_by(8.0);
+  EXPECT_EQ(of(sheet, tools).front().forming, Forming::bumps);
+  tools.dies.push_back(die({50.0, Angle::degrees(80), 1.0, 40.0}));
+  EXPECT_EQ(of(sheet, tools).front().forming, Forming::over_v);
+  PlanOptions options;
+  for (const Forming forming : {Forming::over_v, Forming::bumps, Forming::rolled}) {
+    options.large_radii = forming;
+    EXPECT_EQ(of(sheet, tools, options).front().forming, forming);
+  }
+  // 60 bumps of 1.5° each leave an error of 1e-4 R.
+  EXPECT_EQ(of(bent_by(2300.0), plain_tools()).front().forming, Forming::bumps);
+  EXPECT_EQ(of(bent_by(2400.0), plain_tools()).front().forming, Forming::rolled);
+}
+
+/// The plan of 30 mm in 2 mm: 5 bumps of 18°, one after the other, from an end to the other.
+TEST(LargeRadius, IsPlannedBumpByBump) {
+  PlanOptions options;
+  options.chord_error = 0.4;
+  const Sheet sheet = bent_by(30.0);
+  const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, plain_tools(), options);
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->status, PlanStatus::optimal);
+  ASSERT_EQ(plan->strokes.size(), 5u);
+  const int step = *plan->strokes[1].press_line - *plan->strokes[0].press_line;
+  EXPECT_EQ(std::abs(step), 1);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Stroke& stroke = plan->strokes[i];
+    EXPECT_NEAR(stroke.angle.degrees(), 18.0, 1e-9);
+    EXPECT_EQ(*stroke.press_line, *plan->strokes[0].press_line + static_cast<int>(i) * step);
+    EXPECT_EQ(stroke.radius_drawn, 30.0);
+    EXPECT_NEAR(stroke.radius_made, 0.16 * 12.0, 1e-9);
+  }
+  ASSERT_EQ(plan->large.size(), 1u);
+  EXPECT_EQ(plan->large[0].bumps, 5);
+}
+
+/// A V of 50 needs a side of 25 mm and its shoulder: beside shorter ones the bend is bumped, and
+/// rolled where not even bumps have room.
+TEST(LargeRadius, IsBumpedOrRolledWhereSidesAreShort) {
+  BrakeTools tools = plain_tools();
+  tools.dies.push_back(die({50.0, Angle::degrees(80), 1.0, 40.0}));
+  const auto formed = [&](double flange) {
+    const Sheet sheet = bent_by(8.0, flange);
+    const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, tools);
+    EXPECT_TRUE(plan);
+    return plan ? plan->large.at(0).forming : Forming::over_v;
+  };
+  EXPECT_EQ(formed(80.0), Forming::over_v);
+  EXPECT_EQ(formed(12.0), Forming::bumps);
+  EXPECT_EQ(formed(1.0), Forming::rolled);
+}
+
+}  // namespace
+}  // namespace planish::test
