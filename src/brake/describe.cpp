@@ -42,6 +42,16 @@ std::vector<BendId> bends_of(const Workpiece& work, const LineSet& pressed) {
   return all;
 }
 
+std::vector<Segment> lines_on(const Workpiece& work, const LineSet& pressed) {
+  std::vector<Segment> all;
+  for (const int number : members(pressed)) {
+    const BrakeLine& line = work.lines[number];
+    for (const Interval& piece : line.pieces)
+      all.push_back({line.origin + piece.lo * line.along, line.origin + piece.hi * line.along});
+  }
+  return all;
+}
+
 }  // namespace
 
 Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
@@ -53,6 +63,7 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   Stroke stroke;
   stroke.bends = bends_of(inputs.work, at.pressed);
   stroke.press_line = line.press_line;
+  stroke.lines = lines_on(inputs.work, at.pressed);
   stroke.flattening = line.closes.has_value();
   stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = inputs.tools.punches[at.punch].id;
@@ -67,6 +78,7 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   stroke.gauge_direction = at.direction * line.across();
   stroke.to_gauge = inputs.work.bodies[line.bodies[from_left ? 1 : 0]].flange;
   if (choice.gauged && !line.closes) stroke.gauge = gauge(cache, at);
+  if (!stroke.gauge && !line.closes) stroke.ungauged = why_ungauged(cache, at);
   stroke.force = force(inputs, at);
   stroke.radius_drawn = line.drawn_radius;
   stroke.radius_made = line.closes || line.closed_by

@@ -4,6 +4,7 @@
 // (math.md#gauging).
 #include "gauge.hpp"
 
+#include "sentences.hpp"
 #include "sweep.hpp"
 
 #include <algorithm>
@@ -68,28 +69,39 @@ bool has_room(const Interval& along, std::vector<Interval> blocked, double width
   return along.hi - from >= width;
 }
 
-/// The edges of all flat parts that the gauge reaches and that are long enough, the longest first.
-std::vector<GaugeEdge> edges_in_reach(StageCache& cache, const Setting& stroke,
-                                      const BackGauge& gauge) {
+/// The straight edges of all flat parts that face the gauge, parallel to the line.
+std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke) {
   const Workpiece& work = cache.inputs().work;
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<const PlacedPart*>& parts = cache.parts(stroke);
-  const bool left = stroke.direction > 0;
   std::vector<GaugeEdge> edges;
   const Eigen::Isometry3d frame = line_frame(work.lines[stroke.line]);
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     if (parts[part]->flat) {
       const PartTree::Part& at = tree.parts()[part];
       add_gauge_edges(at.is_zone ? work.zones[at.index].edges : work.bodies[at.index].edges, frame,
-                      left, edges);
+                      stroke.direction > 0, edges);
     }
   edges = joined_edges(std::move(edges));
+  std::erase_if(edges, [](const GaugeEdge& edge) { return edge.away <= 0.0; });
+  return edges;
+}
+
+bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
+  return edge.away >= gauge.from && edge.away <= gauge.to;
+}
+
+double length(const GaugeEdge& edge) { return edge.along.hi - edge.along.lo; }
+
+/// Those that the gauge reaches and that are long enough, the longest first.
+std::vector<GaugeEdge> edges_in_reach(StageCache& cache, const Setting& stroke,
+                                      const BackGauge& gauge) {
+  std::vector<GaugeEdge> edges = edges_facing(cache, stroke);
   std::erase_if(edges, [&](const GaugeEdge& edge) {
-    return edge.away < gauge.from || edge.away > gauge.to || edge.away <= 0.0 ||
-           edge.along.hi - edge.along.lo < gauge.finger_width;
+    return !is_in_range(edge, gauge) || length(edge) < gauge.finger_width;
   });
   std::ranges::stable_sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
-    return a.along.hi - a.along.lo > b.along.hi - b.along.lo + kOneEdge;
+    return length(a) > length(b) + kOneEdge;
   });
   return edges;
 }
@@ -117,6 +129,28 @@ std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
       return GaugeStop{edge.away, edge.in_pattern};
   }
   return std::nullopt;
+}
+
+Remark why_ungauged(StageCache& cache, const Setting& stroke) {
+  const auto& machine = cache.inputs().tools.machine;
+  if (!machine.gauge) return remark_of(say::no_back_gauge);
+  const BackGauge& gauge = *machine.gauge;
+  std::vector<GaugeEdge> edges = edges_facing(cache, stroke);
+  if (edges.empty()) return remark_of(say::no_parallel_edge);
+  const auto off = [&](const GaugeEdge& edge) {
+    return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});
+  };
+  const GaugeEdge nearest = *std::ranges::min_element(edges, {}, off);
+  if (!is_in_range(nearest, gauge))
+    return remark_of(say::edge_out_of_range, {{"away", nearest.away, unit::mm},
+                                              {"from", gauge.from, unit::mm},
+                                              {"to", gauge.to, unit::mm}});
+  std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
+  const double longest = length(*std::ranges::max_element(edges, {}, length));
+  if (longest < gauge.finger_width)
+    return remark_of(say::edge_too_short,
+                     {{"longest", longest, unit::mm}, {"width", gauge.finger_width, unit::mm}});
+  return remark_of(say::finger_blocked);
 }
 
 }  // namespace planish::brake_detail

@@ -8,4 +8,7 @@ namespace planish::brake_detail {
 /// stage before the stroke; empty if there is none, or no gauge (math.md#gauging).
 std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke);
 
+/// Why there is none: goes on from "the back gauge has nothing to touch:".
+Remark why_ungauged(StageCache& cache, const Setting& stroke);
+
 }  // namespace planish::brake_detail

@@ -6,6 +6,8 @@
 
 #include "fits.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +56,7 @@ LargeBend bumps_of(Angle angle, double radius, double allowance, double thicknes
   LargeBend made;
   made.forming = Forming::bumps;
   const double half = std::acos(std::clamp(1.0 - chord_error / radius, -1.0, 1.0));
-  const double wanted = std::ceil(angle.radians() / (2.0 * half) - 1e-9);
+  const double wanted = std::ceil(angle.radians() / (2.0 * half) - tolerance::kComputed);
   const double most = std::floor(allowance / thickness);
   made.bumps = static_cast<int>(std::max(2.0, std::min(wanted, most)));
   made.pitch = allowance / made.bumps;

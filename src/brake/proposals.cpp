@@ -82,7 +82,9 @@ class Trying {
 
  private:
   Result<Workpiece> work_for(const PlanOptions& options) const {
-    return workpiece_of(sheet_, layout_, workpiece_options(sheet_.thickness, tools_, options));
+    WorkpieceOptions cut = workpiece_options(sheet_.thickness, tools_, options);
+    cut.large = plan_.large;
+    return workpiece_of(sheet_, layout_, cut);
   }
 
   /// Whether an order is found in what is left of the share.

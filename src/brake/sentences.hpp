@@ -16,8 +16,7 @@ constexpr Sentence other_radius{"other_radius",
                                 "air bending over a V of {opening} leaves an inside radius of "
                                 "about {left}, not the {radius} of {@bend}"};
 constexpr Sentence timed_out{
-    "timed_out",
-    "the time of {seconds} ended the search, so the next run may find another plan"};
+    "timed_out", "the time of {seconds} ended the search, so the next run may find another plan"};
 constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
 constexpr Sentence bumped{"bumped",
                           "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a "
@@ -39,6 +38,18 @@ constexpr Sentence sheet_in_tool{
     "where the order gets furthest, {@bend:id} cannot be bent: the sheet would run {depth:3} into "
     "the {tool}"};
 constexpr std::string_view at_turn = "at {turn:3}";
+
+// Why a stroke is not gauged.
+constexpr Sentence no_back_gauge{"no_back_gauge", "the press has no back gauge"};
+constexpr Sentence no_parallel_edge{"no_parallel_edge",
+                                    "no straight edge is parallel to the bend line"};
+constexpr Sentence edge_out_of_range{
+    "edge_out_of_range",
+    "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};
+constexpr Sentence edge_too_short{
+    "edge_too_short", "the longest edge in its range is {longest}, and a finger is {width} wide"};
+constexpr Sentence finger_blocked{"finger_blocked",
+                                  "the part is in the way of the fingers at each edge"};
 
 // What a stroke lacks.
 constexpr Sentence no_segments_fit{

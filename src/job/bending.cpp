@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 // The plan of strokes in a report. Where none exists, `planish bend` refuses the part; where a
@@ -59,16 +60,25 @@ std::vector<Vec2> places_of(const Report& report, const Plan& plan) {
   return places;
 }
 
+/// Strokes without a gauge, those for one reason together.
 void find_ungauged(Report& report, const Plan& plan) {
-  std::vector<BendId> bends;
-  for (const Stroke& stroke : plan.strokes)
-    if (!stroke.gauge && !stroke.flattening)
-      bends.insert(bends.end(), stroke.bends.begin(), stroke.bends.end());
-  if (bends.empty()) return;
-  Facts facts = mapped(bends,
-                       [&](BendId bend) { return Fact("bend", part_place(report.flat, bend)); });
-  report.findings.push_back(
-      finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {}));
+  std::map<std::string, std::pair<Told, std::vector<BendId>>> by_reason;
+  for (const Stroke& stroke : plan.strokes) {
+    if (!stroke.ungauged) continue;
+    auto& [why, bends] = by_reason.try_emplace(stroke.ungauged->told.sentence).first->second;
+    why = stroke.ungauged->told;
+    for (const BendId bend : stroke.bends)
+      if (std::ranges::find(bends, bend) == bends.end()) bends.push_back(bend);
+  }
+  for (const auto& [sentence, reason] : by_reason) {
+    Facts facts = mapped(reason.second,
+                         [&](BendId bend) { return Fact("bend", part_place(report.flat, bend)); });
+    facts.emplace_back("why", sentence);
+    Finding finding = finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {});
+    finding.numbers.insert(finding.numbers.end(), reason.first.numbers.begin(),
+                           reason.first.numbers.end());
+    report.findings.push_back(std::move(finding));
+  }
 }
 
 /// A bend that the press brake does not form is said where the plan is called done.

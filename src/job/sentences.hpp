@@ -131,8 +131,8 @@ constexpr std::string_view shorter_bend =
     "{reason}";
 constexpr std::string_view rolled_bend =
     "no stroke of the plan forms {@bend}, whose radius no V of the shop leaves: roll it";
-constexpr std::string_view
-    no_gauge_edge = "the back gauge finds no straight edge parallel to the bend line of {@bend}";
+constexpr std::string_view no_gauge_edge =
+    "the back gauge has nothing to touch for {@bend}: {why}";
 
 }  // namespace planish::say
 

@@ -78,7 +78,8 @@ class RandomTable {
           if (!chance(kind_.feasible)) continue;
           const bool side = kind_.sides_fixed ? up : chance(0.5);
           // The V of the second die and of each after it is a size farther from the wanted one.
-          table_.by_stage[stage].push_back({{lines}, punch, die, side, direction, chance(0.8), die});
+          table_.by_stage[stage].push_back(
+              {{lines}, punch, die, side, direction, chance(0.8), die});
         }
   }
 

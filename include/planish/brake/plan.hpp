@@ -59,10 +59,17 @@ struct SegmentRow {
   std::vector<double> segments;  ///< in the order in which they stand, mm
 };
 
+/// Something to know about a plan. Codes: formats.md#remarks.
+struct Remark {
+  std::string_view code;
+  Told told;  ///< one sentence without its full stop; its bends are "B1" to "Bn"
+};
+
 /// Something done at the press brake at once.
 struct Stroke {
   std::vector<BendId> bends;                     ///< pressed together
   std::optional<int> press_line = {};            ///< of a bend with several: which, from 0
+  std::vector<Segment> lines = {};               ///< that it presses, in the flat pattern
   bool flattening = false;                       ///< closes a hem that was bent before
   Angle angle;                                   ///< turned by it, without springback
   std::string punch, die;                        ///< ids
@@ -75,6 +82,7 @@ struct Stroke {
   std::optional<FlangeId> to_gauge = {};         ///< the flange on the gauge's side of the bend
   Vec2 gauge_direction = Vec2::UnitX();          ///< towards the gauge, in the flat pattern; unit
   std::optional<GaugeStop> gauge = {};           ///< empty: ungauged
+  std::optional<Remark> ungauged = {};           ///< why
   double force = 0.0;                            ///< kN
   double clearance = 0.0;                        ///< least left over all turns, mm
 };
@@ -85,12 +93,6 @@ bool is_made_otherwise(const Stroke& stroke, double thickness);
 
 /// The code of what is said of a bend in the stage that got furthest.
 inline constexpr std::string_view kFurthestStage = "furthest_stage";
-
-/// Something to know about a plan. Codes: formats.md#remarks.
-struct Remark {
-  std::string_view code;
-  Told told;  ///< one sentence without its full stop; its bends are "B1" to "Bn"
-};
 
 /// Why no reachable stage can form a bend: what the workpiece hits at best.
 struct BlockedBend {

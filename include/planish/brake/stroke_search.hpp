@@ -38,8 +38,8 @@ struct StrokeWeights {
   }
 };
 
-/// Where a search ends although more could be found: after so much work, which gives the same answer
-/// everywhere; and after a time, whatever it did, as a guard.
+/// Where a search ends although more could be found: after so much work, the same everywhere,
+/// and after a time, whatever it did, as a guard.
 struct StrokeLimits {
   bool first = false;              ///< at the first plan
   bool reasons = true;             ///< if there is none: find out which lines cannot be formed
