@@ -202,6 +202,7 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
   checked.rotations = search->rotations;
   checked.tool_changes = search->tool_changes;
   checked.ungauged = search->ungauged;
+  checked.v_away = search->v_away;
   for (std::size_t i = 0; i < search->strokes.size(); ++i) {
     const OrderStep& step = steps.steps()[i];
     const LineSet stage = steps.standing(step.formed);

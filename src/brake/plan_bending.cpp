@@ -186,6 +186,7 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   plan.rotations = search->rotations;
   plan.tool_changes = search->tool_changes;
   plan.ungauged = search->ungauged;
+  plan.v_away = search->v_away;
   plan.states = search->stages;
   if (search->timed_out)
     plan.remarks.push_back(

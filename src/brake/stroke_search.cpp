@@ -161,6 +161,7 @@ void tell_plan(StrokeSearch& result, StrokeWork& work) {
     const KnownChoice& known = book.choice(stroke);
     result.strokes.push_back(known.choice);
     result.ungauged += known.choice.gauged ? 0 : 1;
+    result.v_away += known.choice.v_away;
     if (before) {
       const SetUp &a = book.set_up(before->set_up), &b = book.set_up(known.set_up);
       result.turn_overs += a.reference_up != b.reference_up ? 1 : 0;

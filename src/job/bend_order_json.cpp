@@ -134,6 +134,7 @@ void add_order(Json& json, const CheckedOrder& checked, const Report& report,
   json["rotations"] = checked.rotations;
   json["tool_changes"] = checked.tool_changes;
   json["ungauged"] = checked.ungauged;
+  json["v_away"] = checked.v_away;
   json["strokes"] = Json::array();
   const auto checks = checks_of(report, mapped(checked.strokes, &CheckedStroke::stroke));
   for (const CheckedStroke& stroke : checked.strokes) {

@@ -290,6 +290,7 @@ Json plan_json(const Plan& plan, const Report& report) {
   json["rotations"] = plan.rotations;
   json["tool_changes"] = plan.tool_changes;
   json["ungauged"] = plan.ungauged;
+  json["v_away"] = plan.v_away;
   json["states"] = plan.states;
   json["strokes"] = Json::array();
   const auto checks = checks_of(report, plan.strokes);
@@ -321,6 +322,7 @@ Schema plan_schema() {
                  required("cost", measured_number().said("null if there is no plan")),
                  required("turn_overs", whole()), required("rotations", whole()),
                  required("tool_changes", whole()), required("ungauged", whole()),
+                 required("v_away", whole().said("sizes from the wanted V, of all strokes")),
                  required("states", whole().said("stages that were looked at")),
                  required("strokes", list(stroke_schema())),
                  required("blocked", list(blocked_schema()).said("bends that no stage can form")),

@@ -12,8 +12,8 @@
 /// The findings of `job`, for `tell`: no full stop, since lists show them.
 namespace planish::say {
 
-constexpr std::string_view no_made_flat =
-    "there is no flat pattern for the radii that these tools make: {why}";
+constexpr std::string_view
+    no_made_flat = "there is no flat pattern for the radii that these tools make: {why}";
 constexpr std::string_view mended_corner =
     "{@part} overlap by {area} in the flat pattern, so a {shape} of {length:3} by {width:3} is cut "
     "there; draw a relief at least {least_width:3} wide and {least_depth:3} deep instead";
@@ -131,8 +131,7 @@ constexpr std::string_view shorter_bend =
     "{reason}";
 constexpr std::string_view rolled_bend =
     "no stroke of the plan forms {@bend}, whose radius no V of the shop leaves: roll it";
-constexpr std::string_view no_gauge_edge =
-    "the back gauge has nothing to touch for {@bend}: {why}";
+constexpr std::string_view no_gauge_edge = "the back gauge has nothing to touch for {@bend}: {why}";
 
 }  // namespace planish::say
 

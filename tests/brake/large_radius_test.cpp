@@ -103,6 +103,7 @@ TEST(LargeRadius, IsPlannedBumpByBump) {
 TEST(LargeRadius, IsBumpedOrRolledWhereSidesAreShort) {
   BrakeTools tools = plain_tools();
   tools.dies.push_back(die({50.0, Angle::degrees(80), 1.0, 40.0}));
+  tools.dies.back().id = "V50";
   const auto formed = [&](double flange) {
     const Sheet sheet = bent_by(8.0, flange);
     const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, tools);

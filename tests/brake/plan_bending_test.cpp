@@ -216,10 +216,11 @@ TEST(PlanBending, TakesAnotherVWhereTheWantedDoesNotFit) {
              insisted = plan(6.0 + q - 0.01, VChoice::wanted);
   ASSERT_TRUE(wanted && narrower && narrowest && none && insisted);
   EXPECT_EQ(wanted->strokes.at(0).die, "12");
-  EXPECT_EQ(wanted->cost, 1.0);
+  EXPECT_EQ(wanted->cost, 5.0);  // without a gauge
   EXPECT_TRUE(wanted->remarks.empty());
   EXPECT_EQ(narrower->strokes.at(0).die, "10");
-  EXPECT_EQ(narrower->cost, 2.0);
+  EXPECT_EQ(narrower->cost, 6.0);
+  EXPECT_EQ(narrower->v_away, 1);
   EXPECT_EQ(narrower->strokes.at(0).v_wanted, 12.0);
   // 0.16 · 10 is 0.4 below the drawn radius: more than a tenth, so it is told, as is the V.
   ASSERT_EQ(narrower->remarks.size(), 2u);
@@ -227,7 +228,7 @@ TEST(PlanBending, TakesAnotherVWhereTheWantedDoesNotFit) {
   EXPECT_EQ(narrower->remarks[1].code, "other_v");
   EXPECT_NEAR(narrower->remarks[1].told.numbers.at(2).quantity.value, 1.42 * 450 * 4 / 10.0, 1e-9);
   EXPECT_EQ(narrowest->strokes.at(0).die, "8");
-  EXPECT_EQ(narrowest->cost, 3.0);
+  EXPECT_EQ(narrowest->cost, 7.0);
   EXPECT_TRUE(std::ranges::any_of(narrowest->remarks,
                                   [](const Remark& r) { return r.code == "narrow_v"; }));
   EXPECT_EQ(none->status, PlanStatus::infeasible);

@@ -60,7 +60,7 @@ void hold_against_table(const StrokeProblem& problem, const StrokeTable& table,
   EXPECT_TRUE(can_be_made(found->strokes, table));
   const double told = w.turn_over * found->turn_overs + w.rotate * found->rotations +
                       w.tool_change * found->tool_changes + w.ungauged * found->ungauged +
-                      w.stroke * static_cast<double>(found->strokes.size());
+                      w.stroke * static_cast<double>(found->strokes.size()) + w.v * found->v_away;
   EXPECT_NEAR(told, *cheapest, 1e-9);
   seen.with_changes += found->turn_overs + found->rotations + found->tool_changes > 0 ? 1 : 0;
   seen.grouped += static_cast<int>(found->strokes.size()) < table.lines ? 1 : 0;

@@ -140,6 +140,7 @@ struct Plan {
   PlanStatus status = PlanStatus::gave_up;
   double cost = 0.0;
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
+  int v_away = 0;               ///< sizes from the wanted V, of all strokes together
   long long states = 0;         ///< stages that were looked at
   std::vector<Stroke> strokes;  ///< empty unless optimal or feasible
   std::vector<LargeBend> large = {};

@@ -41,11 +41,11 @@ struct StrokeWeights {
 /// Where a search ends although more could be found: after so much work, the same everywhere,
 /// and after a time, whatever it did, as a guard.
 struct StrokeLimits {
-  bool first = false;              ///< at the first plan
-  bool reasons = true;             ///< if there is none: find out which lines cannot be formed
-  std::int64_t stages = 300'000;   ///< looked at
-  std::int64_t checks = 40'000;    ///< of a tool in a stroke, as `StrokeProblem::checks` counts
-  double seconds = 60.0;           ///< of all, with the reasons
+  bool first = false;             ///< at the first plan
+  bool reasons = true;            ///< if there is none: find out which lines cannot be formed
+  std::int64_t stages = 300'000;  ///< looked at
+  std::int64_t checks = 40'000;   ///< of a tool in a stroke, as `StrokeProblem::checks` counts
+  double seconds = 60.0;          ///< of all, with the reasons
 
   /// When the time is over of what starts then.
   std::chrono::steady_clock::time_point end(std::chrono::steady_clock::time_point start) const;
@@ -96,6 +96,7 @@ struct StrokeSearch {
   double cost = 0.0;
   double bound = 0.0;  ///< no plan costs less
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
+  int v_away = 0;           ///< of all strokes together
   std::int64_t stages = 0;  ///< looked at
   bool timed_out = false;   ///< the time ended it, not the work: it may end otherwise next time
   /// If infeasible: lines that no reachable stage can form. `blocked_all`: these are all such
