@@ -99,6 +99,27 @@ TEST(TangentLineOf, TwoRadiiThatCutAPlateLearnTheRoomAtEachEnd) {
   }
 }
 
+TEST(TangentLineOf, TwoRadiiRoundTheBackReachTheFartherEdge) {
+  // The edges that look away lie 114 from the line where the planes meet; B's falls to 104.
+  PlateStructure s = angle_pair(14.0, 200, 4.0);
+  s.plates[1].outline[2].z() -= 10;
+  const auto with = [&](double left, double right) {
+    return line_for(PairTask(
+        s, {.edges = {std::vector{0}, std::vector{2}}, .inside_radii = std::array{left, right}}));
+  };
+  const auto line = with(112, 118);
+  ASSERT_TRUE(line) << "the edge itself is on the bend";
+  EXPECT_NEAR(line->at(-100), 114.0, 1e-9);
+  EXPECT_NEAR(line->at(100), 120.0, 1e-9);
+  for (const auto& refused : {with(111.9, 118), with(118, 111.9)}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, code::no_bend_fits);
+    EXPECT_TRUE(std::ranges::none_of(refused.error().numbers, [](const NamedQuantity& number) {
+      return number.name == "most_slope";
+    })) << "any slope is possible far enough behind the plates";
+  }
+}
+
 TEST(TangentLineOf, AnApertureHasThatHalfAngle) {
   const double half = 3.0 * std::numbers::pi / 180;
   const auto line = line_for(PairTask(angle_pair(14.0), {.aperture = Angle::degrees(6)}));
