@@ -116,14 +116,11 @@ std::optional<Segment> joined(const Segment& a, const Segment& b, double toleran
 std::vector<Segment> joined(const std::vector<Segment>& slits, double tolerance) {
   std::vector<Segment> whole;
   for (Segment slit : slits) {
-    for (auto other = whole.begin(); other != whole.end();)
-      if (const auto both = joined(slit, *other, tolerance)) {
-        slit = *both;
-        whole.erase(other);
-        other = whole.begin();
-      } else {
-        ++other;
-      }
+    std::erase_if(whole, [&](const Segment& other) {
+      const auto both = joined(slit, other, tolerance);
+      if (both) slit = *both;
+      return both.has_value();
+    });
     whole.push_back(slit);
   }
   return whole;

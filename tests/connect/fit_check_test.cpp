@@ -98,10 +98,28 @@ TEST(CheckRoom, FindsSheetsThatRunIntoEachOther) {
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().code, code::plates_touch);
   EXPECT_EQ(number_in(checked.error(), "thickness"), 60);
+  // At a right angle, as far from the line as half of the thickness and the smallest radius.
+  EXPECT_NEAR(number_in(checked.error(), "least"), 30.001, 1e-9);
   EXPECT_EQ(at_in(checked.error(), PlaceKind::point).size(), 3u);
   EXPECT_EQ(at_in(checked.error(), PlaceKind::plate), at_in(checked.error(), PlaceKind::point));
   EXPECT_EQ(ids_in(checked.error(), PlaceKind::plate),
             (std::vector<std::string>{"\"A\"", "\"B\""}));
+}
+
+TEST(CheckOnPlates, WantsRoomInFrontOfABendRoundTheBack) {
+  PlateStructure s = angle_pair(20);
+  s.bends = {{.between = {"A", "B"}, .edges = {std::vector{0}, std::vector{2}}}};
+  Parts parts = parts_of(s);
+  ASSERT_EQ(parts.fits[0].report.edge_kind, EdgeKind::averted);
+  EXPECT_TRUE(check_on_plates(parts, 0));
+  parts.thickness = 60;  // half of it is more than the gap of 20
+  const auto checked = check_on_plates(parts, 0);
+  ASSERT_FALSE(checked);
+  EXPECT_EQ(checked.error().code, code::plates_touch);
+  // In front the bend itself fills the gap.
+  Parts facing = parts_of(angle_pair(20));
+  facing.thickness = 60;
+  EXPECT_TRUE(check_on_plates(facing, 0));
 }
 
 }  // namespace

@@ -44,6 +44,16 @@ TEST(FoldedBlocks, AreEmptyWhereNothingIsThatThick) {
     EXPECT_TRUE(folded_blocks(sheet, face, {.inset = 1.0}).empty());
 }
 
+TEST(FoldedBlocks, AreEmptyWhereNothingIsThatWide) {
+  // A strip 0.7 wide holds balls of a radius of 0.3, but none of 0.4.
+  const Sheet sheet = strip(
+      {Straight{50}, Turn{Angle::degrees(90), 3.0, BendDirection::up}, Straight{30}}, 0.7, 2.0);
+  for (const FaceId face : sheet.faces.ids()) {
+    EXPECT_FALSE(folded_blocks(sheet, face, {.inset = 0.3}).empty());
+    EXPECT_TRUE(folded_blocks(sheet, face, {.inset = 0.4}).empty());
+  }
+}
+
 TEST(FoldedBlocks, StayBetweenTheSkinsOfABend) {
   // 90° about the axis x = 50, z = 3 or, with the reference skin outside, elsewhere: r 3, t 2.
   for (const Sheet& sheet : {l_bracket(), l_bracket_down()}) {
