@@ -87,12 +87,12 @@ tl::unexpected<Error> too_sharp(const FitTask& task, const PairChoice& choice,
                            {"distance", least_height(task, choice.frame), unit::mm}}));
 }
 
+// Whether a line, above zero at both ends of the edges, cuts none of them off.
 bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line,
                   double tolerance) {
   for (const auto& side : corners)
     for (const Vec2& p : side) {
       const double height = line.at(p.x());
-      if (height < -tolerance) return false;
       if (kind == EdgeKind::facing ? height > p.y() + tolerance : height < p.y() - tolerance)
         return false;
     }

@@ -54,8 +54,7 @@ std::vector<Vec2> ring_of(const BorderLoop& loop, double chord) {
 }
 
 /// The strip of a face that its own material and that of the face across a sharp bend fill both.
-std::optional<Polygon> beyond_mitre(const Sheet& sheet, const Joint& joint, const BorderRef& own,
-                                    double inset) {
+std::optional<Polygon> beyond_mitre(const Sheet& sheet, const Joint& joint, const BorderRef& own) {
   const Bend& bend = sheet.bends[*joint.sharp];
   const double below = bend.reference_inside ? sheet.reference_depth
                                              : sheet.thickness - sheet.reference_depth;
@@ -64,18 +63,17 @@ std::optional<Polygon> beyond_mitre(const Sheet& sheet, const Joint& joint, cons
   const Vec2 a = start_of(curve), b = end_of(curve);
   const Vec2 along = (b - a).normalized();
   if (!(below > 0.0)) return std::nullopt;
-  const double wide = below * std::tan(half_angle) + inset;
-  const Vec2 inwards = wide * perpendicular(along), longer = inset * along;
-  return Polygon{{a - longer, b + longer, b + longer + inwards, a - longer + inwards}, {}};
+  const Vec2 inwards = below * std::tan(half_angle) * perpendicular(along);
+  return Polygon{{a, b, b + inwards, a + inwards}, {}};
 }
 
-std::vector<Polygon> beyond_mitres(const Sheet& sheet, FaceId face, double inset) {
+std::vector<Polygon> beyond_mitres(const Sheet& sheet, FaceId face) {
   std::vector<Polygon> strips;
   for (const Joint& joint : sheet.joints) {
     if (!joint.sharp) continue;
     for (const BorderRef& own : {joint.a, joint.b})
       if (own.face == face)
-        if (auto strip = beyond_mitre(sheet, joint, own, inset)) strips.push_back(*strip);
+        if (auto strip = beyond_mitre(sheet, joint, own)) strips.push_back(*strip);
   }
   return strips;
 }
@@ -98,7 +96,7 @@ std::vector<Block> blocks_of_flange(const Sheet& sheet, FaceId id, const BlockOp
   if (options.within) within = seen_on(std::get<Frame>(face.surface), *options.within);
   std::vector<Block> blocks;
   for (const auto& triangle :
-       inset_triangles(polygon, options.inset, beyond_mitres(sheet, id, options.inset), within)) {
+       inset_triangles(polygon, options.inset, beyond_mitres(sheet, id), within)) {
     Block& block = blocks.emplace_back();
     for (const Vec2& corner : triangle)
       add_corners(block, face, corner, skins);
@@ -238,7 +236,7 @@ class BendEdges {
         rim.to += end == 0 ? inset : -inset;
       }
     if (strips_.empty()) return;
-    for (int edge = 0; edge < 4; ++edge)
+    for (int edge = 0; edge < std::ssize(kept_); ++edge)
       kept_[edge] = {strips_.front().from + share_of(strips_.front(), edge, 0.0, inset),
                      strips_.back().to - share_of(strips_.back(), edge, 1.0, inset)};
   }

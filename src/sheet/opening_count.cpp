@@ -49,7 +49,7 @@ const Contour* written_as(const FlatPattern& pattern, const Relaid& laid, FaceId
   return pilot ? pilot : written_opening(pattern, image_of_cut(laid, face, opening.through));
 }
 
-/// Slits whose ends touch are one. Those that reach a contour part nothing off.
+/// Slits that end on each other are one. Those that reach a contour part nothing off.
 int closed_slits(const FlatPattern& pattern) {
   const int count = static_cast<int>(pattern.slits.size());
   if (count == 0) return 0;
@@ -62,11 +62,8 @@ int closed_slits(const FlatPattern& pattern) {
     for (const Vec2& end : {start_of(pattern.slits[i]), end_of(pattern.slits[i])}) {
       if (const auto hit = index.nearest(end); hit && hit->distance <= kSame)
         chains.unite(i, count);
-      for (int j = 0; j < i; ++j)
-        if (nearest(pattern.slits[j], end).distance <= kSame ||
-            std::min((start_of(pattern.slits[j]) - end).norm(),
-                     (end_of(pattern.slits[j]) - end).norm()) <= kSame)
-          chains.unite(i, j);
+      for (int j = 0; j < count; ++j)
+        if (nearest(pattern.slits[j], end).distance <= kSame) chains.unite(i, j);
     }
   return chains.count() - 1;
 }

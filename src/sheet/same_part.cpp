@@ -317,7 +317,7 @@ double tolerance_for(const FlatPattern& pattern, double tolerance) {
 bool is_same_part(const FlatPattern& a, const FlatPattern& b, double tolerance) {
   require_valid(a);
   require_valid(b);
-  if (a.outer.loop.empty() || b.outer.loop.empty()) return false;
+  if (a.outer.loop.empty()) return false;
   const double near = tolerance_for(a, tolerance);
   if (std::abs(a.thickness - b.thickness) > near || a.openings.size() != b.openings.size() ||
       a.outer.loop.size() != b.outer.loop.size() || a.bends.size() != b.bends.size())

@@ -113,20 +113,16 @@ std::optional<Segment> joined(const Segment& a, const Segment& b, double toleran
   return Segment{from < 0.0 ? first : longer.a, to > length(longer) ? last : longer.b};
 }
 
-std::vector<Segment> joined(std::vector<Segment> curves, double tolerance) {
+std::vector<Segment> joined(const std::vector<Segment>& slits, double tolerance) {
   std::vector<Segment> whole;
-  while (!curves.empty()) {
-    Segment slit = curves.back();
-    curves.pop_back();
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      if (const auto both = joined(slit, curves[i], tolerance)) {
-        slit = *both;
-        curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));
-        i = static_cast<std::size_t>(-1);
-      }
+  for (Segment slit : slits) {
+    std::erase_if(whole, [&](const Segment& other) {
+      const auto both = joined(slit, other, tolerance);
+      if (both) slit = *both;
+      return both.has_value();
+    });
     whole.push_back(slit);
   }
-  std::ranges::reverse(whole);
   return whole;
 }
 

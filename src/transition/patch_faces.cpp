@@ -61,7 +61,7 @@ RuledPatch::Part RuledPatch::plane_part(double from, double to, const Tips& tips
   Part part;
   part.from = from;
   part.to = to;
-  const Frame frame = frame_from_axes(corners[0].at, normal(0.5 * (from + to)),
+  const Frame frame = frame_from_axes(corners[0].at, normal(from),
                                       (stands(0) ? corners.back() : corners[1]).at - corners[0].at);
   part.face.surface = frame;
   BorderLoop loop;

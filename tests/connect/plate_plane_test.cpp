@@ -51,6 +51,20 @@ TEST(Placed, RunsOutlinesOneWayAndHolesTheOther) {
   }
 }
 
+TEST(Placed, RunsHolesAgainstTheOutlineHoweverTheyAreGivenAndHoweverSmall) {
+  for (const double size : {1.0, 0.05})  // of 200 mm², and of half a square millimetre
+    for (const bool turned : {false, true}) {
+      Plate plate = tilted_plate();
+      std::vector<Vec3>& hole = plate.holes[0];
+      for (std::size_t i = 1; i < hole.size(); ++i)
+        hole[i] = hole[0] + size * (hole[i] - hole[0]);
+      if (turned) std::ranges::reverse(hole);
+      const PlacedPlate made = laid(plate);
+      EXPECT_NEAR(ring_area(made.holes[0]), -200 * size * size, 1e-9);
+      EXPECT_EQ(made.turned, std::vector<bool>{!turned});
+    }
+}
+
 TEST(Placed, TakesCornersThatLieOffThePlaneByLessThanIsAllowed) {
   Plate plate = tilted_plate();
   plate.holes.clear();

@@ -72,6 +72,54 @@ TEST(TangentLineOf, TwoRadiiThatCutAPlateIsRefused) {
   EXPECT_EQ(ids_in(line.error(), PlaceKind::plate), (std::vector<std::string>{"\"A\"", "\"B\""}));
 }
 
+TEST(TangentLineOf, TwoRadiiThatCutAPlateLearnTheRoomAtEachEnd) {
+  // Over the line where the planes meet, A's edge rises from 14 to 26 and B's falls from 20 to 10:
+  // the lower of both decides at each end. Sheets 4 thick at a right angle: an inside radius 2
+  // smaller.
+  PlateStructure s = angle_pair(14.0, 200, 4.0);
+  s.plates[0].outline[2].y() = 88;
+  s.plates[1].outline[0] += Vec3(0, 0, 6);
+  s.plates[1].outline[1] -= Vec3(0, 0, 4);
+  for (const auto& [asked, fits] :
+       {std::pair{std::array{11.9, 7.9}, true}, std::pair{std::array{12.1, 7.9}, false},
+        std::pair{std::array{11.9, 8.1}, false}}) {
+    const auto line = line_for(PairTask(s, {.inside_radii = asked}));
+    ASSERT_EQ(line.has_value(), fits) << asked[0] << ' ' << asked[1];
+    if (fits) continue;
+    const Error& error = line.error();
+    EXPECT_EQ(numbers_in(error, "asked"), (std::vector<double>{asked[0], asked[1]}));
+    const auto room = numbers_in(error, "room");
+    ASSERT_EQ(room.size(), 2u);
+    EXPECT_NEAR(room[0], 12.0, 1e-9);
+    EXPECT_NEAR(room[1], 8.0, 1e-9);
+    // The steepest lines between the axis and the edges: through a corner of one end and zero at
+    // the other.
+    EXPECT_NEAR(number_in(error, "least_slope"), -14.0 / 200, 1e-9);
+    EXPECT_NEAR(number_in(error, "most_slope"), 10.0 / 200, 1e-9);
+  }
+}
+
+TEST(TangentLineOf, TwoRadiiRoundTheBackReachTheFartherEdge) {
+  // The edges that look away lie 114 from the line where the planes meet; B's falls to 104.
+  PlateStructure s = angle_pair(14.0, 200, 4.0);
+  s.plates[1].outline[2].z() -= 10;
+  const auto with = [&](double left, double right) {
+    return line_for(PairTask(
+        s, {.edges = {std::vector{0}, std::vector{2}}, .inside_radii = std::array{left, right}}));
+  };
+  const auto line = with(112, 118);
+  ASSERT_TRUE(line) << "the edge itself is on the bend";
+  EXPECT_NEAR(line->at(-100), 114.0, 1e-9);
+  EXPECT_NEAR(line->at(100), 120.0, 1e-9);
+  for (const auto& refused : {with(111.9, 118), with(118, 111.9)}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, code::no_bend_fits);
+    EXPECT_TRUE(std::ranges::none_of(refused.error().numbers, [](const NamedQuantity& number) {
+      return number.name == "most_slope";
+    })) << "any slope is possible far enough behind the plates";
+  }
+}
+
 TEST(TangentLineOf, AnApertureHasThatHalfAngle) {
   const double half = 3.0 * std::numbers::pi / 180;
   const auto line = line_for(PairTask(angle_pair(14.0), {.aperture = Angle::degrees(6)}));

@@ -79,6 +79,7 @@ TEST(BendOrder, SaysWhereAnOrderIsWrong) {
     ASSERT_FALSE(checked) << asked;
     EXPECT_EQ(checked.error().code, code::invalid_input);
     EXPECT_EQ(checked.error().where, where) << asked;
+    EXPECT_EQ(std::ranges::count(checked.error().places, place::pointer(where)), 1) << asked;
   }
   std::string many = "[";
   for (int i = 0; i <= 10'000; ++i)

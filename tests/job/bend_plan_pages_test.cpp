@@ -67,6 +67,9 @@ TEST(BendPlanPages, SayWhichPartOfWhatMetal) {
   Report& report = made->report();
   Bending bending;
   EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "steel 450 N/mm²"));
+  EXPECT_FALSE(says(bend_plan_pages(report, bending)[0], "springback")) << "none is none";
+  bending.plan.springback = Angle::degrees(1.0);
+  EXPECT_TRUE(says(bend_plan_pages(report, bending)[0], "steel 450 N/mm², springback 1°"));
   bending.metal = "stainless";
   bending.plan.tensile_strength = 700;
   bending.plan.springback = Angle::degrees(2.5);

@@ -23,6 +23,26 @@ TEST(PartDrawing, IsAPdfUnderTheNameOfThePart) {
   EXPECT_NE(*part_drawing(*made, 0), *pdf) << "with what is known of it";
 }
 
+TEST(PartDrawing, SaysOfThePressBrakeWhatAnyFindingSays) {
+  const auto made = test::made_from("channel.json", test::channel_plates(30).dump());
+  ASSERT_TRUE(made);
+  // Findings for information are not drawn themselves.
+  const auto with = [&](const std::vector<std::string>& codes) {
+    made->report().findings = mapped(codes, [](const std::string& code) {
+      return Finding{code, Severity::info, "Said elsewhere.", {}};
+    });
+    return part_drawing(*made, 0).value();
+  };
+  const std::string plain = with({}), bent = with({"cannot_bend"}), unplanned = with({"no_plan"});
+  EXPECT_NE(bent, plain);
+  EXPECT_NE(unplanned, plain);
+  EXPECT_NE(unplanned, bent);
+  EXPECT_EQ(with({"edge_length"}), plain);
+  EXPECT_EQ(with({"edge_length", "cannot_bend"}), bent);
+  EXPECT_EQ(with({"no_plan", "edge_length"}), unplanned);
+  EXPECT_EQ(with({"no_plan", "cannot_bend"}), bent) << "which says more";
+}
+
 TEST(PartDrawing, IsMadeOfEachPiece) {
   const auto made = test::made_in_two_pieces();
   ASSERT_TRUE(made);

@@ -76,14 +76,16 @@ TEST(StripMeetings, AreNoneWhereStripsKeepApart) {
 }
 
 TEST(StripMeetings, AreSaidOnceWithTheirPlacesAndHowDeep) {
-  // Strip 0 stands up through the half that leans over it.
-  const auto found = meetings_of(two_strips(2, kFlatOn, kRight));
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_NE(found[0].message.find("strip 1"), std::string::npos) << found[0].message;
-  EXPECT_NE(found[0].message.find("strip 2"), std::string::npos) << found[0].message;
-  ASSERT_EQ(found[0].at.size(), 2u);
-  EXPECT_LT((found[0].at[0] - Vec2(250, 25)).norm(), 1e-6) << "the standing half of the first";
-  EXPECT_NEAR(found[0].at[1].y(), 95.0, 1e-6) << "the middle of the second";
+  // Strip 0 stands up through the half that leans over it, in thin and in thick sheet.
+  for (const double thickness : {0.5, 2.0, 4.0}) {
+    const auto found = meetings_of(two_strips(thickness, kFlatOn, kRight));
+    ASSERT_EQ(found.size(), 1u) << thickness;
+    EXPECT_NE(found[0].message.find("strip 1"), std::string::npos) << found[0].message;
+    EXPECT_NE(found[0].message.find("strip 2"), std::string::npos) << found[0].message;
+    ASSERT_EQ(found[0].at.size(), 2u);
+    EXPECT_LT((found[0].at[0] - Vec2(250, 25)).norm(), 1e-6) << "the standing half of the first";
+    EXPECT_NEAR(found[0].at[1].y(), 95.0, 1e-6) << "the middle of the second";
+  }
 }
 
 }  // namespace

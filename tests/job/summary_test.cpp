@@ -98,6 +98,13 @@ TEST(SummaryJson, HoldsAWholeReportForEveryBody) {
   EXPECT_EQ(summary["bodies"][1]["reason"]["code"], "not_a_sheet");
 }
 
+TEST(SummaryJson, OfAFileWithoutBodiesHasAnEmptyListOfThem) {
+  const json summary = json::parse(summary_json({}));
+  EXPECT_EQ(summary["bodies"], json::array());
+  for (const char* count : {"unfolded", "refused", "pieces", "surface_bodies"})
+    EXPECT_EQ(summary[count], 0) << count;
+}
+
 TEST(SummaryJson, IsRefusedOnlyWhenNoBodyUnfolds) {
   const auto status = [](const std::vector<Outcome<UnfoldReport>>& bodies) {
     return json::parse(summary_json(bodies))["status"].get<std::string>();

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 // A strip along x laid out from its first flange, which keeps its coordinates: bend lines run along
 // y.
@@ -140,6 +142,58 @@ TEST(BendLines, OfASharpBendWithATrimmedWallLieHalfWayBetweenTheirEnds) {
   expect_along_y(bend.lines, 50 + allowance / 2, {{6, 36}});
   expect_along_y(at_x(bend.tangent_lines, 50), 50, {{0, 40}});
   expect_along_y(at_x(bend.tangent_lines, 50 + allowance), 50 + allowance, {{12, 32}});
+}
+
+/// A strip 50 | 90°, r 6 | 30, 40 wide, with an opening in its bend. Corners: the share of the bend
+/// and the distance from its side y = 0, counter-clockwise.
+Sheet opened_in_bend(const std::vector<Vec2>& corners) {
+  Sheet sheet = strip(
+      {Straight{50}, Turn{Angle::degrees(90), 6.0, BendDirection::up}, Straight{30}}, 40.0, 2.0);
+  Face& face = sheet.faces[sheet[BendId{0}].faces.front()];
+  const Box2 box = parameter_box(face);
+  std::vector<Vec2> ring;
+  for (const Vec2& p : corners)
+    ring.emplace_back(box.lo.x() + p.x() * box.size().x(), box.hi.y() - p.y());
+  BorderLoop loop;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    loop.push_back({.curve = Segment{ring[i], ring[(i + 1) % ring.size()]}});
+  face.loops.push_back(std::move(loop));
+  return sheet;
+}
+
+const double kOpenedAllowance = std::acos(-1.0) / 2 * (6.0 + kLinesK * 2.0);
+
+TEST(BendLines, EndOnTheSidesOfAnObliqueOpening) {
+  // A parallelogram that climbs 20 mm across the bend: half-way it is 20 to 26 from the side.
+  const Sheet oblique = opened_in_bend({{0.1, 10}, {0.9, 30}, {0.9, 36}, {0.1, 16}});
+  const FlatBend bend = lines_of(oblique).front();
+  expect_along_y(bend.lines, 50 + kOpenedAllowance / 2, {{0, 20}, {26, 40}});
+  EXPECT_NEAR(bend.length, 34, 1e-9);
+  EXPECT_EQ(bend.tangent_lines.size(), 2u) << "it reaches neither of them";
+  // A triangle that narrows towards the far end, its lower side along the bend.
+  const FlatBend narrowing = lines_of(opened_in_bend({{0.2, 10}, {0.8, 10}, {0.2, 22}})).front();
+  expect_along_y(narrowing.lines, 50 + kOpenedAllowance / 2, {{0, 10}, {16, 40}});
+  // And one whose upper side lies along it.
+  const FlatBend rising = lines_of(opened_in_bend({{0.2, 10}, {0.8, 22}, {0.2, 22}})).front();
+  expect_along_y(rising.lines, 50 + kOpenedAllowance / 2, {{0, 16}, {22, 40}});
+}
+
+TEST(BendLines, OnTheEndOfAnOpeningAreCutByWhatLiesBehindThem) {
+  const auto lines = [](const std::vector<Vec2>& corners) {
+    return lines_of(opened_in_bend(corners)).front().lines;
+  };
+  const double x = 50 + kOpenedAllowance / 2;
+  expect_along_y(lines({{0.2, 10}, {0.5, 10}, {0.5, 20}, {0.2, 20}}), x, {{0, 40}});
+  expect_along_y(lines({{0.5, 10}, {0.8, 10}, {0.8, 20}, {0.5, 20}}), x, {{0, 10}, {20, 40}});
+  // A slot that jumps by 4 on the bend line, on one side or on both.
+  expect_along_y(
+      lines(
+          {{0.2, 10}, {0.5, 10}, {0.5, 14}, {0.8, 14}, {0.8, 24}, {0.5, 24}, {0.5, 20}, {0.2, 20}}),
+      x, {{0, 14}, {24, 40}});
+  expect_along_y(lines({{0.2, 10}, {0.5, 10}, {0.5, 14}, {0.8, 14}, {0.8, 20}, {0.2, 20}}), x,
+                 {{0, 14}, {20, 40}});
+  expect_along_y(lines({{0.2, 10}, {0.8, 10}, {0.8, 24}, {0.5, 24}, {0.5, 20}, {0.2, 20}}), x,
+                 {{0, 10}, {24, 40}});
 }
 
 }  // namespace

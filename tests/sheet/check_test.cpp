@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <regex>
 #include <string>
 #include <vector>
@@ -47,6 +48,27 @@ TEST(CheckSheet, NamesTheFaceOfTheSolid) {
   const auto result = check(sheet);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().places, (std::vector{place::pointer("/faces/2"), place::face(17)}));
+}
+
+TEST(CheckSheet, WantsPressLinesWithinTheirBendOneBehindTheOther) {
+  // Shares of a bend of 90°, 40 mm wide, at which it is pressed.
+  const auto sound = [](const std::vector<double>& shares, double angle = 45.0) {
+    Sheet sheet = strip(
+        {Straight{50}, Turn{Angle::degrees(90), 20.0, BendDirection::up}, Straight{30}}, 40.0, 2.0);
+    const Box2 box = parameter_box(sheet, sheet[BendId{0}]);
+    for (const double share : shares)
+      sheet.bends[BendId{0}].press_lines.push_back(
+          {std::lerp(box.lo.x(), box.hi.x(), share), Angle::degrees(angle)});
+    return check(sheet).has_value();
+  };
+  EXPECT_TRUE(sound({0.25, 0.75}));
+  EXPECT_TRUE(sound({0.0, 1.0})) << "its ends are part of it";
+  EXPECT_FALSE(sound({-0.001, 0.5}));
+  EXPECT_FALSE(sound({0.5, 1.001}));
+  EXPECT_FALSE(sound({0.5, 2.0}));
+  EXPECT_FALSE(sound({0.75, 0.25}));
+  EXPECT_FALSE(sound({0.5, 0.5})) << "the same line twice";
+  EXPECT_FALSE(sound({0.5}, std::nan("")));
 }
 
 TEST(CheckSheet, StandsBeforeEveryLayout) {

@@ -1,6 +1,7 @@
 #include "support/sheets.hpp"
 
 #include <planish/geometry/mesh.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/sheet/folded_blocks.hpp>
 
 #include <gtest/gtest.h>
@@ -43,6 +44,16 @@ TEST(FoldedBlocks, AreEmptyWhereNothingIsThatThick) {
     EXPECT_TRUE(folded_blocks(sheet, face, {.inset = 1.0}).empty());
 }
 
+TEST(FoldedBlocks, AreEmptyWhereNothingIsThatWide) {
+  // A strip 0.7 wide holds balls of a radius of 0.3, but none of 0.4.
+  const Sheet sheet = strip(
+      {Straight{50}, Turn{Angle::degrees(90), 3.0, BendDirection::up}, Straight{30}}, 0.7, 2.0);
+  for (const FaceId face : sheet.faces.ids()) {
+    EXPECT_FALSE(folded_blocks(sheet, face, {.inset = 0.3}).empty());
+    EXPECT_TRUE(folded_blocks(sheet, face, {.inset = 0.4}).empty());
+  }
+}
+
 TEST(FoldedBlocks, StayBetweenTheSkinsOfABend) {
   // 90° about the axis x = 50, z = 3 or, with the reference skin outside, elsewhere: r 3, t 2.
   for (const Sheet& sheet : {l_bracket(), l_bracket_down()}) {
@@ -69,6 +80,29 @@ TEST(FoldedBlocks, StayBetweenTheSkinsOfABend) {
   }
 }
 
+TEST(FoldedBlocks, StayAwayFromTheRulingsAtBothEndsOfABend) {
+  // By the inset, straight across the ruling, on both skins and at both rims: near the apex of a
+  // cone, and where an oblique one is wide or narrow.
+  const double inset = 0.05;
+  for (const Sheet& sheet : {l_bracket(), cone_joined(), lofted_corner()}) {
+    const Face& face = sheet[sheet.bends[BendId{0}].faces.front()];
+    const auto& surface = std::get<Developable>(face.surface);
+    const Box2 box = parameter_box(face);
+    const auto blocks = folded_blocks(sheet, sheet.bends[BendId{0}].faces.front(),
+                                      {.inset = inset});
+    ASSERT_GT(blocks.size(), 2u);
+    const auto across = [&](double u, const Vec3& p) {
+      const Vec3 along = ruling_on(surface, u).normalized();
+      return std::abs(
+          along.cross(outward_normal(face, {u, 0.0})).dot(p - point_on(surface, {u, 0.0})));
+    };
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_NEAR(across(box.lo.x(), blocks.front()[i]), inset, 0.01 * inset) << i;
+      EXPECT_NEAR(across(box.hi.x(), blocks.back()[4 + i]), inset, 0.01 * inset) << i;
+    }
+  }
+}
+
 TEST(FoldedBlocks, EndAtTheMitreOfASharpBend) {
   // 30 | sharp 90° | 20, width 20, t 2. With the reference skin outside each flange reaches to the
   // corner, and the mitre takes t² / 2 of its section: blocks leave the whole t × t.
@@ -80,6 +114,47 @@ TEST(FoldedBlocks, EndAtTheMitreOfASharpBend) {
   EXPECT_NEAR(volume_of(outside, FlangeId{0}, 0.0), (30 - 2) * 20 * 2, 1e-4);
   EXPECT_NEAR(volume_of(outside, FlangeId{1}, 0.0), (20 - 2) * 20 * 2, 1e-4);
   EXPECT_NEAR(volume_of(inside, FlangeId{0}, 0.0), 30 * 20 * 2, 1e-4);
+}
+
+TEST(FoldedBlocks, EndAtTheMitreWhateverItsAngleAndTheDepthOfTheReference) {
+  // What lies `below` the reference surface on the outside of the bend ends `below`·tan(α/2) before
+  // the border: of a reference `depth` below the outer side, the rest of the thickness or `depth`.
+  for (const double thickness : {2.0, 0.8})
+    for (const double degrees : {50.0, 90.0, 120.0})
+      for (const double share : {0.0, 0.25, 1.0})
+        for (const auto direction : {BendDirection::up, BendDirection::down}) {
+          Sheet sheet = strip(
+              {Straight{30}, Crease{Angle::degrees(degrees), direction}, Straight{20}}, 20,
+              thickness);
+          sheet.reference_depth = share * thickness;
+          const double below = direction == BendDirection::up ? share * thickness
+                                                              : (1.0 - share) * thickness;
+          const double mitre = below * std::tan(Angle::degrees(degrees).radians() / 2);
+          EXPECT_NEAR(volume_of(sheet, FlangeId{0}, 0.0), (30 - mitre) * 20 * thickness, 1e-4);
+          EXPECT_NEAR(volume_of(sheet, FlangeId{1}, 0.0), (20 - mitre) * 20 * thickness, 1e-4);
+        }
+}
+
+TEST(FoldedBlocks, LeaveOutTheMitreOnlyAlongTheWallThatStandsThere) {
+  // The middle 20 of a side of 40 carry the wall. Blocks stay away from the mitre by the inset too:
+  // the corners of what is left there are round.
+  SheetBuilder builder(2.0);
+  const FaceId base = builder.flange(
+      {}, {polygon({{0, 0}, {30, 0}, {30, 10}, {30, 30}, {30, 40}, {0, 40}})});
+  const Rim rim = builder.crease(builder.rim(base, 2), {Angle::degrees(60), BendDirection::down});
+  builder.flange_behind(rim, {rectangle(20, 15)});
+  const Sheet sheet = builder.finish();
+  const double mitre = 2 * std::tan(Angle::degrees(30).radians());
+  for (const double inset : {0.0, 0.1, 0.4}) {
+    const double whole = (30 - 2 * inset) * (40 - 2 * inset), thick = 2 - 2 * inset;
+    const double rounded = 2 * (1 - std::numbers::pi / 4) * inset * inset;
+    EXPECT_NEAR(volume_of(sheet, FlangeId{0}, inset),
+                (whole - mitre * (20 + 2 * inset) + rounded) * thick, 1e-4 + 0.02 * inset * inset)
+        << inset;
+    EXPECT_NEAR(volume_of(sheet, FlangeId{1}, inset),
+                (15 - mitre - 2 * inset) * (20 - 2 * inset) * thick, 1e-4)
+        << inset;
+  }
 }
 
 TEST(FoldedBlocks, LeaveOutOpeningsOfFlanges) {
@@ -117,6 +192,35 @@ TEST(FoldedBlocks, OfFlangesCoverWhatLiesInABox) {
     const Vec3 sizes = covered.sizes();
     EXPECT_NEAR(volume, sizes.prod(), 1e-6 * volume);  // no gap
     EXPECT_LT(sizes[axis], 10.0 + 4 * 0.5);
+  }
+}
+
+TEST(FoldedBlocks, OfATurnedFlangeCoverWhatLiesInABox) {
+  // However the flange lies to the axes of the box, no point of its material in the box is missing.
+  const Sheet plate = l_bracket();
+  for (const Vec3& axis : {Vec3(1, 2, 3), Vec3(-3, 1, 1), Vec3(1, -2, 1), Vec3(2, 1, -4)}) {
+    const Eigen::Isometry3d motion(Eigen::AngleAxisd(0.9, axis.normalized()));
+    const Sheet sheet = moved(plate, motion);
+    const FaceId flange = sheet.faces_of(FlangeId{0}).front();
+    const auto& frame = std::get<Frame>(sheet[flange].surface);
+    const Vec3 middle = skin_point(sheet[flange], {25, 20});
+    const Box3 part(middle - Vec3::Constant(6), middle + Vec3::Constant(6));
+    const auto blocks = folded_blocks(sheet, flange, {.inset = 0.0, .within = part});
+    for (int i = 0; i <= 60; ++i)
+      for (int j = 0; j <= 60; ++j) {
+        const Vec2 at(10.123 + 0.5 * i, 5.123 + 0.5 * j);
+        if (!part.contains(skin_point(sheet[flange], at))) continue;
+        const bool held = std::ranges::any_of(blocks, [&](const Block& block) {
+          std::vector<Vec2> triangle;
+          for (const std::size_t k : {0u, 2u, 4u})
+            triangle.push_back(frame.local2(block[k]));
+          if (ring_area(triangle) < 0.0) std::ranges::reverse(triangle);
+          return std::ranges::all_of(std::array{0, 1, 2}, [&](int k) {
+            return cross(triangle[(k + 1) % 3] - triangle[k], at - triangle[k]) >= -1e-9;
+          });
+        });
+        EXPECT_TRUE(held) << at.transpose();
+      }
   }
 }
 

@@ -115,6 +115,28 @@ TEST(CountedOpenings, LeaveOutSlitsThatReachAContour) {
   EXPECT_EQ(counted(sheet, pattern).pattern, 4);
 }
 
+TEST(CountedOpenings, CountSlitsThatMeetAsOneInWhicheverOrderTheyStand) {
+  const Sheet sheet = plate_with_holes();
+  FlatPattern pattern = laid_out(sheet, {.keep_root = true, .up = UpSide::reference});
+  const Segment bar{{20, 50}, {40, 50}};
+  const auto with = [&](const std::vector<Segment>& slits) {
+    pattern.slits.assign(slits.begin(), slits.end());
+    return counted(sheet, pattern).pattern - 3;
+  };
+  // One that ends in the middle of another, at its end, or just beside it.
+  for (const Segment& other : {Segment{{30, 50}, {30, 56}}, Segment{{30, 56}, {30, 50}},
+                               Segment{{40, 50}, {46, 54}}, Segment{{14, 54}, {20, 50}}}) {
+    EXPECT_EQ(with({bar, other}), 1) << other.a.transpose();
+    EXPECT_EQ(with({other, bar}), 1) << other.a.transpose();
+  }
+  const Segment beside{{30, 50.5}, {30, 56}};
+  EXPECT_EQ(with({bar, beside}), 2);
+  EXPECT_EQ(with({beside, bar}), 2);
+  // Over a third one to the contour: none of them parts anything off.
+  EXPECT_EQ(with({bar, {{30, 50}, {30, 60}}}), 0);
+  EXPECT_EQ(with({{{30, 50}, {30, 60}}, bar}), 0);
+}
+
 TEST(CountedOpenings, HaveNoLoopsInSheetsThatLieFlat) {
   for (const Sheet& sheet : {plate_with_holes(), l_bracket(), box(), slot_across_bend(),
                              ring(20, 10, 2), staircase(4), lofted_corner({})})

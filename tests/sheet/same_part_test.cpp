@@ -221,6 +221,8 @@ TEST(SamePart, DiffersInWhatIsDoneToIt) {
   }));
   EXPECT_TRUE(changed([](FlatPattern& p) { p.bends[0].id = "hinge"; }));
   EXPECT_FALSE(is_same_part(FlatPattern(), FlatPattern()));
+  EXPECT_FALSE(is_same_part(part, FlatPattern()));
+  EXPECT_FALSE(is_same_part(FlatPattern(), part));
 }
 
 TEST(SamePart, DiffersInOneCurve) {

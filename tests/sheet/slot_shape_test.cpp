@@ -17,13 +17,17 @@ using std::numbers::pi;
 
 TEST(SlotChain, KeepsTheEndsAndAThousandthOfTheLength) {
   EXPECT_EQ(sheet_detail::chain_of(Segment{{1, 2}, {3, 4}}).size(), 2u);
-  const Arc arc{{5, 5}, 20, 0.3, 2.0};
-  const std::vector<Vec2> points = sheet_detail::chain_of(arc);
-  EXPECT_LT((points.front() - start_of(arc)).norm(), 1e-12);
-  EXPECT_LT((points.back() - end_of(arc)).norm(), 1e-12);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Vec2 middle = 0.5 * (points[i - 1] + points[i]);
-    EXPECT_LE(20 - (middle - arc.center).norm(), 1e-3 * 40 + 1e-9);
+  for (const double radius : {0.2, 20.0, 2000.0}) {
+    const Arc arc{{5, 5}, radius, 0.3, 2.0};
+    const std::vector<Vec2> points = sheet_detail::chain_of(arc);
+    EXPECT_LT((points.front() - start_of(arc)).norm(), 1e-12 * radius);
+    EXPECT_LT((points.back() - end_of(arc)).norm(), 1e-12 * radius);
+    // A chord over an angle δ is δ²/8 of the radius off: 2 / √(8·0.002) = 16 of them are enough.
+    EXPECT_LE(points.size(), 20u) << radius;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vec2 middle = 0.5 * (points[i - 1] + points[i]);
+      EXPECT_LE(radius - (middle - arc.center).norm(), 1e-3 * 2 * radius + 1e-9);
+    }
   }
 }
 

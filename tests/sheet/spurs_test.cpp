@@ -107,6 +107,23 @@ TEST(Spurs, ThatForkAreSlitsOfTheirOwn) {
   EXPECT_NEAR(signed_area(cut.contour.loop), 600, 1e-9);
 }
 
+TEST(Spurs, ThatOneBridgesBecomeOneSlit) {
+  // From below, tips at 5 and, from above, at 15 of 20; last a piece from side to side over both.
+  for (const bool bridge : {false, true}) {
+    std::vector<Vec2> corners{{0, 0}, {10, 0}, {10, 5}, {10, 0}, {30, 0}, {30, 20}, {10, 20}};
+    corners.emplace_back(10, 15);
+    if (bridge) corners.emplace_back(10, 4);
+    corners.emplace_back(10, 20);
+    corners.emplace_back(0, 20);
+    const auto cut = without(corners);
+    if (bridge)
+      expect_slits(cut.slits, {{{10, 0}, {10, 20}}});
+    else
+      expect_slits(cut.slits, {{{10, 0}, {10, 5}}, {{10, 20}, {10, 15}}});
+    EXPECT_NEAR(signed_area(cut.contour.loop), 600, 1e-9);
+  }
+}
+
 TEST(Spurs, ContourOfNothingElseIsGone) {
   const auto cut = without({{10, 5}, {20, 5}, {26, 5}, {14, 5}});
   EXPECT_TRUE(cut.contour.loop.empty());

@@ -22,6 +22,14 @@ inline double number_in(const Error& error, std::string_view name) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// All numbers of that name.
+inline std::vector<double> numbers_in(const Error& error, std::string_view name) {
+  std::vector<double> values;
+  for (const NamedQuantity& number : error.numbers)
+    if (number.name == name) values.push_back(number.quantity.value);
+  return values;
+}
+
 inline std::string unit_in(const Error& error, std::string_view name) {
   const auto found = std::ranges::find(error.numbers, name, &NamedQuantity::name);
   return found == error.numbers.end() ? "no number" : std::string(found->quantity.unit);

@@ -76,6 +76,28 @@ TEST(LateralHull, HasRulingsBetweenTangentsThatLieInOnePlane) {
     }
 }
 
+TEST(LateralHull, OfARectangleAndARidgeIsARoofOfAnySize) {
+  // Two trapezia and two triangles at the hips; of the smallest the ridge is 0.8 long.
+  for (const double scale : {1.0, 0.1, 0.005})
+    for (const Vec2& end : {Vec2(80, 0), Vec2(-80, 0), Vec2(0, 80), Vec2(0, -80)}) {
+      const Ring ring = ring_between(rectangle(400 * scale, 240 * scale),
+                                     PolygonProfile{{-scale * end, scale * end}},
+                                     {0, 0, 150 * scale});
+      EXPECT_EQ(counts_of(*ring.hull), (Counts{.quadrilaterals = 2, .triangles = 2})) << scale;
+      expect_supported(ring);
+      double area = 0.0;
+      for (const RuledPatch& patch : ring.patches)
+        area += patch.area(0.0, 1.0);
+      // Slopes under the ridge, on the sides along it, and hips on the other two.
+      const bool across = end.x() == 0.0;
+      const double along = across ? 240 : 400, wide = across ? 400 : 240,
+                   half = 0.5 * (along - 160);
+      const double roof = (along + 160) * std::hypot(0.5 * wide, 150) +
+                          wide * std::hypot(half, 150);
+      EXPECT_NEAR(area / (scale * scale), roof, 1e-6);
+    }
+}
+
 TEST(LateralHull, OfTiltedProfilesIsSupportedEverywhere) {
   TransitionSpec spec = between(RoundedRectangleProfile{120, 80, 15}, ObroundProfile{70, 30},
                                 {20, -10, 90});

@@ -50,6 +50,20 @@ TEST(PatchTurned, IsBetweenTheNormalsTheLongWayRoundBeyondAHalf) {
   EXPECT_NEAR(ring.patch(0).turned(0.1, 0.85), 2 * kPi - quarter, 1e-12);
 }
 
+TEST(PatchTurned, GoesTheLongWayRoundFromHalfATurnOn) {
+  // Of a frustum that is nearly a tube, so that normals turn about its axis by their rulings' share
+  // of the circle, wherever they begin.
+  const Ring ring = ring_between(EllipseProfile{50, 50}, EllipseProfile{49, 49}, {0, 0, 80});
+  for (const double share : {0.02, 0.25, 0.49, 0.51, 0.75, 0.98})
+    for (const double from : {0.0, 0.01, 0.3, 1.0 - share}) {
+      if (from + share > 1.0) continue;
+      const double between = std::acos((80 * 80 * std::cos(2 * kPi * share) + 1) / (80 * 80 + 1));
+      EXPECT_NEAR(ring.patch(0).turned(from, from + share),
+                  share < 0.5 ? between : 2 * kPi - between, 1e-8)
+          << share;
+    }
+}
+
 TEST(PatchRadii, OfAConeGrowWithTheDistanceFromItsAxis) {
   const RuledPatch::Radii radii = frustum().patch(0).smallest_radii(0.0, 1.0);
   EXPECT_NEAR(radii.end, 20 * kSlant / 80, 1e-10);

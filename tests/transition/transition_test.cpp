@@ -96,6 +96,29 @@ TEST(FoldedPieces, InTwoPiecesMeetAtTheirSeams) {
   EXPECT_NEAR(across.norm(), 100, 1e-7) << "half of the circle";
 }
 
+TEST(FoldedPieces, OfARoofKnowTheirRidgeAndNoOthersHaveOne) {
+  const auto ridges = [](Profile top) {
+    TransitionSpec spec = between(rectangle(400, 240), std::move(top), {10, 20, 150});
+    const auto pieces = folded_pieces(spec);
+    EXPECT_TRUE(pieces) << pieces.error().message;
+    std::vector<std::optional<std::array<Vec3, 2>>> found;
+    for (const FoldedPiece& piece : *pieces)
+      found.push_back(piece.ridge);
+    return found;
+  };
+  for (const auto& ridge : ridges(PolygonProfile{{{-80, 0}, {80, 0}}})) {
+    ASSERT_TRUE(ridge);
+    const bool turned = (*ridge)[0].x() > (*ridge)[1].x();
+    EXPECT_LT(((*ridge)[turned ? 1 : 0] - Vec3(-70, 20, 150)).norm(), 1e-9);
+    EXPECT_LT(((*ridge)[turned ? 0 : 1] - Vec3(90, 20, 150)).norm(), 1e-9);
+  }
+  for (const Profile& top : {Profile(PolygonProfile{{{0, 0}}}), Profile(rectangle(160, 80)),
+                             Profile(EllipseProfile{60, 60}), Profile(regular_polygon(3, 80)),
+                             Profile(ObroundProfile{160, 80})})
+    for (const auto& ridge : ridges(top))
+      EXPECT_FALSE(ridge);
+}
+
 TEST(FoldedPieces, LoseWhatIsCutOffTheirCorners) {
   // The area of each piece is that of its neutral surface less what is said to be cut.
   for (const Division division : {Division::one, Division::two, Division::per_side}) {
