@@ -210,8 +210,8 @@ class Fitting {
   }
 
   bool has_radius(const Punch& punch, const Die& die) const {
-    const bool insists = line_.is_large ||
-                         (options_.radius == RadiusWanted::drawn && !line_.press_line);
+    const bool insists = line_.is_large || (options_.radius == RadiusWanted::drawn &&
+                                            !line_.press_line && !line_.closed_by);
     if (!insists) return punch.tip_radius <= largest_tip(die);
     return meets(made_radius(punch, die, options_), line_.drawn_radius);
   }

@@ -1,4 +1,5 @@
 #include "job/job_requests.hpp"
+#include "support/sheets.hpp"
 
 #include <planish/brake/codes.hpp>
 #include <planish/job/maker.hpp>
@@ -9,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <numbers>
 
 namespace planish::job {
 using namespace shop;
@@ -150,6 +153,55 @@ TEST(Bending, TellsThePlanInTheUnitOfTheReport) {
   EXPECT_NEAR(a["punch_segments"][0].get<double>() * 25.4, b["punch_segments"][0], 1e-9);
   EXPECT_NEAR(a["clearance"].get<double>() * 25.4, b["clearance"], 1e-9);
   EXPECT_EQ(a["force"], b["force"]);
+}
+
+/// Acute tools turn a panel up by 75° on both sides, past the beam: the punches for hems are tall.
+TEST(Bending, HemsLargePanels) {
+  for (const double panel : {100.0, 130.0, 600.0}) {
+    const Sheet sheet = test::strip({test::Straight{panel},
+                                     test::Turn{Angle::degrees(180), 0.5, BendDirection::up},
+                                     test::Straight{12.0}},
+                                    400, 1.0);
+    const auto flat = flat_sheet(sheet);
+    ASSERT_TRUE(flat);
+    const auto plan = plan_bending(sheet, flat->layout, default_tools());
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->status, PlanStatus::optimal) << panel;
+    EXPECT_EQ(plan->strokes.size(), 2u);
+  }
+}
+
+/// Another radius at 90° changes the developed length by (π/2 − 2)(made − drawn) a bend.
+TEST(Bending, LaysThePartFlatForTheRadiiThatAreMade) {
+  BrakeTools tools = default_tools();
+  std::erase_if(tools.dies, [](const Die& one) { return one.id != "V20-85"; });
+  const auto made = made_of(channel(60), [&](Bending& b) { b.tools = tools; });
+  const Report& report = made->report();
+  ASSERT_TRUE(report.plan);
+  ASSERT_TRUE(report.as_made);
+  ASSERT_EQ(report.as_made->bends.size(), 2u);
+  double change = 0.0;
+  for (const MadeFlat::Row& row : report.as_made->bends) {
+    EXPECT_EQ(row.made, 0.16 * 20.0);
+    EXPECT_NEAR(row.change, (std::numbers::pi / 2.0 - 2.0) * (row.made - row.drawn), 1e-9);
+    change += row.change;
+  }
+  const Vec2 grown = report.as_made->size - report.size;
+  EXPECT_NEAR(grown.x() + grown.y(), change, 1e-9);
+  const json plan = json::parse(made->json())["plan"];
+  EXPECT_EQ(plan["as_made"]["bends"].size(), 2u);
+  EXPECT_EQ(plan["strokes"][0]["radius_made"], 3.2);
+  EXPECT_EQ(plan["strokes"][0]["radius_drawn"], report.as_made->bends[0].drawn);
+}
+
+/// The V that differs, and the press that is too weak, as a person is told them.
+TEST(Bending, HoldsTheForceAgainstThePress) {
+  BrakeTools tools = default_tools();
+  tools.machine.force = 0.5;
+  const auto weak = made_of(channel(60), [&](Bending& b) { b.tools = tools; });
+  ASSERT_TRUE(weak->report().refusal);
+  EXPECT_EQ(weak->report().refusal->code, code::press_too_small);
+  EXPECT_THAT(weak->report().refusal->message, HasSubstr("the machine has 0.5 kN"));
 }
 
 }  // namespace
