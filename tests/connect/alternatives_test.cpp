@@ -85,6 +85,29 @@ TEST(Alternatives, AreThoseOfWhichNoneIsBothWiderAndShorter) {
   }
 }
 
+TEST(Alternatives, AskedForGiveTheBendThatTheyTell) {
+  int compared = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    PlateStructure pair = random_pair(seed);
+    const auto made = connect(pair);
+    if (!made) continue;
+    for (const BendAlternative& other : made->bends[0].alternatives) {
+      ASSERT_TRUE(other.request.edges[0] && other.request.edges[1]);
+      pair.bends = {other.request};
+      const auto asked = connect(pair);
+      if (!asked) continue;  // what else it runs into is not known yet
+      ++compared;
+      const FittedBend& bend = asked->bends[0];
+      EXPECT_EQ(bend.edges[0], *other.request.edges[0]) << seed;
+      EXPECT_EQ(bend.edges[1], *other.request.edges[1]) << seed;
+      EXPECT_EQ(bend.edge_kind, other.edge_kind) << seed;
+      EXPECT_NEAR(bend.width, other.width, 1e-6) << seed;
+      EXPECT_NEAR(bend.span, other.span, 1e-6) << seed;
+    }
+  }
+  EXPECT_GT(compared, 3);
+}
+
 /// A plate of 200 × 100, and one 20 mm beside it that is turned about a line.
 PlateStructure nearly_one_plane(const Vec3& through, const Vec3& along, double degrees) {
   PlateStructure s;
