@@ -30,8 +30,9 @@ void write_part(Filling& filling, const ListedPart& part) {
   page.text({x, top + 9.5}, part.work, {.size = fitting_size(part.work, kRight - x, kLetter)});
   page.text({x, top + 14.0}, part.state,
             {.size = kSmallLetter, .colour = part.alert ? kPageAlert : kPageGrey});
-  page.text({x, top + 17.3}, part.help,
-            {.size = fitting_size(part.help, kRight - x, kSmallLetter), .colour = kPageAlert});
+  if (!part.help.empty())
+    page.text({x, top + 17.3}, part.help,
+              {.size = fitting_size(part.help, kRight - x, kSmallLetter), .colour = kPageAlert});
   filling.skip(kPartRow);
   const double below = filling.top() - 1.0;
   page.line({kEdge, below}, {kRight, below}, {.stroke = kPageGrey, .width = 0.1});

@@ -127,9 +127,9 @@ void write_stroke(Page& page, const BendDrawing& drawing, std::size_t stroke,
     height += kLineHeight * style.size;
   const double smaller = std::min(1.0, into.size.y() / height);
   double y = into.corner.y();
-  page.text({into.corner.x() + into.size.x(), y + smaller * kPlain.size},
-            opening_text(strokes_of(drawing)[stroke]),
-            {.size = smaller * kPlain.size, .anchor = TextAnchor::end});
+  if (std::string opening = opening_text(strokes_of(drawing)[stroke]); !opening.empty())
+    page.text({into.corner.x() + into.size.x(), y + smaller * kPlain.size}, std::move(opening),
+              {.size = smaller * kPlain.size, .anchor = TextAnchor::end});
   for (const auto& [text, style] : lines) {
     TextStyle fitting = style;
     fitting.size = fitting_size(text, into.size.x(), smaller * style.size);

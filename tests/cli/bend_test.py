@@ -331,7 +331,7 @@ class Pages(BendTest):
             self.assertIn(f"punch {stroke['punch']}", texts)
             self.assertIn(f"die {stroke['die']}", texts)
             if not stroke["gauge"]:
-                self.assertIn("no edge to gauge: mark the line", texts)
+                self.assertIn("no gauge: mark the line while flat", texts)
                 continue
             distance = f"{stroke['gauge']['distance']:.1f}"
             self.assertIn(f"gauge {distance} mm", texts)

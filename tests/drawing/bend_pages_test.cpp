@@ -42,6 +42,11 @@ TEST_F(BendPages, SayWhereTheGaugeAndThePersonAre) {
   EXPECT_EQ(times(made, "you"), 4) << "in each picture";
 }
 
+TEST_F(BendPages, WriteNoEmptyTexts) {
+  take(u_channel());
+  EXPECT_EQ(times(pages(), ""), 0);
+}
+
 TEST_F(BendPages, PutNotesBehindTheStrokes) {
   take(staircase(2));
   notes_ = std::vector<std::string>(40, "No stroke bends B9, which is rolled.");
