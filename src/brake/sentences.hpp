@@ -22,7 +22,7 @@ constexpr Sentence bumped{"bumped",
                           "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a "
                           "chord error of {error:3}"};
 constexpr Sentence other_v{
-    "other_v", "{@bend} takes a V of {opening} instead of {wanted}, which needs {force:4}"};
+    "other_v", "the V is {opening} instead of {wanted} for {@bend}, which takes {force:4}"};
 constexpr Sentence narrow_v{
     "narrow_v", "a V of {opening}, less than {least}, marks the sheet at {@bend} and may crack it"};
 

@@ -96,6 +96,11 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
     lines.emplace_back("  the same segments", kSmall);
   else
     add_rows(lines, drawing, stroke.die_rows);
+  if (is_made_otherwise(stroke, drawing.thickness))
+    lines.emplace_back(
+        fmt::format("inside radius {}, drawn {}", size_text(drawing, stroke.radius_made),
+                    with_unit(drawing, stroke.radius_drawn)),
+        kPlain);
   lines.emplace_back(fmt::format("{} kN, {} clear", number_text(stroke.force, 3),
                                  with_unit(drawing, stroke.clearance)),
                      kPlain);

@@ -49,6 +49,15 @@ TEST_F(StrokeTexts, SayWhatToMeasureAndWhatAProtractorShows) {
   EXPECT_EQ(times(made, "leaves 90°"), 0) << "the same either way";
 }
 
+TEST_F(StrokeTexts, SayTheRadiusThatIsMadeWhereItIsAnother) {
+  take(l_bracket());
+  plan_.strokes[0].radius_drawn = 3.0;
+  plan_.strokes[0].radius_made = 3.25;  // a tenth of it would be told from 0.3 on
+  EXPECT_EQ(times(pages(), "inside radius 3.2, drawn 3.0 mm"), 0);
+  plan_.strokes[0].radius_made = 1.6;
+  EXPECT_EQ(times(pages(), "inside radius 1.6, drawn 3.0 mm"), 1);
+}
+
 TEST_F(StrokeTexts, TellWhatIsTurnedSinceTheStrokeBefore) {
   take(u_channel());
   ASSERT_EQ(plan_.strokes.size(), 2U);
