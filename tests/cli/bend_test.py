@@ -2,12 +2,16 @@
 """Orders the strokes of parts that a press brake can bend; refuses those that it cannot, and tools that cannot be."""
 
 import json
+import math
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import xml.etree.ElementTree
+
+import ezdxf
+from ezdxf import bbox
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_cli import CLI, CliTest, main  # noqa: E402
@@ -63,7 +67,7 @@ class Plans(BendTest):
         for part in (channel(30), channel(30, lip=15), channel(30, lip=15, out=True)):
             plan = self.plan(part)["plan"]
             self.assertEqual(plan["status"], "optimal")
-            self.assertAlmostEqual(plan["cost"], self.cost_of(plan["strokes"], WEIGHTS))
+            self.assertAlmostEqual(plan["cost"], self.cost_of(plan["strokes"], WEIGHTS) + plan["v_away"])
             self.assertEqual(sorted(b for s in plan["strokes"] for b in s["bends"]),
                              [f"B{i + 1}" for i in range(len(part["bends"]))])
 
@@ -188,17 +192,22 @@ class Proposals(BendTest):
     def test_a_smaller_v_is_one_that_does(self):
         # V 12 with shoulders of 1.2 takes flanges from 7.2 mm.
         low = channel(7)
-        proposal = self.proposals(low)["smaller_v"]
+        proposal = self.proposals(low, "--v", "wanted")["smaller_v"]
         self.assertLess(proposal["opening"], 12)
         self.assertTrue(proposal["tools"])
-        strokes = self.plan(low, "--opening", str(proposal["opening"]))["plan"]["strokes"]
-        for stroke in strokes:
-            self.assertIn(stroke["die"], proposal["tools"])
+        for choice in "wanted", "choice":
+            strokes = self.plan(low, "--opening", str(proposal["opening"]), "--v", choice)["plan"]["strokes"]
+            for stroke in strokes:
+                self.assertIn(stroke["die"], proposal["tools"])
 
     def test_a_flange_shorter_by_that_much_can_be_bent(self):
-        by = self.proposals(channel(80))["shorter_flange"]["by"]
-        self.assertEqual(self.plan(channel(80 - by))["plan"]["status"], "optimal")
-        self.assertEqual(self.plan(channel(80 - by + 0.2), status=4)["plan"]["status"], "infeasible")
+        tools = self.tools()
+        straight = [punch for punch in tools["punches"] if punch["id"] == "P88-R1"]
+        self.write("straight.json", json.dumps(dict(tools, punches=straight)))
+        by = self.proposals(channel(80), "--tools", "straight.json")["shorter_flange"]["by"]
+        of = lambda leg, status: self.plan(channel(leg), "--tools", "straight.json", status=status)["plan"]["status"]
+        self.assertEqual(of(80 - by, 0), "optimal")
+        self.assertEqual(of(80 - by + 0.2, 4), "infeasible")
 
     def test_a_punch_of_the_common_tools_is_named(self):
         tools = self.tools()
@@ -262,9 +271,10 @@ class WrongRequests(BendTest):
 
     def test_parts_that_no_tool_bears(self):
         sharp = dict(channel(30), defaults={"inside_radius": 0.1})
-        reason = self.plan(sharp, status=4)["reason"]
+        self.assertEqual(self.plan(sharp)["plan"]["strokes"][0]["punch"], "P88-R0.2")
+        reason = self.plan(sharp, "--as-drawn", status=4)["reason"]
         self.assertEqual((reason["code"], reason["where"]), ("no_tool", "B1"))
-        self.assertIn("no punch of 90° or less with a tip radius of at most 0.1 mm", reason["message"])
+        self.assertIn("no punch and die that leave an inside radius within a third of 0.1 mm", reason["message"])
         # 1.42 · 450 · 2² / 12 N/mm are 213 kN per metre.
         tools = self.tools()
         for die in tools["dies"]:
@@ -272,7 +282,39 @@ class WrongRequests(BendTest):
         self.write("weak.json", json.dumps(tools))
         reason = self.plan(channel(30), "--tools", "weak.json", status=4)["reason"]
         self.assertEqual(reason["code"], "no_tool")
-        self.assertIn("that bears the force", reason["message"])
+        self.assertRegex(reason["message"], r"no punch and die that bear [\d.]+ kN/m")
+
+    def test_a_press_that_is_too_short_or_too_weak(self):
+        # 100 mm over V 12 take 21.3 kN, over V 20 12.78, the widest within 12 T that the set has.
+        for force, status in (21.4, 0), (12.79, 0), (12.7, 4):
+            tools = self.tools()
+            tools["machine"]["force"] = force
+            self.write("press.json", json.dumps(tools))
+            report = self.plan(channel(60), "--tools", "press.json", status=status)
+            if status:
+                self.assertEqual(report["reason"]["code"], "press_too_small")
+                self.assertEqual({"force", "most"} - report["reason"]["numbers"].keys(), set())
+            else:
+                self.assertTrue(all(stroke["force"] <= force for stroke in report["plan"]["strokes"]))
+        tools["machine"].update(force=1000, length=90)
+        self.write("press.json", json.dumps(tools))
+        reason = self.plan(channel(60), "--tools", "press.json", status=4)["reason"]
+        self.assertEqual((reason["code"], reason["where"]), ("press_too_small", "B1"))
+        self.assertIn("the machine holds 90 mm", reason["message"])
+
+    def test_the_flat_as_made_is_written(self):
+        # Legs of 60 over a V of 20: 3.2 instead of 2 mm inside shortens each bend by (2 − π/2) 1.2 mm.
+        tools = self.tools()
+        tools["dies"] = [die for die in tools["dies"] if die["id"] == "V20-85"]
+        self.write("v20.json", json.dumps(tools))
+        self.write("part.json", json.dumps(channel(60)))
+        self.run_cli("bend", "part.json", "--tools", "v20.json", "--as-made", "made.dxf", "--json", "r.json", "-q")
+        report, drawing = self.json("r.json"), ezdxf.readfile(self.dir / "made.dxf")
+        box = bbox.extents(drawing.modelspace().query('*[layer=="OUTER_PROFILE"]'))
+        made = report["plan"]["as_made"]
+        self.assertAlmostEqual(max(box.size.x, box.size.y), made["length"], 6)
+        self.assertAlmostEqual(made["length"] - report["flat"]["size"][0], 2 * (math.pi / 2 - 2) * 1.2, 6)
+        self.refused("bend", "part.json", "--as-made", "made.pdf", status=2)
 
     def test_what_is_in_the_way_has_a_reason(self):
         # Of two joggles one bend each can be formed, and is then in the way of the other one of its joggle only.
@@ -355,7 +397,7 @@ class Pages(BendTest):
 
     def test_a_part_refused_before_it_is_planned_leaves_no_pages(self):
         self.write("part.json", json.dumps(dict(channel(30), defaults={"inside_radius": 0.1})))
-        self.run_cli("bend", "part.json", "-o", "plan.pdf", "--json", "r.json", "-q", status=4)
+        self.run_cli("bend", "part.json", "--as-drawn", "-o", "plan.pdf", "--json", "r.json", "-q", status=4)
         self.assertEqual(self.names(), ["part.json", "r.json"])
 
 

@@ -158,10 +158,10 @@ TEST(Bending, TellsThePlanInTheUnitOfTheReport) {
 /// Acute tools turn a panel up by 75° on both sides, past the beam: the punches for hems are tall.
 TEST(Bending, HemsLargePanels) {
   for (const double panel : {100.0, 130.0, 600.0}) {
-    const Sheet sheet = test::strip({test::Straight{panel},
-                                     test::Turn{Angle::degrees(180), 0.5, BendDirection::up},
-                                     test::Straight{12.0}},
-                                    400, 1.0);
+    const Sheet sheet = test::strip(
+        {test::Straight{panel}, test::Turn{Angle::degrees(180), 0.5, BendDirection::up},
+         test::Straight{12.0}},
+        400, 1.0);
     const auto flat = flat_sheet(sheet);
     ASSERT_TRUE(flat);
     const auto plan = plan_bending(sheet, flat->layout, default_tools());

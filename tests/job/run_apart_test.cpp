@@ -84,7 +84,8 @@ TEST(RunApart, MayBeCalledWhileOthersRun) {
 
 TEST(RunApart, HandsOnARefusal) {
   const std::string request = R"({"maker": "bend", "input": ")" PLANISH_SOURCE_DIR
-                              R"(/examples/connect/a_folded.json", "artifacts": ["json", "svg"]})";
+                              R"(/examples/connect/a_folded.json", "artifacts": ["json", "svg"],
+                                  "options": {"clearance": 100}})";
   const auto here = run(request), apart = run_apart(request);
   ASSERT_FALSE(here);
   ASSERT_FALSE(apart);

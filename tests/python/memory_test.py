@@ -34,7 +34,7 @@ def everything(turn):
     for wrong in (lambda: planish.unfold(bracket, progress=fails), lambda: planish.unfold(bracket, k=9),
                   lambda: planish.unfold(b"rubbish"), lambda: planish.unfold("nowhere.step"),
                   lambda: planish.unfold(bracket, progress=lambda stage, share: False),
-                  lambda: planish.connect({"format": "planish/plates"}), lambda: planish.bend(plates)):
+                  lambda: planish.connect({"format": "planish/plates"}), lambda: planish.bend(plates, clearance=100)):
         try:
             wrong()
         except (planish.Error, RuntimeError):

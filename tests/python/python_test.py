@@ -97,7 +97,7 @@ class SameAsTheProgram(PythonTest):
         fixed = planish.bend(BRACKET, fix=["B2", "B1"], weights={"turn_over": 10}, first=True)
         self.assertEqual([stroke.bends[0] for stroke in fixed.plan.strokes], ["B2", "B1"])
         with self.assertRaises(planish.Refused) as caught:
-            planish.bend(EXAMPLES / "connect/a_folded.json")
+            planish.bend(EXAMPLES / "connect/a_folded.json", clearance=100)
         self.assertEqual(caught.exception.code, "cannot_bend")
         self.assertEqual(caught.exception.part.plan.status, "infeasible")
 

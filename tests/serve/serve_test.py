@@ -64,8 +64,8 @@ class Results(ServeTest):
         server, part = self.server(), EXAMPLES / "bracket.step"
         self.check_like_cli(server, "bend", part, ["svg", "pdf"], "-o")
         plates = EXAMPLES / "connect" / "a_folded.json"
-        said = self.refused("bend", plates, "-q", "-o", "cli.svg", status=4)
-        result = server.ask("bend", {"input": str(plates), "artifacts": ["svg"]})
+        said = self.refused("bend", plates, "--clearance", "100", "-q", "-o", "cli.svg", status=4)
+        result = server.ask("bend", {"input": str(plates), "artifacts": ["svg"], "options": {"clearance": 100}})
         self.assertEqual((result["status"], result["report"]["reason"]["code"]), ("refused", "cannot_bend"))
         reason = result["report"]["reason"]["message"].rstrip(".")
         self.assertIn(reason[0].lower() + reason[1:], said)
