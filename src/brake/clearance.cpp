@@ -28,7 +28,8 @@ std::vector<Interval> beside(const Interval& block, ToolKind kind, const PressRo
 
 double clearance(StageCache& cache, const Setting& stroke, const PressRows& rows) {
   double least = kFarAway;
-  const PressMotion motion = brake_detail::motion(cache.inputs(), stroke);
+  const PressMotion at_die = motion(cache.inputs(), stroke),
+                    at_punch = motion_at_punch(cache.inputs(), stroke);
   const double most = most_turn(cache.inputs(), stroke.line);
   const std::vector<const PlacedPart*>& parts = cache.parts(stroke);
   for (int part = 0; part < std::ssize(parts); ++part) {
@@ -37,6 +38,7 @@ double clearance(StageCache& cache, const Setting& stroke, const PressRows& rows
       const SidedObstacle body = cache.tools().body(
           kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
       const Obstacle& obstacle = placed.left ? *body.left : *body.right;
+      const PressMotion& motion = is_above(kind) ? at_punch : at_die;
       for (const Block3& block : placed.blocks)
         for (const Interval& range : beside(extent(block), kind, rows)) {
           const Convex cut = section(block, range.lo, range.hi);

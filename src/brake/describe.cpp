@@ -42,16 +42,6 @@ std::vector<BendId> bends_of(const Workpiece& work, const LineSet& pressed) {
   return all;
 }
 
-std::vector<Segment> lines_on(const Workpiece& work, const LineSet& pressed) {
-  std::vector<Segment> all;
-  for (const int number : members(pressed)) {
-    const BrakeLine& line = work.lines[number];
-    for (const Interval& piece : line.pieces)
-      all.push_back({line.origin + piece.lo * line.along, line.origin + piece.hi * line.along});
-  }
-  return all;
-}
-
 }  // namespace
 
 Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
@@ -63,7 +53,6 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   Stroke stroke;
   stroke.bends = bends_of(inputs.work, at.pressed);
   stroke.press_line = line.press_line;
-  stroke.lines = lines_on(inputs.work, at.pressed);
   stroke.flattening = line.closes.has_value();
   stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = inputs.tools.punches[at.punch].id;

@@ -91,12 +91,14 @@ Nearness nearness(StageCache& cache, const Setting& stroke, int number, ToolKind
 std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
-  const PressMotion motion = brake_detail::motion(cache.inputs(), stroke);
+  const PressMotion at_die = motion(cache.inputs(), stroke),
+                    at_punch = motion_at_punch(cache.inputs(), stroke);
   const double left_out = shortfall(cache.inputs());
   std::vector<Obstruction> all;
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     for (const ToolKind kind : kToolKinds)
-      if (stands_in(cache, stroke, part, kind, motion, needed_by(kind, pieces, left_out)))
+      if (stands_in(cache, stroke, part, kind, is_above(kind) ? at_punch : at_die,
+                    needed_by(kind, pieces, left_out)))
         all.push_back({tree.parts()[part].path, kind, part});
   return all;
 }
@@ -104,7 +106,8 @@ std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
 StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row) {
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
-  const PressMotion motion = brake_detail::motion(cache.inputs(), stroke);
+  const PressMotion motion = row == ToolKind::punch ? motion_at_punch(cache.inputs(), stroke)
+                                                    : brake_detail::motion(cache.inputs(), stroke);
   const double left_out = shortfall(cache.inputs());
   const int parts = static_cast<int>(tree.parts().size());
   for (const ToolKind kind : {row, beam_of(row)}) {

@@ -50,6 +50,14 @@ Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeC
   return stroke;
 }
 
+PressMotion motion_at_punch(const StrokeInputs& inputs, const Setting& stroke) {
+  const BrakeLine& line = inputs.work.lines[stroke.line];
+  PressedBend bend = line.bend;
+  const double tip = inputs.tools.punches[stroke.punch].tip_radius;
+  if (tip > line.inside_radius) bend.allowance = line.angle.radians() * (tip + bend.neutral);
+  return {bend, shoulder_of(inputs.tools.dies[stroke.die])};
+}
+
 PressMotion motion(const StrokeInputs& inputs, const Setting& stroke) {
   return {inputs.work.lines[stroke.line].bend, shoulder_of(inputs.tools.dies[stroke.die])};
 }

@@ -47,5 +47,7 @@ Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeC
 
 /// How the sheet moves in a stroke.
 PressMotion motion(const StrokeInputs& inputs, const Setting& stroke);
+/// The same as the punch sees it: bent about a tip that is rounder than the drawn radius.
+PressMotion motion_at_punch(const StrokeInputs& inputs, const Setting& stroke);
 
 }  // namespace planish::brake_detail

@@ -12,6 +12,9 @@ namespace planish::drawing {
 std::span<const Stroke> strokes_of(const BendDrawing& drawing);
 /// Requires a bend of the pattern.
 const FlatBend& bend_of(const BendDrawing& drawing, BendId id);
+/// The lines that a stroke presses.
+std::vector<Segment> pressed_lines(const BendDrawing& drawing, const Stroke& stroke);
+
 /// As exactly as a gauge is set: to 0.1 mm, or a thousandth of another unit.
 std::string size_text(const BendDrawing& drawing, double mm);
 

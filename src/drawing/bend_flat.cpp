@@ -59,7 +59,7 @@ void draw_stroke(Page& page, const BendDrawing& drawing, std::size_t s, const Fi
   const bool up = bend_of(drawing, stroke.bends.front()).direction == BendDirection::up;
   const Colour colour = up ? kPageUp : kPageDown;
   std::vector<std::pair<Vec2, Vec2>> lines;
-  for (const Segment& line : stroke.lines) {
+  for (const Segment& line : pressed_lines(drawing, stroke)) {
     lines.emplace_back(fit(line.a), fit(line.b));
     page.line(lines.back().first, lines.back().second,
               {.stroke = colour, .width = 0.3, .dashes = {2.5, 1.2}});

@@ -88,13 +88,13 @@ void lying(Page& page, const BendDrawing& drawing, std::size_t s, const Rectangl
                       [&](auto& ring) { return fit(seen(std::move(ring))); });
   page.area(std::move(rings), {.fill = kPageSheet, .width = 0.25});
   for (std::size_t before = 0; before < s; ++before)
-    for (const Segment& line : drawing.plan->strokes[before].lines)
+    for (const Segment& line : pressed_lines(drawing, drawing.plan->strokes[before]))
       page.lines({fit(seen({line.a, line.b}))}, {.stroke = kGrey, .width = 0.3});
-  for (const Segment& line : stroke.lines)
+  for (const Segment& line : pressed_lines(drawing, stroke))
     page.lines({fit(seen({line.a, line.b}))}, {.stroke = kPart, .width = 0.9});
   if (!stroke.gauge) return;
   const auto edge = fit(seen({stroke.gauge->edge.a, stroke.gauge->edge.b}));
-  const Segment line = stroke.lines.front();
+  const Segment line = pressed_lines(drawing, stroke).front();
   const auto bend = fit(seen({line.a, line.b}));
   page.lines({edge}, {.stroke = kAlert, .width = 0.9});
   const double right_side = fit(box.hi).x();
@@ -222,6 +222,28 @@ const FlatBend& bend_of(const BendDrawing& drawing, BendId id) {
   const auto found = std::ranges::find(drawing.flat.bends, id, &FlatBend::bend);
   PLANISH_ASSERT(found != drawing.flat.bends.end());
   return *found;
+}
+
+std::vector<Segment> pressed_lines(const BendDrawing& drawing, const Stroke& stroke) {
+  std::vector<Segment> lines;
+  for (const BendId id : stroke.bends) {
+    const std::vector<Segment>& all = bend_of(drawing, id).lines;
+    if (!stroke.press_line) {
+      lines.insert(lines.end(), all.begin(), all.end());
+      continue;
+    }
+    // Each of them may be interrupted.
+    std::ptrdiff_t last = *stroke.press_line;
+    for (const Stroke& other : strokes_of(drawing))
+      if (other.bends == stroke.bends) last = std::max<std::ptrdiff_t>(last, *other.press_line);
+    const std::ptrdiff_t pieces = std::max<std::ptrdiff_t>(1, std::ssize(all) / (last + 1));
+    const std::ptrdiff_t from = *stroke.press_line * pieces;
+    if (from + pieces <= std::ssize(all))
+      lines.insert(lines.end(), all.begin() + from, all.begin() + from + pieces);
+    else
+      lines.insert(lines.end(), all.begin(), all.end());
+  }
+  return lines;
 }
 
 std::string size_text(const BendDrawing& drawing, double mm) {

@@ -29,7 +29,6 @@ class PlannedPages : public ::testing::Test {
     flat_ = *flat_sheet(sheet);
     for (const FlatBend& bend : flat_.pattern.bends)
       plan_.strokes.push_back({.bends = {bend.bend},
-                               .lines = bend.lines,
                                .angle = bend.angle,
                                .punch = "P88",
                                .die = "V16",

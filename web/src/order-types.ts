@@ -6,7 +6,7 @@ import type { LengthUnit, SentOptions, Vec2, Wording } from './types.ts';
 /** Options of the press brake. */
 export type BrakeOptions = Pick<
   SentOptions,
-  'tools' | 'metal' | 'springback' | 'clearance' | 'shortfall' | 'opening' | 'weights' | 'fix' | 'search_time'
+  'tools' | 'metal' | 'springback' | 'clearance' | 'shortfall' | 'opening' | 'v' | 'as_drawn' | 'large_radii' | 'chord_error' | 'weights' | 'fix' | 'search_time'
 >;
 
 /** What is pressed at once. */
@@ -63,7 +63,7 @@ export interface ToolTable {
 export type OrderStatus = ReportPlan['status'] | 'possible' | 'blocked';
 
 export interface OrderAnswer
-  extends Pick<ReportPlan, 'cost' | 'turn_overs' | 'rotations' | 'tool_changes' | 'ungauged'> {
+  extends Pick<ReportPlan, 'cost' | 'turn_overs' | 'rotations' | 'tool_changes' | 'ungauged' | 'v_away'> {
   status: OrderStatus;
   sentence: string | null;
   wording?: Wording; // of the sentence

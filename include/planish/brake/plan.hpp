@@ -69,7 +69,6 @@ struct Remark {
 struct Stroke {
   std::vector<BendId> bends;                     ///< pressed together
   std::optional<int> press_line = {};            ///< of a bend with several: which, from 0
-  std::vector<Segment> lines = {};               ///< that it presses, in the flat pattern
   bool flattening = false;                       ///< closes a hem that was bent before
   Angle angle;                                   ///< turned by it, without springback
   std::string punch, die;                        ///< ids
