@@ -204,9 +204,10 @@ class Fitting {
     for (const Punch& punch : tools_.punches)
       if (is_sharp(punch) && bears(punch.max_force, force(die.opening)))
         least = std::min(least, punch.tip_radius);
+    if (least > line_.inside_radius) return least + kWritten;
     const double hidden = options_.v == VChoice::wanted ? 0.0
                                                         : options_.radius_of_opening * die.opening;
-    return std::max({line_.inside_radius, least, hidden}) + kWritten;
+    return std::max(line_.inside_radius, hidden) + kWritten;
   }
 
   bool has_radius(const Punch& punch, const Die& die) const {
