@@ -25,6 +25,9 @@ function stroke(more: Partial<StrokeRow> = {}): StrokeRow {
   return {
     bends: ['B1'],
     angle: 90,
+    v_wanted: 12,
+    radius_drawn: 2,
+    radius_made: 1.92,
     punch: 'P',
     die: 'V',
     punch_segments: [60],
