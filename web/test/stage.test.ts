@@ -83,6 +83,7 @@ const answer = (strokes: StrokeRow[]): OrderAnswer => ({
   rotations: 0,
   tool_changes: 0,
   ungauged: 0,
+  v_away: 0,
   strokes,
   tools: { machine: '', punches: {}, upper_beams: {}, dies: {}, lower_beam: [], finger: [], finger_width: 0 },
 });
