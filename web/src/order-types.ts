@@ -6,8 +6,19 @@ import type { LengthUnit, SentOptions, Vec2, Wording } from './types.ts';
 /** Options of the press brake. */
 export type BrakeOptions = Pick<
   SentOptions,
-  | 'tools' | 'metal' | 'springback' | 'clearance' | 'shortfall' | 'opening' | 'v'
-  | 'as_drawn' | 'large_radii' | 'chord_error' | 'weights' | 'fix' | 'search_time'
+  | 'tools'
+  | 'metal'
+  | 'springback'
+  | 'clearance'
+  | 'shortfall'
+  | 'opening'
+  | 'v'
+  | 'as_drawn'
+  | 'large_radii'
+  | 'chord_error'
+  | 'weights'
+  | 'fix'
+  | 'search_time'
 >;
 
 /** What is pressed at once. */
