@@ -149,10 +149,8 @@ class Bend : public Command {
       if (made.report().refusal) break;
       auto dxf = job::dxf_as_made(made.piece(piece), request);
       if (!dxf) return pass_on(dxf);
-      std::filesystem::path file(arguments_.as_made);
-      if (made.pieces() > 1)
-        file.replace_filename(fmt::format("{}-{}.dxf", file.stem().string(), piece + 1));
-      files.push_back({file, std::move(*dxf)});
+      files.push_back(
+          {job::name_of_piece(arguments_.as_made, piece, made.pieces()), std::move(*dxf)});
     }
     if (arguments_.outputs.empty()) return files;
     const std::vector<Page> pages = job::bend_plan_pages(made, request.bending);

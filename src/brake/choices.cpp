@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace planish::brake_detail {
 namespace {
@@ -27,6 +28,13 @@ double force_on(const StrokeInputs& inputs, const LineSet& lines, int die) {
   return force;
 }
 
+StrokeChoice with_tools(StrokeChoice choice, const ToolPair& pair) {
+  choice.punch = pair.punch;
+  choice.die = pair.die;
+  choice.v_away = pair.v_away;
+  return choice;
+}
+
 /// A stroke on lines towards a direction, with each pair of tools that fits one of them and that
 /// the press can bring down on all.
 void add_pairs(const StrokeInputs& inputs, const FittingTools& fitting, StrokeChoice choice,
@@ -34,10 +42,7 @@ void add_pairs(const StrokeInputs& inputs, const FittingTools& fitting, StrokeCh
   const bool alone = count(choice.lines) == 1;  // its pairs were held against the press
   for (const ToolPair& pair : fitting.pairs) {
     if (!alone && force_on(inputs, choice.lines, pair.die) > inputs.tools.machine.force) continue;
-    choice.punch = pair.punch;
-    choice.die = pair.die;
-    choice.v_away = pair.v_away;
-    all.push_back(choice);
+    all.push_back(with_tools(choice, pair));
   }
 }
 
@@ -47,8 +52,7 @@ bool is_gauged(StageCache& cache, const LineSet& formed, StrokeChoice choice, in
   const FittingTools& fitting = inputs.fitting[first];
   if (inputs.work.lines[first].closes) return true;
   if (fitting.pairs.empty()) return true;
-  choice.punch = fitting.pairs.front().punch;
-  choice.die = fitting.pairs.front().die;
+  choice = with_tools(std::move(choice), fitting.pairs.front());
   return gauge(cache, setting(inputs, formed, choice)).has_value();
 }
 
@@ -139,18 +143,15 @@ std::vector<StrokeChoice> possible(const StrokeInputs& inputs) {
   for (int line = 0; line < inputs.lines(); ++line) {
     const std::vector<int>& lines = inputs.on_one_line[line];
     if (lines.front() != line) continue;
+    const std::vector<ToolPair> pairs = pairs_of_any(inputs, lines);
     StrokeChoice choice;
     choice.lines = set_of(inputs, lines);
     choice.reference_up = inputs.work.lines[line].reference_up;
     for (const int other : lines)
       for (const int direction : {1, -1}) {
         choice.direction = direction_number(inputs, direction * inputs.work.lines[other].across());
-        for (const ToolPair& pair : pairs_of_any(inputs, lines)) {
-          choice.punch = pair.punch;
-          choice.die = pair.die;
-          choice.v_away = pair.v_away;
-          all.push_back(choice);
-        }
+        for (const ToolPair& pair : pairs)
+          all.push_back(with_tools(choice, pair));
       }
   }
   return all;

@@ -15,6 +15,7 @@
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace planish::brake_detail {
 namespace {
@@ -108,9 +109,9 @@ Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options) 
 }
 
 WorkpieceOptions workpiece_options(double thickness, const BrakeTools& tools,
-                                   const PlanOptions& options) {
+                                   const PlanOptions& options, std::vector<LargeBend> large) {
   return {options.radius_of_opening * options.opening.value_or(wanted_opening(thickness)),
-          angle_before_closing(tools, options)};
+          angle_before_closing(tools, options), std::move(large)};
 }
 
 namespace {
@@ -235,22 +236,14 @@ class Fitting {
            pressed_span(line_, shortfall_) <= tools_.machine.length + kWritten;
   }
 
-  /// Of all pairs that pass the tests so far, whether one passes the next.
+  /// The widest V of the pairs that pass a test; null if there is none.
   template <typename Test>
-  bool any_pair(const Test& test) const {
-    return std::ranges::any_of(tools_.punches, [&](const Punch& punch) {
-      return std::ranges::any_of(tools_.dies, [&](const Die& die) { return test(punch, die); });
-    });
-  }
-
-  /// The widest V of those that all but the press bear.
-  const Die& widest() const {
+  const Die* widest(const Test& test) const {
     const Die* widest = nullptr;
     for (const Punch& punch : tools_.punches)
       for (const Die& die : tools_.dies)
-        if (all_but_press(punch, die) && (!widest || die.opening > widest->opening)) widest = &die;
-    PLANISH_ASSERT(widest);
-    return *widest;
+        if (test(punch, die) && (!widest || die.opening > widest->opening)) widest = &die;
+    return widest;
   }
 
   bool all_but_press(const Punch& punch, const Die& die) const {
@@ -275,26 +268,18 @@ class Fitting {
   }
 
   Remark why_no_pair() const {
-    if (!any_pair([&](const Punch& p, const Die& d) { return suits(p, d); }))
-      return remark_of(say::no_radius, {{"radius", line_.drawn_radius, unit::mm}});
-    if (!any_pair([&](const Punch& p, const Die& d) { return suits(p, d) && pressed_by(p, d); }))
+    const Die* suiting = widest([&](const Punch& p, const Die& d) { return suits(p, d); });
+    if (!suiting) return remark_of(say::no_radius, {{"radius", line_.drawn_radius, unit::mm}});
+    if (!widest([&](const Punch& p, const Die& d) { return suits(p, d) && pressed_by(p, d); }))
       return remark_of(say::few_segments, {{"length", line_.length(), unit::mm}});
-    const bool strong = any_pair(
-        [&](const Punch& p, const Die& d) { return suits(p, d) && borne_by_tools(p, d); });
-    if (!strong) return remark_of(say::no_strong_tools, {{"force", force(most()), say::kPerMetre}});
-    const Die& die = widest();
-    return remark_of(say::weak_press, {{"force", force_of(line_, die, options_), unit::kilonewtons},
-                                       {"most", tools_.machine.force, unit::kilonewtons},
-                                       {"opening", die.opening, unit::mm}});
-  }
-
-  /// The widest V that suits the line.
-  double most() const {
-    double opening = 0.0;
-    for (const Punch& punch : tools_.punches)
-      for (const Die& die : tools_.dies)
-        if (suits(punch, die)) opening = std::max(opening, die.opening);
-    return opening;
+    if (!widest([&](const Punch& p, const Die& d) { return suits(p, d) && borne_by_tools(p, d); }))
+      return remark_of(say::no_strong_tools, {{"force", force(suiting->opening), say::kPerMetre}});
+    const Die* die = widest([&](const Punch& p, const Die& d) { return all_but_press(p, d); });
+    PLANISH_ASSERT(die);
+    return remark_of(say::weak_press,
+                     {{"force", force_of(line_, *die, options_), unit::kilonewtons},
+                      {"most", tools_.machine.force, unit::kilonewtons},
+                      {"opening", die->opening, unit::mm}});
   }
 
   const BrakeLine& line_;
@@ -304,10 +289,6 @@ class Fitting {
   std::set<double> sizes_;  ///< openings of the catalogue, of dies that are sharp enough
   double nearest_ = 0.0;    ///< of them to the wanted one
 };
-
-}  // namespace
-
-namespace {
 
 /// Flat tools that bear the force of closing a hem.
 FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,

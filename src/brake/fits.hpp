@@ -43,7 +43,7 @@ Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options);
 /// How a workpiece is cut at its lines for these tools: radii of what is pressed without one of its
 /// own are those of the wanted V.
 WorkpieceOptions workpiece_options(double thickness, const BrakeTools& tools,
-                                   const PlanOptions& options);
+                                   const PlanOptions& options, std::vector<LargeBend> large = {});
 
 /// A punch and a die that bend a line.
 struct ToolPair {

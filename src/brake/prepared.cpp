@@ -105,8 +105,8 @@ Result<StrokeInputs> prepared(const Sheet& sheet, const Layout& layout, const Br
                               const PlanOptions& options) {
   if (const auto right = check(tools); !right) return pass_on(right);
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
-  WorkpieceOptions cut = workpiece_options(sheet.thickness, tools, options);
-  cut.large = large_bends(sheet, layout, tools, options);
+  WorkpieceOptions cut = workpiece_options(sheet.thickness, tools, options,
+                                           large_bends(sheet, layout, tools, options));
   for (;;) {
     auto work = workpiece_of(sheet, layout, cut);
     if (!work) return pass_on(work);

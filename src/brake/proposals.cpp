@@ -82,9 +82,8 @@ class Trying {
 
  private:
   Result<Workpiece> work_for(const PlanOptions& options) const {
-    WorkpieceOptions cut = workpiece_options(sheet_.thickness, tools_, options);
-    cut.large = plan_.large;
-    return workpiece_of(sheet_, layout_, cut);
+    return workpiece_of(sheet_, layout_,
+                        workpiece_options(sheet_.thickness, tools_, options, plan_.large));
   }
 
   /// Whether an order is found in what is left of the share.

@@ -118,9 +118,8 @@ StrokePicture picture(const Workpiece& work, const BrakeTools& tools, const Stro
 std::vector<StrokePicture> stroke_pictures(const Sheet& sheet, const Layout& layout,
                                            const BrakeTools& tools, const PlanOptions& options,
                                            const Plan& plan) {
-  WorkpieceOptions cut = workpiece_options(sheet.thickness, tools, options);
-  cut.large = plan.large;
-  const auto work = workpiece_of(sheet, layout, cut);
+  const auto work = workpiece_of(sheet, layout,
+                                 workpiece_options(sheet.thickness, tools, options, plan.large));
   PLANISH_ASSERT(work.has_value());
   std::vector<StrokePicture> pictures;
   LineSet formed = no_lines(static_cast<int>(work->lines.size()));

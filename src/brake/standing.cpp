@@ -25,11 +25,16 @@ std::vector<Interval> needed_by(ToolKind kind, const std::vector<Interval>& piec
   });
 }
 
+/// A tool as a part sees it.
+SidedObstacle seen_by(StageCache& cache, const Setting& stroke, int part, ToolKind kind) {
+  return cache.tools().obstacle(kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind),
+                                stroke.direction);
+}
+
 /// Whether a part hits a tool where that must stand.
 bool stands_in(StageCache& cache, const Setting& stroke, int part, ToolKind kind,
                const PressMotion& motion, const std::vector<Interval>& needed) {
-  const SidedObstacle obstacle = cache.tools().obstacle(
-      kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
+  const SidedObstacle obstacle = seen_by(cache, stroke, part, kind);
   return cache.stands_in(stroke, part, obstacle.key, needed, [&](const PlacedPart& placed) {
     return std::ranges::any_of(needed, [&](const Interval& along) {
       return hit_within(motion, placed, *obstacle.left, *obstacle.right, along,
@@ -43,19 +48,22 @@ bool stands_in(StageCache& cache, const Setting& stroke, int part, ToolKind kind
 const std::vector<Interval>& blocked_by(StageCache& cache, const Setting& stroke, int part,
                                         ToolKind kind, const PressMotion& motion,
                                         const Interval& within) {
-  const SidedObstacle obstacle = cache.tools().obstacle(
-      kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
+  const SidedObstacle obstacle = seen_by(cache, stroke, part, kind);
   return cache.blocked(stroke, part, obstacle.key, within, [&](const PlacedPart& placed) {
     return blocked_along(motion, placed, *obstacle.left, *obstacle.right,
                          most_turn(cache.inputs(), stroke.line), within);
   });
 }
 
+const SegmentSums& segments_of(const StrokeInputs& inputs, const Setting& stroke, ToolKind row) {
+  return row == ToolKind::punch ? inputs.punch_segments[stroke.punch]
+                                : inputs.die_segments[stroke.die];
+}
+
 /// Where the shortest row that presses all pieces may stand.
 Interval of_shortest_row(const StrokeInputs& inputs, const Setting& stroke, ToolKind row,
                          const std::vector<Interval>& pieces) {
-  const SegmentSums& segments = row == ToolKind::punch ? inputs.punch_segments[stroke.punch]
-                                                       : inputs.die_segments[stroke.die];
+  const SegmentSums& segments = segments_of(inputs, stroke, row);
   const double left_out = shortfall(inputs);
   const double lo = covered(pieces.front(), left_out).lo, hi = covered(pieces.back(), left_out).hi;
   const auto shortest = std::ranges::lower_bound(segments.sums(), hi - lo - kSameLength, {},
@@ -70,9 +78,7 @@ std::size_t row_of(ToolKind kind) { return kind == ToolKind::punch ? 0 : 1; }
 std::vector<ToolRow> row_of_segments(const StrokeInputs& inputs, const Setting& stroke,
                                      ToolKind kind, const std::vector<Interval>& pieces,
                                      const std::vector<Interval>& walls) {
-  const SegmentSums& segments = kind == ToolKind::punch ? inputs.punch_segments[stroke.punch]
-                                                        : inputs.die_segments[stroke.die];
-  return tool_rows(segments,
+  return tool_rows(segments_of(inputs, stroke, kind),
                    {pieces, shortfall(inputs), joined(walls, 0.0), inputs.tools.machine.length});
 }
 

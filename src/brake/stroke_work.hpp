@@ -51,7 +51,6 @@ class StrokeWork {
   Stop stopped();
   /// Grants the search for reasons a share of the work besides.
   void look_for_reasons();
-  bool is_cancelled() const { return progress_.should_stop(); }
 
  private:
   const StrokeProblem& problem_;

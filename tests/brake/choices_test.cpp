@@ -14,16 +14,7 @@ using namespace brake_detail;
 
 /// Two flaps on one edge are pressed together; each alone as well.
 TEST(Choices, PressBendsOnOneLineTogether) {
-  SheetBuilder builder(1.0);
-  const FaceId base = builder.flange(
-      Frame{},
-      {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
-  for (const int side : {0, 4}) {
-    const Rim rim = builder.bend(builder.rim(base, side),
-                                 {Angle::degrees(90), 1.0, BendDirection::up});
-    builder.flange_behind(rim, {rectangle(rim.length, 30)});
-  }
-  Room room(builder.finish(), plain_tools());
+  Room room(two_flaps(), plain_tools());
   const LineSet flat = room.lines({});
   bool together = false, alone = false;
   for (const StrokeChoice& choice : choices(room.cache(), flat)) {

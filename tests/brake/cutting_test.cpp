@@ -62,22 +62,8 @@ TEST(Cutting, CutsALargeBendAsItIsFormed) {
 
 /// Two flaps on one edge are two lines; a flange bent at the same edge by two bends, which a gap
 /// parts, is one.
-Sheet flange_on_two_bends(double second_angle) {
-  SheetBuilder builder(1.0);
-  const FaceId base = builder.flange(
-      Frame{},
-      {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
-  const Rim first = builder.bend(builder.rim(base, 0),
-                                 {Angle::degrees(90), 1.0, BendDirection::up});
-  const Rim second = builder.bend(builder.rim(base, 4),
-                                  {Angle::degrees(second_angle), 1.0, BendDirection::up});
-  builder.flange_behind(first, {rectangle(first.length, 30)});
-  builder.flange_behind(second, {rectangle(second.length, 30)});
-  return builder.finish();
-}
-
 TEST(Cutting, KeepsFlapsOnOneEdgeApart) {
-  const auto work = work_to_cut(flange_on_two_bends(90));
+  const auto work = work_to_cut(two_flaps());
   ASSERT_TRUE(work);
   EXPECT_EQ(work->lines.size(), 2u);
   EXPECT_EQ(work->bodies.size(), 3u);

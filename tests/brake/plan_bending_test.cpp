@@ -194,13 +194,7 @@ TEST(PlanBending, TakesTheNearestV) {
 /// one for each size away from the wanted one, and is told.
 TEST(PlanBending, TakesAnotherVWhereTheWantedDoesNotFit) {
   BrakeTools tools = plain_tools();
-  tools.dies.clear();
-  for (const double opening : {6.0, 8.0, 10.0, 12.0, 16.0}) {
-    PlainDie plain;
-    plain.opening = opening;
-    tools.dies.push_back(die(plain));
-    tools.dies.back().id = std::to_string(static_cast<int>(opening));
-  }
+  tools.dies = plain_dies({6.0, 8.0, 10.0, 12.0, 16.0});
   const double q = tools.dies.front().shoulder_radius;
   const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 2.0);
   const auto plan = [&](double flange, VChoice v) {
@@ -239,16 +233,7 @@ TEST(PlanBending, TakesAnotherVWhereTheWantedDoesNotFit) {
 
 /// What is pressed together takes the force of all.
 TEST(PlanBending, PressesApartWhatIsTooMuchTogether) {
-  SheetBuilder builder(1.0);
-  const FaceId base = builder.flange(
-      Frame{},
-      {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
-  for (const int side : {0, 4}) {
-    const Rim rim = builder.bend(builder.rim(base, side),
-                                 {Angle::degrees(90), 1.0, BendDirection::up});
-    builder.flange_behind(rim, {rectangle(rim.length, 30)});
-  }
-  const Sheet sheet = builder.finish();
+  const Sheet sheet = two_flaps();
   BrakeTools tools = plain_tools();
   // 40 mm over a V of 12 take 2.13 kN.
   for (const double force : {4.27, 4.25, 2.14, 2.12}) {

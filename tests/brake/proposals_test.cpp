@@ -87,13 +87,7 @@ TEST(Proposals, NameAPunchThatWouldDo) {
 /// A flange of x takes a V of at most 2 (x − q) with shoulders of q, here of 1.5.
 TEST(Proposals, NameTheWidestVForAShortFlange) {
   BrakeTools tools = plain_tools();
-  tools.dies.clear();
-  for (const double opening : {16.0, 12.0, 10.0, 8.0, 6.0}) {
-    PlainDie plain;
-    plain.opening = opening;
-    tools.dies.push_back(die(plain));
-    tools.dies.back().id = "V" + std::to_string(static_cast<int>(opening));
-  }
+  tools.dies = plain_dies({16.0, 12.0, 10.0, 8.0, 6.0}, "V");
   const double half_zone = 0.25 * std::numbers::pi * (1.0 + 0.44 * 2.0);
   const auto proposed = [&](double flange, VChoice v) {
     PlanOptions options;

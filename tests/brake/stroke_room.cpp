@@ -41,6 +41,17 @@ BrakeTools plain_tools(const PlainPunch& upper, const PlainDie& lower) {
   return tools;
 }
 
+std::vector<Die> plain_dies(const std::vector<double>& openings, const std::string& prefix) {
+  std::vector<Die> dies;
+  for (const double opening : openings) {
+    PlainDie plain;
+    plain.opening = opening;
+    dies.push_back(die(plain));
+    dies.back().id = prefix + std::to_string(static_cast<int>(opening));
+  }
+  return dies;
+}
+
 Room::Room(Sheet sheet, BrakeTools tools, const PlanOptions& options,
            const FlattenOptions& flattening)
     : sheet_(std::move(sheet)), tools_(std::move(tools)) {

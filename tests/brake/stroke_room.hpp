@@ -8,6 +8,9 @@
 
 #include <planish/sheet/flat_pattern.hpp>
 
+#include <string>
+#include <vector>
+
 namespace planish::test {
 
 /// A straight punch: the wedge of its tip as wide as the body, which goes up to `height`.
@@ -25,6 +28,9 @@ struct PlainDie {
   std::vector<double> segments = {500, 200, 100, 100, 50, 40, 20, 15, 10};
 };
 Die die(const PlainDie& plain = {});
+
+/// Plain dies of these openings, each called by its own after `prefix`: "12", "V12".
+std::vector<Die> plain_dies(const std::vector<double>& openings, const std::string& prefix = "");
 
 /// One punch, one die, no beams, no gauge.
 BrakeTools plain_tools(const PlainPunch& upper = {}, const PlainDie& lower = {});

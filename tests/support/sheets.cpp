@@ -79,6 +79,18 @@ Sheet staircase(int n) {
 
 Sheet hem() { return strip({Straight{40}, turn(180, 0.5, up), Straight{15}}, 20, 1); }
 
+Sheet two_flaps() {
+  SheetBuilder builder(1.0);
+  const FaceId base = builder.flange(
+      Frame{},
+      {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
+  for (const int side : {0, 4}) {
+    const Rim rim = builder.bend(builder.rim(base, side), turn(90, 1.0, up));
+    builder.flange_behind(rim, {rectangle(rim.length, 30)});
+  }
+  return builder.finish();
+}
+
 Sheet turn_of_250() { return strip({Straight{40}, turn(250, 8, up), Straight{4}}, 20, 1); }
 
 Sheet two_turns_of_270() {

@@ -43,6 +43,9 @@ Sheet z_profile();
 Sheet staircase(int n);
 /// 40 | 180° up r 0.5 | 15, width 20, t 1.
 Sheet hem();
+/// A base of 100 x 80 x 1 with two flaps of 40 x 30 on one edge, 20 apart and bent alike by 90°,
+/// r 1.
+Sheet two_flaps();
 /// 40 | 250° up r 8 | 4, width 20, t 1.
 Sheet turn_of_250();
 /// 6 | 270° up r 10 | 60 | 270° up r 10 | 6, width 20, t 1: both ends curled the same way.

@@ -27,9 +27,6 @@ enum class Status { ok, warning, refused };
 /// "ok", "warning", "refused".
 std::string_view status_name(Status status);
 
-/// What every command reports about a flat pattern. A refused report, which an `Outcome` only shows
-/// beside its error, has no pattern; `summary` (if its thickness > 0) and `flat` (if its outer
-/// contour is not empty) then hold what was known. Lengths are mm; `units` is for the reports.
 /// The pattern that fits the tools of a plan, where these leave other inside radii than the drawn
 /// ones. The folded part has its flanges where they are drawn.
 struct MadeFlat {
@@ -43,6 +40,9 @@ struct MadeFlat {
   std::vector<Row> bends;
 };
 
+/// What every command reports about a flat pattern. A refused report, which an `Outcome` only shows
+/// beside its error, has no pattern; `summary` (if its thickness > 0) and `flat` (if its outer
+/// contour is not empty) then hold what was known. Lengths are mm; `units` is for the reports.
 struct Report {
   std::string input;
   std::string body;      ///< name of the part: of the body in its file, or of its input file
