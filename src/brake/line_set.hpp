@@ -32,6 +32,11 @@ inline LineSet common(LineSet a, const LineSet& b) {
   return a;
 }
 
+inline LineSet without(LineSet a, const LineSet& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] &= ~b[i];
+  return a;
+}
 inline bool disjoint(const LineSet& a, const LineSet& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if ((a[i] & b[i]) != 0) return false;

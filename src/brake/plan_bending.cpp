@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 // A plan of strokes, or why there is none. The search (stroke_search.cpp) knows lines and choices;
 // here they become strokes with tools and gauge, notes, and reasons. If some bends cannot be formed
@@ -126,13 +127,14 @@ Remark told_of(const BlockedBend& blocked) {
 /// was not because another can no longer be.
 void note_furthest(StageCache& cache, const LineSet& furthest, Clock::time_point until,
                    Plan& plan) {
-  constexpr int kTold = 4;  // lines: more say the same again
-  int told = 0;
+  constexpr std::size_t kTold = 4;  // bends: more say the same again
+  std::set<BendId> told;            // one of several press lines is enough
   for (int line = 0; line < cache.inputs().lines(); ++line) {
-    if (holds(furthest, line) || told == kTold) continue;
+    const BendId bend = cache.inputs().work.lines[line].bends.front();
+    if (holds(furthest, line) || told.size() == kTold || told.contains(bend)) continue;
     const BlockedBend blocked = brake_detail::blocked(cache, furthest, line, until);
     if (!blocked.hits && !blocked.why) continue;
-    ++told;
+    told.insert(bend);
     plan.in_the_way.push_back(blocked);
     plan.remarks.push_back(told_of(blocked));
   }
@@ -156,6 +158,7 @@ void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_poin
       for (const BendId bend : lines[i].bends)
         if (!std::ranges::count(plan.unformed, bend)) plan.unformed.push_back(bend);
     }
+  if (search.blocked.empty() && search.none_last) plan.remarks.push_back(remark_of(say::none_last));
   if (search.blocked.empty()) note_furthest(cache, search.furthest, until, plan);
 }
 

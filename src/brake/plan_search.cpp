@@ -55,7 +55,8 @@ Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
     limits.checks = static_cast<std::int64_t>(kOutsideIn * static_cast<double>(limits.checks));
     limits.reasons = false;
     auto found = search_strokes(narrow, options.weights, limits, progress);
-    if (!found) return found;
+    // What is outermost does not matter to the last stroke.
+    if (!found || found->none_last) return found;
     if (!found->strokes.empty()) outside_in = std::move(*found);
     if (outside_in && options.limits.first) return *outside_in;
   }

@@ -26,6 +26,10 @@ constexpr Sentence other_v{
 constexpr Sentence narrow_v{
     "narrow_v", "a V of {opening}, less than {least}, marks the sheet at {@bend} and may crack it"};
 
+constexpr Sentence none_last{"none_last",
+                             "no bend can be the last: each, with all others formed, hits a tool "
+                             "or lacks room for one"};
+
 // What is in the way of a bend in the stage that got furthest.
 constexpr Sentence cannot_be_bent{kFurthestStage,
                                   "where the order gets furthest, {@bend:id} cannot be bent"};

@@ -215,6 +215,33 @@ bool StageBook::feasible(int stage, std::size_t offer) {
   return one.state == Offer::State::feasible;
 }
 
+bool StageBook::can_end() {
+  constexpr std::size_t kMostTogether = 4;
+  std::set<LineSet> last;
+  for (const StrokeChoice& row : problem_.possible) {
+    const std::vector<int> lines = members(row.lines);
+    if (lines.size() > kMostTogether) return true;
+    for (std::size_t subset = 1; subset < std::size_t{1} << lines.size(); ++subset) {
+      LineSet pressed(full_.size());
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if ((subset >> i & 1) != 0) insert(pressed, lines[i]);
+      last.insert(std::move(pressed));
+    }
+  }
+  return last.empty() ||
+         std::ranges::any_of(last, [&](const LineSet& lines) { return can_end_with(lines); });
+}
+
+/// The stage before may be out of reach, so nothing is noted but why a choice is infeasible.
+bool StageBook::can_end_with(const LineSet& lines) {
+  const LineSet before = without(full_, lines);
+  return std::ranges::any_of(problem_.choices(before), [&](const StrokeChoice& choice) {
+    if (choice.lines != lines || !fits_beginning(before, choice)) return false;
+    return !problem_.check ||
+           ask({choice, kNoSetUp, 0.0, family_of(lines, set_up_in(choice))}, before);
+  });
+}
+
 double StageBook::change(int from, int to) const {
   if (from == kNoSetUp || from == to) return 0.0;
   const SetUp &a = set_ups_[from], &b = set_ups_[to];

@@ -89,6 +89,9 @@ class StageBook {
   const std::vector<Offer>& offers(int stage);
   /// Whether an offer can be made; asked when first needed.
   bool feasible(int stage, std::size_t offer);
+  /// Whether some stroke can be the last: with all other lines formed. Taken for granted where the
+  /// lines pressed together are not known, or are many.
+  bool can_end();
 
   const KnownChoice& choice(int number) const { return choices_[number]; }
   const SetUp& set_up(int number) const { return set_ups_[number]; }
@@ -116,6 +119,7 @@ class StageBook {
   void list_families();
   bool is_covered(const StrokeChoice& choice) const;
   bool ask(const KnownChoice& known, const LineSet& formed);
+  bool can_end_with(const LineSet& lines);
   void learn(const KnownChoice& known, const LineSet& formed, const LineSet& because);
   std::optional<LineSet> blocked_for_good(int line, const LineSet& formed) const;
 

@@ -31,6 +31,16 @@ bool no_dearer(const std::vector<std::vector<double>>& lines, std::size_t width,
   return true;
 }
 
+/// A column of that table.
+std::vector<double> column_of(const std::vector<std::vector<double>>& lines, std::size_t width,
+                              std::size_t column) {
+  std::vector<double> found;
+  for (const std::vector<double>& costs : lines)
+    for (std::size_t row = column; row < costs.size(); row += width)
+      found.push_back(costs[row]);
+  return found;
+}
+
 }  // namespace
 
 std::size_t StrokeBound::CountsHash::operator()(const Counts& counts) const {
@@ -79,20 +89,21 @@ std::vector<StrokeBound::Costs> StrokeBound::line_costs(const Rows& rows) const 
   return lines;
 }
 
-/// Tools that are never better than others are taken for those: that makes no tour dearer.
+/// Tools that are never better than others are taken for those: that makes no tour dearer. Most
+/// differ in nothing, so only the first of each kind is held against the others.
 void StrokeBound::merge_tools(std::vector<Costs>& lines) {
   const std::size_t width = size_[2];
-  std::vector<std::size_t> kept, column(width);
+  std::map<Costs, std::size_t> kinds;
+  std::vector<std::size_t> first, kept, column(width);
   for (std::size_t t = 0; t < width; ++t) {
-    const auto as_good = [&](std::size_t other) {
-      return other != t && no_dearer(lines, width, other, t) &&
-             (other < t || !no_dearer(lines, width, t, other));
-    };
-    std::size_t best = t;
-    for (std::size_t other = 0; other < width; ++other)
-      if (as_good(other) && (best == t || no_dearer(lines, width, other, best))) best = other;
-    column[t] = best;
-    if (best == t) kept.push_back(t);
+    const auto [kind, fresh] = kinds.try_emplace(column_of(lines, width, t), t);
+    column[t] = kind->second;
+    if (fresh) first.push_back(t);
+  }
+  for (const std::size_t t : first) {
+    for (const std::size_t other : first)
+      if (other != t && no_dearer(lines, width, other, column[t])) column[t] = other;
+    if (column[t] == t) kept.push_back(t);
   }
   for (Costs& costs : lines) {
     Costs merged;

@@ -63,17 +63,25 @@ bool StrokeWork::cheaper(double cost, double than) const {
   return cost < than - tolerance::kComputed * (1.0 + std::abs(than));
 }
 
+/// Looking through this many offers takes as long as a check.
+std::int64_t StrokeWork::checks() const {
+  constexpr std::int64_t kOffers = 200;
+  return (problem_.checks ? problem_.checks() : 0) + book_.offers_kept() / kOffers;
+}
+
 StrokeWork::Stop StrokeWork::stopped() {
   if (progress_.should_stop()) return Stop::cancelled;
   const bool over = book_.asked() >= limits_.stages || book_.offers_kept() > kMostOffers ||
-                    (problem_.checks && problem_.checks() >= most_checks_);
+                    (problem_.checks && checks() >= most_checks_);
   if (over) return Stop::limit;
   return std::chrono::steady_clock::now() > end_ ? Stop::time : Stop::none;
 }
 
 void StrokeWork::look_for_reasons() {
-  constexpr std::int64_t kShare = 4;  // a quarter of what the search may do
-  if (problem_.checks) most_checks_ = problem_.checks() + limits_.checks / kShare;
+  // Shares of what the search may do. That no stroke can be the last is a reason by itself.
+  constexpr std::int64_t kShare = 4, kShareBesides = 40;
+  if (problem_.checks)
+    most_checks_ = checks() + limits_.checks / (knows_no_end_ ? kShareBesides : kShare);
 }
 
 int StrokeWork::depth_of(const StrokeChoice& choice) const {
@@ -130,7 +138,7 @@ Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weig
 
 /// Looks for any plan, with more and more patience. Returns whether it is known that there is none.
 bool look_for_plan(StrokeWork& work) {
-  for (const std::int64_t patience : {std::int64_t{0}, kQuickStages / 20, kQuickStages})
+  for (const std::int64_t patience : {std::int64_t{0}, kQuickStages / 20, kQuickStages}) {
     for (const Guide guide :
          {Guide::cost, Guide::outside_in, Guide::first_line, Guide::last_line}) {
       if (guide == Guide::outside_in && !work.knows_depth()) continue;
@@ -139,6 +147,8 @@ bool look_for_plan(StrokeWork& work) {
       work.renew_bound();
       if (ended || !work.hopeless().empty()) return true;
     }
+    if (patience == 0 && !work.can_end()) return true;
+  }
   return false;
 }
 
@@ -174,6 +184,7 @@ void tell_plan(StrokeSearch& result, StrokeWork& work) {
 
 void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines) {
   result.status = PlanStatus::infeasible;
+  result.none_last = work.knows_no_end();
   const bool all = work.wants_reasons() && search_reachable(work);
   result.blocked_all = all;
   for (int line = 0; line < lines; ++line)

@@ -44,11 +44,20 @@ class StrokeWork {
   /// Whether every line that may be possible at all has been formed in a stage that can be reached.
   bool all_seen() const;
 
+  /// Whether some stroke can be the last, as far as is known (StageBook).
+  bool can_end() {
+    knows_no_end_ = !book_.can_end();
+    return !knows_no_end_;
+  }
+  bool knows_no_end() const { return knows_no_end_; }
+
   bool wants_reasons() const { return limits_.reasons; }
 
   /// Why the search ends before it is done.
   enum class Stop { none, limit, time, cancelled };
   Stop stopped();
+  /// What was done so far, counted in checks.
+  std::int64_t checks() const;
   /// Grants the search for reasons a share of the work besides.
   void look_for_reasons();
 
@@ -64,6 +73,7 @@ class StrokeWork {
   std::unique_ptr<StrokeBound> bound_;
   std::set<std::size_t> refuted_rows_;
   std::int64_t learned_known_ = 0;
+  bool knows_no_end_ = false;
   double cheapest_;
   double proven_ = 0.0;
   std::vector<int> plan_;

@@ -141,7 +141,8 @@ class ClauseProblem {
     for (const Row& row : rows_)
       problem.possible.push_back(row.choice);
     problem.choices = [this](const LineSet& formed) {
-      EXPECT_TRUE(stages_asked_.insert(formed[0]).second) << "a stage is asked for twice";
+      const bool fresh = stages_asked_.insert(formed[0]).second;
+      EXPECT_TRUE(fresh || lacks_one(formed)) << "a stage is asked for twice";
       std::vector<StrokeChoice> choices;
       for (const Row& row : rows_)
         if (!(row.choice.lines[0] & formed[0])) choices.push_back(row.choice);
@@ -152,7 +153,8 @@ class ClauseProblem {
         return one.choice.lines == choice.lines && one.choice.punch == choice.punch &&
                one.choice.direction == choice.direction;
       });
-      EXPECT_TRUE(asked_.insert({formed[0], row - rows_.begin()}).second) << "asked twice";
+      const bool fresh = asked_.insert({formed[0], row - rows_.begin()}).second;
+      EXPECT_TRUE(fresh || lacks_one(formed)) << "asked twice";
       const Clause* clause = met(*row, formed[0]);
       return clause ? StrokeVerdict{false, LineSet{clause->lines}} : StrokeVerdict{};
     };
@@ -166,6 +168,10 @@ class ClauseProblem {
     StrokeChoice choice;
     std::vector<Clause> clauses;
   };
+
+  bool lacks_one(const LineSet& formed) const {
+    return std::popcount(formed[0]) == table_.lines - 1;
+  }
 
   int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
 
@@ -451,18 +457,32 @@ TEST(SearchStrokes, GivesTheBestFoundWhenALimitEndsIt) {
 }
 
 TEST(SearchStrokes, GivesUpWithoutAPlanWhenALimitEndsIt) {
-  // Only the last stroke turns out to be impossible.
+  // Only the last stroke but one turns out to be impossible.
   StrokeProblem problem = permissive(
       24, [](int line) { return std::vector<StrokeChoice>{{one_line(line)}}; });
   problem.check = [](const LineSet& formed, const StrokeChoice&) -> StrokeVerdict {
-    return {std::popcount(formed[0]) < 23, {}};
+    return {std::popcount(formed[0]) != 22, {}};
   };
   const auto found = search_strokes(problem, {}, {.stages = 3000, .seconds = 30.0});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->status, PlanStatus::gave_up);
   EXPECT_TRUE(found->strokes.empty());
   EXPECT_TRUE(found->blocked.empty());
-  EXPECT_EQ(std::popcount(found->furthest[0]), 23);
+  EXPECT_EQ(std::popcount(found->furthest[0]), 22);
+}
+
+TEST(SearchStrokes, ProvesThatNoStrokeCanBeTheLast) {
+  // Of so many lines there are too many stages to go to all.
+  StrokeProblem problem = permissive(
+      40, [](int line) { return std::vector<StrokeChoice>{{one_line(line)}}; });
+  problem.check = [](const LineSet& formed, const StrokeChoice&) -> StrokeVerdict {
+    return {std::popcount(formed[0]) < 39, {}};
+  };
+  const auto found = search_strokes(problem, {}, {.stages = 3000, .seconds = 30.0});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->status, PlanStatus::infeasible);
+  EXPECT_TRUE(found->none_last);
+  EXPECT_LT(found->stages, 3000);
 }
 
 TEST(SearchStrokes, EndsAtTheFirstPlanIfThatIsWanted) {

@@ -21,6 +21,8 @@ json file(const std::string& name, const json& content) {
   return {{"name", name}, {"content", content}};
 }
 
+constexpr std::string_view kBends = "check_bending";
+
 /// A value of each option that is not its default.
 json sample_of(const Option& option) {
   static const std::map<std::string_view, json> kSamples{
@@ -71,12 +73,15 @@ class OptionPairs : public ::testing::TestWithParam<const char*> {
  protected:
   const Maker& maker() const { return *built_in().maker(GetParam()); }
 
-  json input() const {
+  /// Curves to be pressed line by line take long to plan, so what is bent is another transition.
+  json input(bool bent) const {
     const json plates = {{"name", "channel.json"}, {"content", channel_plates_of_two_heights()}};
     if (maker().format == "planish/plates") return plates;
     if (maker().format == "planish/transition")
-      return {{"name", "cone.json"},
-              {"content", test::bytes_of_file(test::example("transition/a_square_to_round.json"))}};
+      return {{"name", "transition.json"},
+              {"content",
+               test::bytes_of_file(test::example(bent ? "transition/l_hip_roof.json"
+                                                      : "transition/a_square_to_round.json"))}};
     const auto made = test::done_by(
         {{"maker", "connect"}, {"input", plates}, {"artifacts", {"step"}}});
     EXPECT_EQ(made.artifacts.size(), 1u);
@@ -107,38 +112,51 @@ bool names(const Error& error, std::string_view option) {
   return error.message.find(std::string("`") + std::string(option) + "`") != std::string::npos;
 }
 
+/// What comes of no options and of each by itself.
+struct Alone {
+  json input;
+  std::string plain;
+  std::map<std::string_view, Came> of;
+};
+
 TEST_P(OptionPairs, WorkTogetherOrAreRefusedByName) {
-  const json what = input();
-  const std::string plain = came_of(what, json::object()).text;
-  ASSERT_FALSE(plain.empty());
-  std::map<std::string_view, Came> alone;
   std::map<std::string_view, json> samples;
   for (const OptionUse& use : maker().options)
     samples[use.name] = sample_of(use.entry());
+  std::map<bool, Alone> alone;
+  for (const bool bent : {false, true}) {
+    Alone& one = alone[bent];
+    one.input = input(bent);
+    one.plain = came_of(one.input, json::object()).text;
+    ASSERT_FALSE(one.plain.empty());
+  }
   // Another face that may stay where it is.
   for (int face = 1; samples.contains("root") && face < 30; ++face) {
-    const Came came = came_of(what, {{"root", std::to_string(face)}});
-    if (!came.error && came.text != plain) samples["root"] = std::to_string(face);
+    const Came came = came_of(alone[false].input, {{"root", std::to_string(face)}});
+    if (!came.error && came.text != alone[false].plain) samples["root"] = std::to_string(face);
   }
-  for (const OptionUse& use : maker().options) {
-    alone[use.name] = came_of(what, {{std::string(use.name), samples[use.name]}});
-    const std::set<std::string_view> refused{"rip_edges", "tick_length", "material"};
-    EXPECT_TRUE(!alone[use.name].error || refused.contains(use.name))
-        << use.name << ": " << alone[use.name].error->message;
-  }
+  for (auto& [bent, one] : alone)
+    for (const OptionUse& use : maker().options) {
+      if (use.name == kBends && !bent) continue;
+      one.of[use.name] = came_of(one.input, {{std::string(use.name), samples[use.name]}});
+      const std::set<std::string_view> refused{"rip_edges", "tick_length", "material"};
+      EXPECT_TRUE(!one.of[use.name].error || refused.contains(use.name))
+          << use.name << ": " << one.of[use.name].error->message;
+    }
   for (const OptionUse& first : maker().options)
     for (const OptionUse& second : maker().options) {
       if (&first >= &second) continue;
       const std::string a(first.name), b(second.name);
-      const Came both = came_of(what, {{a, samples[first.name]}, {b, samples[second.name]}});
-      const Came &one = alone[first.name], &other = alone[second.name];
+      const Alone& apart = alone[a == kBends || b == kBends];
+      const Came both = came_of(apart.input, {{a, samples[first.name]}, {b, samples[second.name]}});
+      const Came &one = apart.of.at(first.name), &other = apart.of.at(second.name);
       if (one.error || other.error) continue;
       if (both.error) {
         EXPECT_EQ(both.error->code, code::bad_option) << a << " " << b;
         EXPECT_TRUE(names(*both.error, a) && names(*both.error, b)) << both.error->message;
         continue;
       }
-      if (one.text == plain || other.text == plain) continue;
+      if (one.text == apart.plain || other.text == apart.plain) continue;
       EXPECT_TRUE(both.text != one.text) << b << " does nothing beside " << a;
       EXPECT_TRUE(both.text != other.text) << a << " does nothing beside " << b;
     }

@@ -61,7 +61,7 @@ struct StrokeVerdict {
 };
 
 /// What a search asks. Each stage and each choice in a stage is asked for once at most, and only
-/// stages that can be reached.
+/// stages that can be reached; once more those that lack one stroke.
 struct StrokeProblem {
   int lines = 0;
   /// All strokes that may be made in a stage; quick. Several may press the same lines.
@@ -103,6 +103,7 @@ struct StrokeSearch {
   /// lines; else it was not looked at every stage once this was proven, and there may be more.
   std::vector<int> blocked = {};
   bool blocked_all = true;
+  bool none_last = false;  ///< if infeasible: since no stroke can be made after all others
   LineSet furthest = {};  ///< if there is no plan: the stage with the most lines formed
 };
 
