@@ -28,9 +28,10 @@ double force_on(const StrokeInputs& inputs, const LineSet& lines, int die) {
   return force;
 }
 
-StrokeChoice with_tools(StrokeChoice choice, const ToolPair& pair) {
+StrokeChoice with_tools(const StrokeInputs& inputs, StrokeChoice choice, const ToolPair& pair) {
   choice.punch = pair.punch;
   choice.die = pair.die;
+  choice.bed = inputs.beds[pair.punch][pair.die];
   choice.v_away = pair.v_away;
   return choice;
 }
@@ -42,7 +43,7 @@ void add_pairs(const StrokeInputs& inputs, const FittingTools& fitting, StrokeCh
   const bool alone = count(choice.lines) == 1;  // its pairs were held against the press
   for (const ToolPair& pair : fitting.pairs) {
     if (!alone && force_on(inputs, choice.lines, pair.die) > inputs.tools.machine.force) continue;
-    all.push_back(with_tools(choice, pair));
+    all.push_back(with_tools(inputs, choice, pair));
   }
 }
 
@@ -52,7 +53,7 @@ bool is_gauged(StageCache& cache, const LineSet& formed, StrokeChoice choice, in
   const FittingTools& fitting = inputs.fitting[first];
   if (inputs.work.lines[first].closes) return true;
   if (fitting.pairs.empty()) return true;
-  choice = with_tools(std::move(choice), fitting.pairs.front());
+  choice = with_tools(inputs, std::move(choice), fitting.pairs.front());
   return gauge(cache, setting(inputs, formed, choice)).has_value();
 }
 
@@ -151,7 +152,7 @@ std::vector<StrokeChoice> possible(const StrokeInputs& inputs) {
       for (const int direction : {1, -1}) {
         choice.direction = direction_number(inputs, direction * inputs.work.lines[other].across());
         for (const ToolPair& pair : pairs)
-          all.push_back(with_tools(choice, pair));
+          all.push_back(with_tools(inputs, choice, pair));
       }
   }
   return all;

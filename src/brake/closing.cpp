@@ -6,8 +6,16 @@
 #include "standing.hpp"
 #include "sweep.hpp"
 
+#include <algorithm>
+
 namespace planish::brake_detail {
 namespace {
+
+ClosedHem closed(StageCache& cache, const Setting& stroke) {
+  const Workpiece& work = cache.inputs().work;
+  return closed_hem(work, cache.tree(stroke.line), work.lines[stroke.line],
+                    open_parts(cache, stroke));
+}
 
 /// A tool where it stands when the hem is closed.
 Obstacle standing_still(StageCache& cache, const Setting& stroke, const ClosedHem& hem,
@@ -20,17 +28,11 @@ Obstacle standing_still(StageCache& cache, const Setting& stroke, const ClosedHe
   return tool;
 }
 
-}  // namespace
-
-std::vector<const PlacedPart*> open_parts(StageCache& cache, const Setting& stroke) {
-  return cache.parts({stroke.formed, no_lines(cache.inputs().lines()), stroke.line});
-}
-
-Standing closing(StageCache& cache, const Setting& stroke) {
+/// Walls beside the flat tools, or the part that leaves them no room.
+tl::expected<RowWalls, Obstruction> walls_at_closing(StageCache& cache, const Setting& stroke) {
   const StrokeInputs& inputs = cache.inputs();
   const PartTree& tree = cache.tree(stroke.line);
-  const ClosedHem hem = closed_hem(inputs.work, tree, inputs.work.lines[stroke.line],
-                                   open_parts(cache, stroke));
+  const ClosedHem hem = closed(cache, stroke);
   const PressMotion still = motion(inputs, stroke);
   RowWalls walls = no_walls(inputs);
   for (const ToolKind kind : kToolKinds)
@@ -44,12 +46,39 @@ Standing closing(StageCache& cache, const Setting& stroke) {
       if (!is_row(kind)) return tl::unexpected(Obstruction{path, kind, -1, {Lack::Kind::room}});
       add_wall(walls, kind, blocked, path);
     }
-  return rows_between(cache, stroke, walls);
+  return walls;
+}
+
+}  // namespace
+
+std::vector<const PlacedPart*> open_parts(StageCache& cache, const Setting& stroke) {
+  return cache.parts({stroke.formed, no_lines(cache.inputs().lines()), stroke.line});
+}
+
+Standing closing(StageCache& cache, const Setting& stroke) {
+  const auto walls = walls_at_closing(cache, stroke);
+  if (!walls) return tl::unexpected(walls.error());
+  return rows_between(cache, stroke, *walls);
 }
 
 Standing press_rows(StageCache& cache, const Setting& stroke) {
   const bool closes = cache.inputs().work.lines[stroke.line].closes.has_value();
   return closes ? closing(cache, stroke) : standing(cache, stroke);
+}
+
+Surroundings surroundings(StageCache& cache, const Setting& stroke) {
+  const bool closes = cache.inputs().work.lines[stroke.line].closes.has_value();
+  Surroundings found{no_walls(cache.inputs()), {}};
+  if (!closes)
+    found.walls = walls_of(cache, stroke);
+  else if (auto walls = walls_at_closing(cache, stroke))
+    found.walls = std::move(*walls);
+  // A sheet keeps its x when it is bent, and when a hem is closed.
+  const auto& parts = closes ? open_parts(cache, stroke) : cache.parts(stroke);
+  found.part = parts.front()->along;
+  for (const PlacedPart* part : parts)
+    found.part = {std::min(found.part.lo, part->along.lo), std::max(found.part.hi, part->along.hi)};
+  return found;
 }
 
 }  // namespace planish::brake_detail

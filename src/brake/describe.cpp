@@ -44,12 +44,13 @@ std::vector<BendId> bends_of(const Workpiece& work, const LineSet& pressed) {
 
 }  // namespace
 
-Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
+Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& choice,
+                const std::optional<PressRows>& station) {
   const StrokeInputs& inputs = cache.inputs();
   const Setting at = setting(inputs, formed, choice);
   const BrakeLine& line = inputs.work.lines[at.line];
   const bool from_left = at.direction > 0;
-  const Standing rows = press_rows(cache, at);
+  const Standing rows = station ? Standing(*station) : press_rows(cache, at);
   Stroke stroke;
   stroke.bends = bends_of(inputs.work, at.pressed);
   stroke.press_line = line.press_line;

@@ -1,7 +1,7 @@
 // Where the back gauge touches. Straight borders of what lies in the plane of the sheet that face
-// the gauge, neighbours on one line as one, are tried from the longest on; at each the finger's
-// section is swept over all parts, and the edge must be clear over a finger's width
-// (math.md#gauging).
+// the gauge, neighbours on one line as one, are tried from the longest on, then outer faces of
+// flanges that stand upright; at each the finger's section is swept over all parts, and it must be
+// clear over a finger's width (math.md#gauging).
 #include "gauge.hpp"
 
 #include "sentences.hpp"
@@ -21,6 +21,8 @@ struct GaugeEdge {
   double away = 0.0;  ///< from the bend line
   Interval along;
   Segment in_pattern;
+  double height = 0.0;                  ///< of the finger
+  std::optional<FlangeId> flange = {};  ///< of whose outer face it is a level line
 };
 
 /// The edges of a body or zone, seen from the line; `left`: those that face away to the left.
@@ -87,6 +89,87 @@ std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke) {
   return edges;
 }
 
+/// The front of a finger, from its lowest to its highest corner there.
+Interval front_of(const BackGauge& gauge) {
+  constexpr double kAtFront = 1e-6;  // mm
+  Interval front{0.0, 0.0};
+  for (const Vec2& corner : gauge.finger)
+    if (std::abs(corner.x()) < kAtFront)
+      front = {std::min(front.lo, corner.y()), std::max(front.hi, corner.y())};
+  return front;
+}
+
+/// How high a finger is, as near to the lying sheet as can be, to touch a face between two heights
+/// with all its front, or over all the face if that is lower. Empty: it does not get there.
+std::optional<double> height_at(const Interval& face, const BackGauge& gauge) {
+  const Interval front = front_of(gauge);
+  const double a = face.lo - front.lo, b = face.hi - front.hi;
+  const double lo = std::max(std::min(a, b), gauge.lowest),
+               hi = std::min(std::max(a, b), gauge.highest);
+  if (lo > hi) return std::nullopt;
+  return std::clamp(0.0, lo, hi);
+}
+
+/// Where a level line crosses a polygon in (x, z).
+std::optional<Interval> crossing(const std::vector<Vec2>& polygon, double level) {
+  std::optional<Interval> found;
+  const auto take = [&](double x) {
+    found = found ? Interval{std::min(found->lo, x), std::max(found->hi, x)} : Interval{x, x};
+  };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a.y() - level) * (b.y() - level) > 0.0 || a.y() == b.y()) continue;
+    take(a.x() + (level - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+  return found;
+}
+
+/// Level lines on the outer faces of flanges that stand upright and face the gauge, where a finger
+/// would touch them.
+std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
+                                    const BackGauge& gauge) {
+  constexpr double kLeastTouch = 5.0;  // mm of a face, across its level line
+  const Workpiece& work = cache.inputs().work;
+  const PartTree& tree = cache.tree(stroke.line);
+  const Interval front = front_of(gauge);
+  const Eigen::Isometry3d lying = line_frame(work.lines[stroke.line]);
+  const double side = stroke.direction > 0 ? 1.0 : -1.0, middle = lying.translation().z();
+  std::vector<GaugeEdge> lines;
+  for (int part = 0; part < std::ssize(tree.parts()); ++part) {
+    const PartTree::Part& at = tree.parts()[part];
+    const PlacedPart& placed = *cache.parts(stroke)[part];
+    if (at.is_zone || placed.flat || placed.left != (stroke.direction > 0)) continue;
+    const Vec3 normal = placed.at.linear().col(2);
+    if (std::abs(normal.x()) > kParallel || std::abs(normal.z()) > kParallel) continue;
+    Interval face{kEverywhere.hi, kEverywhere.lo};
+    double away = 0.0;
+    const auto upright = mapped(work.bodies[at.index].pieces, [&](const Convex& piece) {
+      return mapped(piece, [&](const Vec2& corner) {
+        const Vec3 p = placed.at * Vec3(corner.x(), corner.y(), 0.0);
+        face = {std::min(face.lo, p.z()), std::max(face.hi, p.z())};
+        away = side * p.y() + 0.5 * work.thickness;
+        return Vec2(p.x(), p.z());
+      });
+    });
+    const auto height = height_at(face, gauge);
+    if (!height || away <= 0.0) continue;
+    const Interval touched{std::max(face.lo, *height + front.lo),
+                           std::min(face.hi, *height + front.hi)};
+    if (touched.hi - touched.lo < kLeastTouch) continue;
+    std::vector<Interval> along;
+    for (const std::vector<Vec2>& piece : upright)
+      if (const auto one = crossing(piece, 0.5 * (touched.lo + touched.hi))) along.push_back(*one);
+    for (const Interval& one : joined(std::move(along), kOneEdge)) {
+      const auto in_pattern = [&](double x) {
+        return Vec2((lying.inverse() * Vec3(x, side * away, middle)).head<2>());
+      };
+      lines.push_back({away, one, Segment{in_pattern(one.lo), in_pattern(one.hi)}, *height,
+                       work.bodies[at.index].flange});
+    }
+  }
+  return lines;
+}
+
 bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
   return edge.away >= gauge.from && edge.away <= gauge.to;
 }
@@ -94,9 +177,7 @@ bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
 double length(const GaugeEdge& edge) { return edge.along.hi - edge.along.lo; }
 
 /// Those that the gauge reaches and that are long enough, the longest first.
-std::vector<GaugeEdge> edges_in_reach(StageCache& cache, const Setting& stroke,
-                                      const BackGauge& gauge) {
-  std::vector<GaugeEdge> edges = edges_facing(cache, stroke);
+std::vector<GaugeEdge> in_reach(std::vector<GaugeEdge> edges, const BackGauge& gauge) {
   std::erase_if(edges, [&](const GaugeEdge& edge) {
     return !is_in_range(edge, gauge) || length(edge) < gauge.finger_width;
   });
@@ -106,29 +187,36 @@ std::vector<GaugeEdge> edges_in_reach(StageCache& cache, const Setting& stroke,
   return edges;
 }
 
-}  // namespace
-
-std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
-  const StrokeInputs& inputs = cache.inputs();
-  if (!inputs.tools.machine.gauge) return std::nullopt;
-  const BackGauge& gauge = *inputs.tools.machine.gauge;
-  const std::vector<GaugeEdge> edges = edges_in_reach(cache, stroke, gauge);
-  if (edges.empty()) return std::nullopt;
+/// The first at which a finger finds room.
+std::optional<GaugeStop> first_clear(StageCache& cache, const Setting& stroke,
+                                     const std::vector<GaugeEdge>& edges) {
   const bool left = stroke.direction > 0;
-  const PressMotion lying = motion(inputs, stroke);
-  const Obstacle& finger = cache.tools().finger();
+  const PressMotion lying = motion(cache.inputs(), stroke);
+  const double width = cache.inputs().tools.machine.gauge->finger_width;
   for (const GaugeEdge& edge : edges) {
-    const Obstacle here = moved(finger, {edge.away, 0.0}), there = mirrored(here);
+    const Obstacle here = moved(cache.tools().finger(), {edge.away, edge.height}),
+                   there = mirrored(here);
     std::vector<Interval> blocked;
     for (const PlacedPart* part : cache.parts(stroke)) {
       const auto walls = blocked_along(lying, *part, left ? here : there, left ? there : here, 0.0,
                                        edge.along);
       blocked.insert(blocked.end(), walls.begin(), walls.end());
     }
-    if (has_room(edge.along, std::move(blocked), gauge.finger_width))
-      return GaugeStop{edge.away, edge.in_pattern};
+    if (has_room(edge.along, std::move(blocked), width))
+      return GaugeStop{edge.away, edge.in_pattern, edge.height, edge.flange};
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
+  const StrokeInputs& inputs = cache.inputs();
+  if (!inputs.tools.machine.gauge) return std::nullopt;
+  const BackGauge& gauge = *inputs.tools.machine.gauge;
+  if (const auto stop = first_clear(cache, stroke, in_reach(edges_facing(cache, stroke), gauge)))
+    return stop;
+  return first_clear(cache, stroke, in_reach(faces_facing(cache, stroke, gauge), gauge));
 }
 
 Remark why_ungauged(StageCache& cache, const Setting& stroke) {

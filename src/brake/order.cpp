@@ -2,6 +2,7 @@
 // it can be made, or the way that comes nearest; then the search for the cheapest plan chooses
 // among these ways. What must hold: stages after a stroke that cannot be made are what they would
 // be (math.md#bend-order).
+#include "bed.hpp"
 #include "check.hpp"
 #include "choices.hpp"
 #include "describe.hpp"
@@ -203,11 +204,22 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
   checked.tool_changes = search->tool_changes;
   checked.ungauged = search->ungauged;
   checked.v_away = search->v_away;
+  std::vector<ChosenStroke> chosen;
   for (std::size_t i = 0; i < search->strokes.size(); ++i) {
     const OrderStep& step = steps.steps()[i];
-    const LineSet stage = steps.standing(step.formed);
-    checked.strokes.push_back({describe(cache, stage, search->strokes[i]), step.blocked,
-                               scene(cache, stage, search->strokes[i])});
+    chosen.push_back({steps.standing(step.formed), search->strokes[i], step.blocked.has_value()});
+  }
+  Bed bed = bed_of(cache, chosen);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const LineSet& stage = chosen[i].formed;
+    const StrokeChoice& choice = bed.choices[i];
+    checked.strokes.push_back({describe(cache, stage, choice, bed.rows[i]),
+                               steps.steps()[i].blocked, scene(cache, stage, choice, bed.rows[i])});
+  }
+  checked.stations = std::move(bed.stations);
+  if (const int more = bed.set_ups - 1 - checked.tool_changes; more > 0) {
+    checked.tool_changes += more;
+    checked.cost += more * state_->options.weights.tool_change;
   }
   return checked;
 }

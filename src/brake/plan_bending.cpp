@@ -1,3 +1,4 @@
+#include "bed.hpp"
 #include "describe.hpp"
 #include "plan_search.hpp"
 #include "preferred_tools.hpp"
@@ -96,12 +97,25 @@ void note_large(const StrokeInputs& inputs, Plan& plan) {
   }
 }
 
+/// The strokes with their stations. A set-up more than the search counted, since segments or the
+/// length of the press do not do for all, may be one that another order needs not.
 void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
+  std::vector<ChosenStroke> chosen;
   LineSet formed = no_lines(cache.inputs().lines());
   for (const StrokeChoice& choice : with_preferred_tools(cache, search.strokes)) {
-    plan.strokes.push_back(describe(cache, formed, choice));
+    chosen.push_back({formed, choice});
     formed = joined(formed, choice.lines);
   }
+  Bed bed = bed_of(cache, chosen);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    plan.strokes.push_back(describe(cache, chosen[i].formed, bed.choices[i], bed.rows[i]));
+  plan.stations = std::move(bed.stations);
+  const int more = std::max(bed.set_ups - 1, 0) - plan.tool_changes;
+  if (more <= 0) return;
+  plan.tool_changes += more;
+  plan.cost += more * cache.inputs().options.weights.tool_change;
+  if (plan.status == PlanStatus::optimal && cache.inputs().options.weights.tool_change > 0.0)
+    plan.status = PlanStatus::feasible;
 }
 
 /// What is in the way of a bend in the stage that got furthest.

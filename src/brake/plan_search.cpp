@@ -32,6 +32,12 @@ StrokeProblem problem_of(StageCache& cache) {
   return problem;
 }
 
+std::vector<StrokeChoice> outermost(StageCache& cache, const LineSet& formed) {
+  std::vector<StrokeChoice> all = choices(cache, formed);
+  std::erase_if(all, [&](const auto& choice) { return !is_outermost(cache, formed, choice); });
+  return all;
+}
+
 }  // namespace
 
 Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
@@ -45,12 +51,7 @@ Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
   const std::int64_t before = whole.checks();
   if (whole.lines > kMany) {
     StrokeProblem narrow = whole;
-    narrow.choices = [&cache](const LineSet& formed) {
-      std::vector<StrokeChoice> outermost = choices(cache, formed);
-      std::erase_if(outermost,
-                    [&](const auto& choice) { return !is_outermost(cache, formed, choice); });
-      return outermost;
-    };
+    narrow.choices = [&cache](const LineSet& formed) { return outermost(cache, formed); };
     limits.seconds *= kOutsideIn;
     limits.checks = static_cast<std::int64_t>(kOutsideIn * static_cast<double>(limits.checks));
     limits.reasons = false;

@@ -1,20 +1,21 @@
-// Among plans of one cost that with the tools a shop would take: for each run of strokes with one
-// pair of tools, other pairs are tried in the order of preference. What must hold: the cost
-// depends on which strokes share tools and not on which tools these are.
+// Among plans of one cost that with the tools a shop would take: for each run of strokes whose
+// tools stand on one bed, the preferred pair that makes all of them, else pairs of that bed that
+// make as many as can be. What must hold: the cost depends on which strokes share a bed and not on
+// which tools stand there.
 #include "preferred_tools.hpp"
 
 #include "check.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace planish::brake_detail {
 namespace {
 
-/// Strokes in a row that are made with the same tools, and the stage before the first of them.
+/// Strokes in a row whose tools stand on one bed.
 struct Run {
   std::size_t from = 0, to = 0;
-  LineSet formed;
 };
 
 struct Pair {
@@ -24,22 +25,29 @@ struct Pair {
 
 Pair tools_of(const StrokeChoice& stroke) { return {stroke.punch, stroke.die}; }
 
-std::vector<Run> runs_of(const std::vector<StrokeChoice>& strokes, int lines) {
+std::vector<Run> runs_of(const std::vector<StrokeChoice>& strokes) {
   std::vector<Run> runs;
-  LineSet formed = no_lines(lines);
   for (std::size_t s = 0; s < strokes.size(); ++s) {
-    if (s == 0 || tools_of(strokes[s]) != tools_of(strokes[s - 1])) runs.push_back({s, s, formed});
+    const bool same = s > 0 &&
+                      (strokes[s].bed >= 0 ? strokes[s].bed == strokes[s - 1].bed
+                                           : tools_of(strokes[s]) == tools_of(strokes[s - 1]));
+    if (!same) runs.push_back({s, s});
     runs.back().to = s + 1;
-    formed = joined(formed, strokes[s].lines);
   }
   return runs;
 }
 
-/// All pairs for the first stroke of a run, the preferred first.
-std::vector<Pair> pairs_of(const FittingTools& fitting, int v_away, const BrakeTools& tools) {
+/// All pairs for the strokes of a run, the preferred first.
+std::vector<Pair> pairs_of(const StrokeInputs& inputs, const std::vector<StrokeChoice>& strokes,
+                           const Run& run) {
+  const BrakeTools& tools = inputs.tools;
   std::vector<Pair> pairs;
-  for (const ToolPair& pair : fitting.pairs)
-    if (pair.v_away == v_away) pairs.push_back({pair.punch, pair.die});
+  for (std::size_t s = run.from; s < run.to; ++s)
+    for (const int line : members(strokes[s].lines))
+      for (const ToolPair& pair : inputs.fitting[line].pairs)
+        if (const Pair one{pair.punch, pair.die};
+            pair.v_away == strokes[s].v_away && !std::ranges::count(pairs, one))
+          pairs.push_back(one);
   std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) {
     const Punch& punch = tools.punches[pair.punch];
     return std::tuple(-punch.angle.radians() - tools.dies[pair.die].angle.radians(),
@@ -48,43 +56,94 @@ std::vector<Pair> pairs_of(const FittingTools& fitting, int v_away, const BrakeT
   return pairs;
 }
 
-/// Whether a pair can make all strokes of a run.
-bool makes(StageCache& cache, const std::vector<StrokeChoice>& strokes, const Run& run,
-           const Pair& pair) {
-  LineSet formed = run.formed;
-  for (std::size_t s = run.from; s < run.to; ++s) {
-    StrokeChoice choice = strokes[s];
+class Preferring {
+ public:
+  Preferring(StageCache& cache, std::vector<StrokeChoice> strokes)
+      : cache_(cache), strokes_(std::move(strokes)) {
+    LineSet formed = no_lines(cache.inputs().lines());
+    for (const StrokeChoice& stroke : strokes_) {
+      formed_.push_back(formed);
+      formed = joined(formed, stroke.lines);
+    }
+  }
+
+  std::vector<StrokeChoice> run() {
+    for (const Run& run : runs_of(strokes_)) {
+      const std::vector<Pair> pairs = pairs_of(cache_.inputs(), strokes_, run);
+      if (!take_one_pair(run, pairs)) take_few(run, pairs);
+    }
+    return std::move(strokes_);
+  }
+
+ private:
+  bool makes(std::size_t s, const Pair& pair) {
+    StrokeChoice choice = strokes_[s];
+    if (tools_of(choice) == pair) return true;
     choice.punch = pair.punch;
     choice.die = pair.die;
     for (const int line : members(choice.lines))
-      if (!std::ranges::count(cache.inputs().fitting[line].pairs,
+      if (!std::ranges::count(cache_.inputs().fitting[line].pairs,
                               ToolPair{pair.punch, pair.die, choice.v_away}))
         return false;
-    if (!check(cache, formed, choice).feasible) return false;
-    formed = joined(formed, choice.lines);
+    return check(cache_, formed_[s], choice).feasible;
   }
-  return true;
-}
+
+  void take(std::size_t s, const Pair& pair) {
+    strokes_[s].punch = pair.punch;
+    strokes_[s].die = pair.die;
+    if (strokes_[s].bed >= 0) strokes_[s].bed = bed_of(pair);
+  }
+
+  int bed_of(const Pair& pair) const { return cache_.inputs().beds[pair.punch][pair.die]; }
+
+  bool take_one_pair(const Run& run, const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) {
+      bool all = true;
+      for (std::size_t s = run.from; all && s < run.to; ++s)
+        all = makes(s, pair);
+      if (!all) continue;
+      for (std::size_t s = run.from; s < run.to; ++s)
+        take(s, pair);
+      return true;
+    }
+    return false;
+  }
+
+  /// Each time the pair of the run's bed that makes the most of what is left.
+  void take_few(const Run& run, const std::vector<Pair>& pairs) {
+    const int bed = strokes_[run.from].bed;
+    std::vector<std::size_t> left;
+    for (std::size_t s = run.from; s < run.to; ++s)
+      left.push_back(s);
+    while (!left.empty()) {
+      std::vector<std::size_t> most;
+      std::optional<Pair> best;
+      for (const Pair& pair : pairs) {
+        if (bed_of(pair) != bed) continue;
+        std::vector<std::size_t> made;
+        for (const std::size_t s : left)
+          if (makes(s, pair)) made.push_back(s);
+        if (made.size() <= most.size()) continue;
+        most = std::move(made);
+        best = pair;
+      }
+      if (!best) return;
+      for (const std::size_t s : most)
+        take(s, *best);
+      std::erase_if(left, [&](std::size_t s) { return std::ranges::count(most, s) > 0; });
+    }
+  }
+
+  StageCache& cache_;
+  std::vector<StrokeChoice> strokes_;
+  std::vector<LineSet> formed_;  ///< before each
+};
 
 }  // namespace
 
 std::vector<StrokeChoice> with_preferred_tools(StageCache& cache,
                                                std::vector<StrokeChoice> strokes) {
-  const StrokeInputs& inputs = cache.inputs();
-  for (const Run& run : runs_of(strokes, inputs.lines())) {
-    const Pair now = tools_of(strokes[run.from]);
-    const int line = members(strokes[run.from].lines).front();
-    const int v_away = strokes[run.from].v_away;
-    for (const Pair& pair : pairs_of(inputs.fitting[line], v_away, inputs.tools)) {
-      if (pair != now && !makes(cache, strokes, run, pair)) continue;
-      for (std::size_t s = run.from; s < run.to; ++s) {
-        strokes[s].punch = pair.punch;
-        strokes[s].die = pair.die;
-      }
-      break;
-    }
-  }
-  return strokes;
+  return Preferring(cache, std::move(strokes)).run();
 }
 
 }  // namespace planish::brake_detail

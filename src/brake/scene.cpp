@@ -86,7 +86,8 @@ void add_closing(StageCache& cache, const Setting& stroke, StrokeScene& scene) {
 
 }  // namespace
 
-StrokeScene scene(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
+StrokeScene scene(StageCache& cache, const LineSet& formed, const StrokeChoice& choice,
+                  const std::optional<PressRows>& station) {
   const StrokeInputs& inputs = cache.inputs();
   const Setting stroke = setting(inputs, formed, choice);
   const BrakeLine& line = inputs.work.lines[stroke.line];
@@ -98,7 +99,7 @@ StrokeScene scene(StageCache& cache, const LineSet& formed, const StrokeChoice& 
     add_closing(cache, stroke, scene);
   else
     add_bending(inputs, stroke, scene);
-  const PressRows rows = rows_wanted(cache, stroke);
+  const PressRows rows = station ? *station : rows_wanted(cache, stroke);
   scene.punch = standing_segments(rows.punch, stroke.direction);
   scene.die = standing_segments(rows.die, stroke.direction);
   return scene;

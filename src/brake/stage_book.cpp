@@ -71,8 +71,8 @@ void StageBook::list_families() {
     const std::vector<int> lines = members(row.lines);
     for (const int line : lines) {
       if (lines.size() > 1) alone[line] = false;
-      possible_of_line_[line].insert(set_up_in(row));
-      families_of_line_[line].push_back(family_of(row.lines, set_up_in(row)));
+      possible_of_line_[line].insert(way_of(row));
+      families_of_line_[line].push_back(family_of(row.lines, way_of(row)));
     }
   }
   for (std::size_t line = 0; line < alone.size(); ++line)
@@ -101,12 +101,13 @@ bool StageBook::is_dead(const LineSet& formed) const {
   });
 }
 
-SetUp StageBook::set_up_in(const StrokeChoice& choice) {
+/// With its own tools: what is feasible with one is not so with another that stands beside it.
+SetUp StageBook::way_of(const StrokeChoice& choice) {
   return {choice.punch, choice.die, choice.reference_up, choice.direction};
 }
 
 bool StageBook::is_refuted(const StrokeChoice& choice) {
-  const auto known = family_numbers_.find({choice.lines, set_up_in(choice)});
+  const auto known = family_numbers_.find({choice.lines, way_of(choice)});
   if (known == family_numbers_.end()) return false;
   Family& family = families_[known->second];
   if (family.looked_at != family.conflicts.size()) family.refuted = hold_everywhere(family);
@@ -127,12 +128,12 @@ int StageBook::family_of(const LineSet& lines, const SetUp& set_up) {
 }
 
 int StageBook::number_of(const StrokeChoice& choice) {
-  const SetUp set_up = set_up_in(choice);
-  const auto [place, fresh] = choice_numbers_.try_emplace({{choice.lines, set_up}, choice.gauged},
+  const SetUp way = way_of(choice);
+  const auto [place, fresh] = choice_numbers_.try_emplace({{choice.lines, way}, choice.gauged},
                                                           choices_.size());
   if (fresh)
-    choices_.push_back(
-        {choice, set_up_of(set_up), weights_.of(choice), family_of(choice.lines, set_up)});
+    choices_.push_back({choice, set_up_of(brake_detail::set_up_of(choice)), weights_.of(choice),
+                        family_of(choice.lines, way)});
   return place->second;
 }
 
@@ -140,7 +141,7 @@ int StageBook::number_of(const StrokeChoice& choice) {
 bool StageBook::is_covered(const StrokeChoice& choice) const {
   if (problem_.possible.empty()) return true;
   return std::ranges::all_of(members(choice.lines), [&](int line) {
-    return possible_of_line_[line].contains(set_up_in(choice));
+    return possible_of_line_[line].contains(way_of(choice));
   });
 }
 
@@ -238,7 +239,7 @@ bool StageBook::can_end_with(const LineSet& lines) {
   return std::ranges::any_of(problem_.choices(before), [&](const StrokeChoice& choice) {
     if (choice.lines != lines || !fits_beginning(before, choice)) return false;
     return !problem_.check ||
-           ask({choice, kNoSetUp, 0.0, family_of(lines, set_up_in(choice))}, before);
+           ask({choice, kNoSetUp, 0.0, family_of(lines, way_of(choice))}, before);
   });
 }
 

@@ -14,8 +14,10 @@ namespace planish::brake_detail {
 
 /// No tools: those before were taken off, which is paid for, and any may be next.
 inline constexpr int kNoTools = -1;
+inline constexpr int kOnBed = -2;
 
-/// What stays between two strokes: tools, side, direction; each set-up has a number.
+/// What stays between two strokes: tools, side, direction; each set-up has a number. Of tools that
+/// can stand on the bed together `die` is the number of the bed, and `punch` is kOnBed.
 struct SetUp {
   int punch = 0, die = 0;
   bool reference_up = true;
@@ -25,6 +27,13 @@ struct SetUp {
   bool has_tools() const { return punch != kNoTools; }
   SetUp without_tools() const { return {kNoTools, kNoTools, reference_up, direction}; }
 };
+
+/// What of a choice costs a change.
+inline SetUp set_up_of(const StrokeChoice& choice) {
+  const bool shared = choice.bed >= 0;
+  return {shared ? kOnBed : choice.punch, shared ? choice.bed : choice.die, choice.reference_up,
+          choice.direction};
+}
 
 /// No stroke has been made yet.
 inline constexpr int kNoSetUp = -1;
@@ -112,7 +121,7 @@ class StageBook {
   std::int64_t offers_kept() const { return offers_kept_; }
 
  private:
-  static SetUp set_up_in(const StrokeChoice& choice);
+  static SetUp way_of(const StrokeChoice& choice);
   int number_of(const StrokeChoice& choice);
   bool fits_beginning(const LineSet& formed, const StrokeChoice& choice) const;
   int family_of(const LineSet& lines, const SetUp& set_up);

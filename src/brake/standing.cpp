@@ -31,6 +31,10 @@ SidedObstacle seen_by(StageCache& cache, const Setting& stroke, int part, ToolKi
                                 stroke.direction);
 }
 
+PressMotion motion_at(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind) {
+  return is_above(kind) ? motion_at_punch(inputs, stroke) : motion(inputs, stroke);
+}
+
 /// Whether a part hits a tool where that must stand.
 bool stands_in(StageCache& cache, const Setting& stroke, int part, ToolKind kind,
                const PressMotion& motion, const std::vector<Interval>& needed) {
@@ -70,6 +74,17 @@ Interval of_shortest_row(const StrokeInputs& inputs, const Setting& stroke, Tool
                                                  &SegmentSums::Sum::length);
   if (shortest == segments.sums().end()) return kEverywhere;
   return {hi - shortest->length - kSameLength, lo + shortest->length + kSameLength};
+}
+
+/// Adds where along x parts are in the way of a row, as far as that lies within a range.
+void add_walls(StageCache& cache, const Setting& stroke, ToolKind row, const Interval& within,
+               RowWalls& walls) {
+  const PartTree& tree = cache.tree(stroke.line);
+  const PressMotion motion = motion_at(cache.inputs(), stroke, row);
+  for (int part = 0; part < std::ssize(tree.parts()); ++part) {
+    const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, motion, within);
+    if (!blocked.empty()) add_wall(walls, row, blocked, tree.parts()[part].path);
+  }
 }
 
 std::size_t row_of(ToolKind kind) { return kind == ToolKind::punch ? 0 : 1; }
@@ -112,8 +127,7 @@ std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
 StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row) {
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
-  const PressMotion motion = row == ToolKind::punch ? motion_at_punch(cache.inputs(), stroke)
-                                                    : brake_detail::motion(cache.inputs(), stroke);
+  const PressMotion motion = motion_at(cache.inputs(), stroke, row);
   const double left_out = shortfall(cache.inputs());
   const int parts = static_cast<int>(tree.parts().size());
   for (const ToolKind kind : {row, beam_of(row)}) {
@@ -124,10 +138,7 @@ StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row)
   }
   const auto row_within = [&](const Interval& within) {
     RowWalls walls = no_walls(cache.inputs());
-    for (int part = 0; part < parts; ++part) {
-      const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, motion, within);
-      if (!blocked.empty()) add_wall(walls, row, blocked, tree.parts()[part].path);
-    }
+    add_walls(cache, stroke, row, within, walls);
     return row_between(cache, stroke, walls, row);
   };
   // Mostly the shortest row has room, and what is farther away does not matter.
@@ -144,6 +155,13 @@ Standing standing(StageCache& cache, const Setting& stroke) {
   StandingRow die = standing_row(cache, stroke, ToolKind::die);
   if (!die) return tl::unexpected(std::move(die.error()));
   return PressRows{std::move(*punch), std::move(*die)};
+}
+
+RowWalls walls_of(StageCache& cache, const Setting& stroke) {
+  RowWalls walls = no_walls(cache.inputs());
+  for (const ToolKind row : {ToolKind::punch, ToolKind::die})
+    add_walls(cache, stroke, row, kEverywhere, walls);
+  return walls;
 }
 
 RowWalls no_walls(const StrokeInputs& inputs) {

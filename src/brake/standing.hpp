@@ -13,9 +13,6 @@ Standing standing(StageCache& cache, const Setting& stroke);
 /// hits does not depend on the other.
 StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row);
 
-/// All parts that are in the way of tools which cannot stand elsewhere.
-std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke);
-
 /// What is beside the rows: by row, where along x it stands, and the lines by which it does.
 struct RowWalls {
   std::array<std::vector<Interval>, 2> walls;  ///< of the punch, of the die
@@ -24,6 +21,12 @@ struct RowWalls {
 RowWalls no_walls(const StrokeInputs& inputs);
 void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& blocked,
               const LineSet& because);
+
+/// What is beside the rows of a stroke that bends, however far away.
+RowWalls walls_of(StageCache& cache, const Setting& stroke);
+
+/// All parts that are in the way of tools which cannot stand elsewhere.
+std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke);
 
 /// A row of the punch's or the die's segments between walls.
 StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls& walls,

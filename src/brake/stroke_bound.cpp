@@ -60,7 +60,8 @@ StrokeBound::StrokeBound(const StrokeProblem& problem, const StrokeWeights& weig
   for (const StrokeChoice& choice : problem.possible) {
     add_key(sides_, choice.reference_up);
     add_key(directions_, choice.direction);
-    add_key(tools_, {choice.punch, choice.die});
+    const SetUp set_up = set_up_of(choice);
+    add_key(tools_, {set_up.punch, set_up.die});
   }
   size_ = {sides_.size(), directions_.size(), tools_.size()};
   std::vector<Costs> lines = line_costs(rows);
@@ -82,7 +83,7 @@ std::vector<StrokeBound::Costs> StrokeBound::line_costs(const Rows& rows) const 
   for (const StrokeChoice* row : rows) {
     const std::vector<int> pressed = members(row->lines);
     const double cost = weights_.of(*row) / static_cast<double>(pressed.size());
-    const std::size_t at = place_of({row->punch, row->die, row->reference_up, row->direction});
+    const std::size_t at = place_of(set_up_of(*row));
     for (const int line : pressed)
       lines[line][at] = std::min(lines[line][at], cost);
   }

@@ -5,15 +5,33 @@
 
 #include <planish/base/id_vector.hpp>
 
+#include <array>
+#include <cmath>
+#include <map>
+
 namespace planish::brake_detail {
 namespace {
 
 constexpr double kSameWay = 1e-3;  // of unit vectors: one direction of the gauge
 
+/// Numbers of beds, by punch and die.
+std::vector<std::vector<int>> beds_of(const BrakeTools& tools) {
+  constexpr double kSame = 1e-3;  // mm and degrees
+  using Bed = std::array<long long, 3>;
+  std::map<Bed, int> numbers;
+  return mapped(tools.punches, [&](const Punch& punch) {
+    return mapped(tools.dies, [&](const Die& die) {
+      const Bed bed{std::llround(punch.raises_beam / kSame), std::llround(die.opening / kSame),
+                    std::llround(die.angle.degrees() / kSame)};
+      return numbers.try_emplace(bed, static_cast<int>(numbers.size())).first->second;
+    });
+  });
+}
+
 }  // namespace
 
 StrokeInputs stroke_inputs(Workpiece work, const BrakeTools& tools, const PlanOptions& options) {
-  StrokeInputs inputs{std::move(work), tools, options, {}, {}, {}, {}, {}};
+  StrokeInputs inputs{std::move(work), tools, options, {}, {}, {}, {}, beds_of(tools), {}};
   const auto sums = [](const auto& tool) { return SegmentSums(tool.segments); };
   inputs.punch_segments = mapped(tools.punches, sums);
   inputs.die_segments = mapped(tools.dies, sums);

@@ -19,6 +19,9 @@ struct StrokeInputs {
   std::vector<FittingTools> fitting;                      ///< by line
   std::vector<SegmentSums> punch_segments, die_segments;  ///< by tool
   std::vector<Vec2> directions;  ///< of the pattern, by the numbers of `StrokeChoice`
+  /// By punch and die: what stands on the bed together has one number. That are punches of one
+  /// height over dies of one V, whose flanks are alike: others would meet while these press.
+  std::vector<std::vector<int>> beds = {};
   /// By line: those that continue it in the pattern and are bent alike, itself included.
   std::vector<std::vector<int>> on_one_line;
 

@@ -164,6 +164,9 @@ void check_gauge(ToolCheck& to, const BackGauge& gauge) {
   if (!(gauge.from < gauge.to))
     to.wrong("/range", "range", refuse::range_ends_early,
              {{"to", gauge.to, unit::mm}, {"from", gauge.from, unit::mm}});
+  if (gauge.lowest > gauge.highest)
+    to.wrong("/lift", "lift", refuse::range_ends_early,
+             {{"to", gauge.highest, unit::mm}, {"from", gauge.lowest, unit::mm}});
   to.above_zero("/finger_width", "finger_width", gauge.finger_width);
   to.profile("/finger", "finger", gauge.finger);
   if (!to.error() && !on_outline(gauge.finger, Vec2::Zero()))

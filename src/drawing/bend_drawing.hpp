@@ -22,6 +22,14 @@ std::string size_text(const BendDrawing& drawing, double mm);
 /// in the way of bends.
 void draw_flat_pattern(Page& page, const BendDrawing& drawing, const Rectangle& into);
 
+/// "A", "B" …
+std::string station_name(std::size_t number);
+/// The stations of a set-up, from 0, over the width of the page, from `top` down.
+void draw_bed(Page& page, const BendDrawing& drawing, int set_up, double top);
+double height_of_bed(const BendDrawing& drawing, int set_up);
+/// The station of a stroke; the number of stations if it has none.
+std::size_t station_of(const BendDrawing& drawing, std::size_t stroke);
+
 /// What is done in a stroke, from 0, line by line into a column, no lower than its end.
 void write_stroke(Page& page, const BendDrawing& drawing, std::size_t stroke,
                   const Rectangle& into);

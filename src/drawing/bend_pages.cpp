@@ -160,7 +160,20 @@ class Pages {
     top_ += kFlat;
   }
 
+  /// A stroke, and before it the set-up that begins there.
   void add(const StrokePicture& picture, std::size_t stroke) {
+    const auto set_up_of = [&](std::size_t s) {
+      const std::size_t station = station_of(drawing_, s);
+      const auto& stations = drawing_.plan->stations;
+      return station < stations.size() ? stations[station].set_up : -1;
+    };
+    const int set_up = set_up_of(stroke);
+    if (set_up >= 0 && (stroke == 0 || set_up_of(stroke - 1) != set_up)) {
+      const double height = height_of_bed(drawing_, set_up);
+      need(height + kRow);
+      draw_bed(pages_.back(), drawing_, set_up, top_);
+      top_ += height;
+    }
     need(kRow);
     stroke_row(pages_.back(), drawing_, picture, stroke, top_);
     top_ += kRow;
@@ -244,6 +257,14 @@ std::vector<Segment> pressed_lines(const BendDrawing& drawing, const Stroke& str
       lines.insert(lines.end(), all.begin(), all.end());
   }
   return lines;
+}
+
+std::size_t station_of(const BendDrawing& drawing, std::size_t stroke) {
+  const std::vector<Station>& stations = drawing.plan->stations;
+  const auto found = std::ranges::find_if(stations, [&](const Station& station) {
+    return std::ranges::count(station.strokes, static_cast<int>(stroke)) > 0;
+  });
+  return static_cast<std::size_t>(found - stations.begin());
 }
 
 std::string size_text(const BendDrawing& drawing, double mm) {

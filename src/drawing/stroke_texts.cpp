@@ -32,6 +32,16 @@ std::string with_unit(const BendDrawing& drawing, double mm) {
   return fmt::format("{} {}", size_text(drawing, mm), schema::Units(drawing.units).symbol());
 }
 
+/// Where the stroke is made if that is elsewhere than the one before.
+std::string way_to_tools(const BendDrawing& drawing, std::size_t s) {
+  const std::size_t now = station_of(drawing, s), before = station_of(drawing, s - 1);
+  const std::vector<Station>& stations = drawing.plan->stations;
+  if (now == before || now == stations.size()) return {};
+  if (before == stations.size() || stations[now].set_up != stations[before].set_up)
+    return "NEW SET-UP";
+  return "GO TO " + station_name(now);
+}
+
 /// What is done to the sheet since the stroke before.
 std::string handling(const BendDrawing& drawing, std::size_t s) {
   if (s == 0) return "start";
@@ -41,8 +51,8 @@ std::string handling(const BendDrawing& drawing, std::size_t s) {
   constexpr double kSame = 1e-9;
   if ((now.gauge_direction - before.gauge_direction).norm() > kSame)
     text += text.empty() ? "ROTATE" : ", ROTATE";
-  if (now.punch != before.punch || now.die != before.die)
-    text += text.empty() ? "CHANGE TOOLS" : ", CHANGE TOOLS";
+  if (const std::string tools = way_to_tools(drawing, s); !tools.empty())
+    text += text.empty() ? tools : ", " + tools;
   return text;
 }
 
@@ -85,11 +95,20 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
     lines.emplace_back(std::move(text), TextStyle{.size = 3.4, .bold = true, .colour = kPageAlert});
   lines.emplace_back(fmt::format("{} side up", side_up(stroke, drawing.layout)), kPlain);
   lines.emplace_back(gauge_text(drawing, stroke), kPlain);
+  if (stroke.gauge && stroke.gauge->flange)
+    lines.emplace_back(fmt::format("  on F{}, fingers {} {}", index_of(*stroke.gauge->flange) + 1,
+                                   with_unit(drawing, std::abs(stroke.gauge->height)),
+                                   stroke.gauge->height < 0.0 ? "down" : "up"),
+                       kSmall);
   if (s < drawing.checks.size() && drawing.checks[s])
     lines.emplace_back(fmt::format("check {}: {} outside", drawing.checks[s]->flange,
                                    with_unit(drawing, drawing.checks[s]->length)),
                        kPlain);
-  lines.emplace_back("punch " + stroke.punch, kPlain);
+  const std::size_t station = station_of(drawing, s);
+  lines.emplace_back(station == drawing.plan->stations.size()
+                         ? "punch " + stroke.punch
+                         : fmt::format("{}: punch {}", station_name(station), stroke.punch),
+                     kPlain);
   add_rows(lines, drawing, stroke.punch_rows);
   lines.emplace_back("die " + stroke.die, kPlain);
   if (!stroke.die_rows.empty() && same(stroke.punch_rows, stroke.die_rows))

@@ -4,6 +4,7 @@
 #include "places_json.hpp"
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
+#include "station_report.hpp"
 
 #include <fmt/format.h>
 
@@ -59,6 +60,7 @@ Json scene_json(const CheckedStroke& checked) {
   json["gauge"] = gauge ? Json::array({point_json(gauge->edge.a, millimetres()),
                                        point_json(gauge->edge.b, millimetres())})
                         : Json(nullptr);
+  json["gauge_height"] = gauge ? number_json(gauge->height) : Json(0.0);
   return json;
 }
 
@@ -143,6 +145,7 @@ void add_order(Json& json, const CheckedOrder& checked, const Report& report,
     row["scene"] = scene_json(stroke);
     json["strokes"].push_back(std::move(row));
   }
+  json["stations"] = stations_json(checked.stations, report);
   json["tools"] = sections_json(checked, tools);
 }
 

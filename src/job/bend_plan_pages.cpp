@@ -49,6 +49,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
                                .units = report.units,
                                .flat = report.flat,
                                .layout = report.layout,
+                               .bed = tools_of(bending).machine.length,
                                .plan = report.plan ? &*report.plan : nullptr,
                                .blocked = {},
                                .obstacles = {},

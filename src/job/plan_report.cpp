@@ -3,6 +3,7 @@
 #include "places_json.hpp"
 #include "proposal_report.hpp"
 #include "report_schema.hpp"
+#include "station_report.hpp"
 
 #include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
@@ -24,38 +25,23 @@ Json id_json(const std::optional<FlangeId>& flange) {
   return flange ? Json(flange_id(*flange)) : Json(nullptr);
 }
 
-Json lengths_json(const std::vector<double>& lengths, const Units& units) {
-  return json_array(lengths, [&](double length) { return number_json(units.length(length)); });
-}
-
-/// All segments of a tool in one row, and where it begins; the rows where there are several.
-void add_rows(Json& json, const std::string& tool, const std::vector<SegmentRow>& rows,
-              const Units& units) {
-  std::vector<double> all;
-  for (const SegmentRow& row : rows)
-    all.insert(all.end(), row.segments.begin(), row.segments.end());
-  json[tool + "_segments"] = lengths_json(all, units);
-  json[tool + "_from"] = number_json(units.length(rows.empty() ? 0.0 : rows.front().from));
-  if (rows.size() < 2) return;
-  Json& list = json[tool + "_rows"] = Json::array();
-  for (const SegmentRow& row : rows)
-    list.push_back({{"from", number_json(units.length(row.from))},
-                    {"segments", lengths_json(row.segments, units)}});
-}
-
 Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   if (!gauge) return nullptr;
   Json json;
   json["distance"] = number_json(units.length(gauge->distance));
   json["edge"] = Json::array({point_json(gauge->edge.a, units), point_json(gauge->edge.b, units)});
+  if (!gauge->flange) return json;
+  json["flange"] = flange_id(*gauge->flange);
+  json["height"] = number_json(units.length(gauge->height));
   return json;
 }
 
 Schema stroke_schema() {
   const Schema gauge = object({required("distance", measured_length().said("from the bend line")),
-                               required("edge", report_line().said("that touches the fingers"))});
-  const Schema rows = list(
-      object({required("from", measured_length()), required("segments", list(measured_length()))}));
+                               required("edge", report_line().said("that touches the fingers")),
+                               optional("flange", text().said("formed, whose face does")),
+                               optional("height", measured_length().said("of the fingers"))});
+  const Schema rows = rows_schema();
   return object(
       {required("bends", list(text()).said("pressed together")),
        optional("press_line", whole(1).said("which one of a bend with several")),
@@ -296,6 +282,7 @@ Json plan_json(const Plan& plan, const Report& report) {
   const auto checks = checks_of(report, plan.strokes);
   for (std::size_t s = 0; s < plan.strokes.size(); ++s)
     json["strokes"].push_back(stroke_json(plan.strokes[s], checks[s], report));
+  json["stations"] = stations_json(plan.stations, report);
   json["blocked"] = Json::array();
   for (const BlockedBend& blocked : plan.blocked)
     json["blocked"].push_back(blocked_json(blocked, report));
@@ -325,6 +312,7 @@ Schema plan_schema() {
                  required("v_away", whole().said("sizes from the wanted V, of all strokes")),
                  required("states", whole().said("stages that were looked at")),
                  required("strokes", list(stroke_schema())),
+                 required("stations", list(station_schema()).said("of all set-ups")),
                  required("blocked", list(blocked_schema()).said("bends that no stage can form")),
                  optional("unformed", list(text()).said("bends left in the stage that got "
                                                         "furthest")),
@@ -350,7 +338,7 @@ std::string plan_text(const Plan& plan, const Report& report) {
                      number_text(plan.cost), counted(plan.strokes.size(), "stroke"),
                      counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
                      counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units)) +
-         as_made_text(report);
+         stations_text(plan, units) + as_made_text(report);
 }
 
 namespace {

@@ -65,7 +65,9 @@ Schema gauge_schema() {
   return object({required("range", tuple(2, length(kAtLeastZero), "two distances [from, to]")
                                        .said("from the bend line, that the fingers reach")),
                  required("finger_width", length(kAboveZero).said("along the bend line")),
-                 required("finger", outline("the point that touches the sheet is [0, 0]"))});
+                 required("finger", outline("the point that touches the sheet is [0, 0]")),
+                 optional("lift", tuple(2, length(kAnyNumber), "two heights [from, to]")
+                                      .said("of that point above the lying sheet; default 0"))});
 }
 
 Schema machine_schema() {
@@ -147,8 +149,13 @@ std::optional<BackGauge> gauge_at(const JsonPlace& place, Profiles& profiles) {
   if (!place.given()) return std::nullopt;
   const std::vector<double> range = lengths_at(place["range"]);
   if (range.size() != 2) return std::nullopt;
-  return BackGauge{range[0], range[1], place["finger_width"].length(),
-                   profiles.at(place["finger"])};
+  BackGauge gauge{range[0], range[1], place["finger_width"].length(), profiles.at(place["finger"])};
+  if (!place["lift"].given()) return gauge;
+  const std::vector<double> lift = lengths_at(place["lift"]);
+  if (lift.size() != 2) return std::nullopt;
+  gauge.lowest = lift[0];
+  gauge.highest = lift[1];
+  return gauge;
 }
 
 PressBrake machine_at(const JsonPlace& place, Profiles& profiles) {

@@ -43,6 +43,42 @@ TEST(Gauge, TouchesTheBorderBehindTheBend) {
   EXPECT_NEAR(distances[1], 60.0 + half_zone, 1e-9);
 }
 
+/// A flange that was bent before stands upright at the gauge: its outer face is R + T beyond its
+/// tangent line, and the finger's front, 20 high, is moved up or down to where that is plane.
+TEST(Gauge, TouchesTheOuterFaceOfAFormedFlange) {
+  const double radius = 2.0, thickness = 1.5, web = 80.0;
+  const double half_zone = 0.25 * std::numbers::pi * (radius + 0.44 * thickness);
+  for (const bool same_side : {true, false}) {
+    const Turn first{Angle::degrees(90), radius, BendDirection::up},
+        second{Angle::degrees(90), radius, same_side ? BendDirection::up : BendDirection::down};
+    const Sheet sheet = strip({Straight{30}, first, Straight{web}, second, Straight{40}}, 60,
+                              thickness);
+    BrakeTools tools = gauged_tools();
+    tools.machine.gauge->lowest = -40.0;
+    tools.machine.gauge->highest = 80.0;
+    const auto stop_at_web = [&](const BrakeTools& with) {
+      Room room(sheet, with);
+      std::optional<GaugeStop> found;
+      for (const StrokeChoice& choice : room.ways(2, {1})) {
+        const Stroke stroke = describe(room.cache(), room.lines({1}), choice);
+        if (stroke.to_gauge == FlangeId(1)) found = stroke.gauge;
+      }
+      return found;
+    };
+    const auto stop = stop_at_web(tools);
+    ASSERT_TRUE(stop) << same_side;
+    EXPECT_EQ(stop->flange, FlangeId(0));
+    EXPECT_NEAR(stop->distance, web + half_zone + radius + thickness, 1e-9);
+    EXPECT_NEAR(stop->height, same_side ? radius + 20.0 : -(thickness + radius), 1e-9);
+    EXPECT_NEAR((stop->edge.b - stop->edge.a).norm(), 60.0, 1e-9);
+    // Fingers that stay at the sheet, or do not go far enough, do not reach it.
+    tools.machine.gauge->highest = same_side ? radius + 19.9 : 80.0;
+    tools.machine.gauge->lowest = same_side ? -40.0 : -(thickness + radius) + 0.1;
+    EXPECT_FALSE(stop_at_web(tools));
+    EXPECT_FALSE(stop_at_web(gauged_tools()));
+  }
+}
+
 TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
   const auto gauged = [](double width, double flange) {
     Room room(

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace planish::test {
@@ -23,7 +24,8 @@ struct Totals {
 };
 
 /// What a sequence of strokes costs, counted from what the operator is told.
-Totals totals_of(const std::vector<Stroke>& strokes, bool has_gauge, const StrokeWeights& w) {
+Totals totals_of(const std::vector<Stroke>& strokes, const std::vector<Station>& stations,
+                 bool has_gauge, const StrokeWeights& w) {
   Totals totals;
   for (size_t i = 0; i < strokes.size(); ++i) {
     const Stroke& now = strokes[i];
@@ -32,8 +34,9 @@ Totals totals_of(const std::vector<Stroke>& strokes, bool has_gauge, const Strok
     const Stroke& before = strokes[i - 1];
     totals.turn_overs += now.reference_up != before.reference_up;
     totals.rotations += (now.gauge_direction - before.gauge_direction).norm() > 1e-6;
-    totals.tool_changes += now.punch != before.punch || now.die != before.die;
   }
+  for (const Station& station : stations)
+    totals.tool_changes = std::max(totals.tool_changes, station.set_up);
   totals.cost = w.stroke * static_cast<double>(strokes.size()) + w.turn_over * totals.turn_overs +
                 w.rotate * totals.rotations + w.tool_change * totals.tool_changes +
                 w.ungauged * totals.ungauged;
@@ -43,7 +46,7 @@ Totals totals_of(const std::vector<Stroke>& strokes, bool has_gauge, const Strok
 template <typename Told>
 void expect_totals(const Told& told, const std::vector<Stroke>& strokes, bool has_gauge,
                    const StrokeWeights& weights) {
-  const Totals totals = totals_of(strokes, has_gauge, weights);
+  const Totals totals = totals_of(strokes, told.stations, has_gauge, weights);
   EXPECT_EQ(told.turn_overs, totals.turn_overs);
   EXPECT_EQ(told.rotations, totals.rotations);
   EXPECT_EQ(told.tool_changes, totals.tool_changes);

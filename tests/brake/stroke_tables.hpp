@@ -14,6 +14,7 @@ namespace planish::test {
 using SetUpKey = std::tuple<int, int, bool, int>;
 
 inline SetUpKey set_up_of(const StrokeChoice& choice) {
+  if (choice.bed >= 0) return {-2, choice.bed, choice.reference_up, choice.direction};
   return {choice.punch, choice.die, choice.reference_up, choice.direction};
 }
 

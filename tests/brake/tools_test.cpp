@@ -99,6 +99,8 @@ TEST(CheckTools, FindsWhatTheMachineCannotBe) {
   }
   expect_wrong("/machine/gauge/range", "before it begins",
                [](BrakeTools& t) { t.machine.gauge->to = 4.0; });
+  expect_wrong("/machine/gauge/lift", "before it begins",
+               [](BrakeTools& t) { t.machine.gauge->highest = -1.0; });
   expect_wrong("/machine/gauge/range/0", "0 or more",
                [](BrakeTools& t) { t.machine.gauge->from = -1.0; });
 }

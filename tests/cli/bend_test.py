@@ -369,8 +369,9 @@ class Pages(BendTest):
         pdf = (self.dir / "plan.pdf").read_bytes()
         self.assertTrue(pdf.startswith(b"%PDF-1.") and pdf.rstrip().endswith(b"%%EOF"))
         texts = [e.text for e in xml.etree.ElementTree.parse(self.dir / "plan.svg").iter() if e.tag.endswith("text")]
+        self.assertIn("Set-up 1 on the bed of 3060 mm, from your left", texts)
         for stroke in report["plan"]["strokes"]:
-            self.assertIn(f"punch {stroke['punch']}", texts)
+            self.assertIn(f"A: punch {stroke['punch']}", texts)
             self.assertIn(f"die {stroke['die']}", texts)
             if not stroke["gauge"]:
                 self.assertIn("no gauge: mark the line while flat", texts)

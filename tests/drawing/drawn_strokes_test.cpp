@@ -562,27 +562,35 @@ TEST(DrawnStrokes, WriteTheTextsOfAStrokeBelowOneAnother) {
 }
 
 TEST(DrawnStrokes, SayWhatIsDoneToTheSheetBetweenStrokes) {
-  const auto handled = [](const auto& change) {
+  const auto handled = [](const auto& change, const std::vector<Station>& stations = {}) {
     Report report = planned_report();
     report.plan->strokes = {test::stroke_at_40(), test::stroke_at_40()};
     change(report.plan->strokes[1]);
+    report.plan->stations = stations;
     std::string said;
     const auto pages = pages_with(report);
-    for (const Page::Text& text : pages.front().texts())
-      if (text.style.colour == kPageAlert) said += (said.empty() ? "" : "|") + text.text;
+    for (const Page& page : pages)
+      for (const Page::Text& text : page.texts())
+        if (text.style.colour == kPageAlert) said += (said.empty() ? "" : "|") + text.text;
     return said;
   };
   EXPECT_EQ(handled([](Stroke&) {}), "start") << "nothing before the second";
   EXPECT_EQ(handled([](Stroke& s) { s.reference_up = false; }), "start|TURN OVER");
   EXPECT_EQ(handled([](Stroke& s) { s.gauge_direction = Vec2::UnitY(); }), "start|ROTATE");
-  EXPECT_EQ(handled([](Stroke& s) { s.punch = "P85"; }), "start|CHANGE TOOLS");
-  EXPECT_EQ(handled([](Stroke& s) { s.die = "V12"; }), "start|CHANGE TOOLS");
-  EXPECT_EQ(handled([](Stroke& s) {
-              s.reference_up = false;
-              s.gauge_direction = -s.gauge_direction;
-              s.die = "V12";
-            }),
-            "start|TURN OVER, ROTATE, CHANGE TOOLS");
+  const std::vector<SegmentRow> row{{100.0, {40.0}}};
+  const Station first{0, "P88", "V16", row, row, {0}};
+  Station second = first;
+  second.strokes = {1};
+  EXPECT_EQ(handled([](Stroke&) {}, {first, second}), "start|GO TO B");
+  second.set_up = 1;
+  EXPECT_EQ(handled([](Stroke&) {}, {first, second}), "start|NEW SET-UP");
+  EXPECT_EQ(handled(
+                [](Stroke& s) {
+                  s.reference_up = false;
+                  s.gauge_direction = -s.gauge_direction;
+                },
+                {first, second}),
+            "start|TURN OVER, ROTATE, NEW SET-UP");
 }
 
 TEST(DrawnStrokes, MarkWhatCannotBeBent) {

@@ -50,6 +50,7 @@ class PlannedPages : public ::testing::Test {
                        .units = units,
                        .flat = flat_.pattern,
                        .layout = flat_.layout,
+                       .bed = bed_,
                        .plan = has_plan_ ? &plan_ : nullptr,
                        .blocked = blocked_,
                        .obstacles = obstacles_,
@@ -63,6 +64,7 @@ class PlannedPages : public ::testing::Test {
   FlatSheet flat_;
   Plan plan_;
   bool has_plan_ = true;
+  double bed_ = 3060.0;
   std::vector<BendId> blocked_;
   std::vector<std::string> obstacles_, proposals_, notes_;
   std::vector<FlangeName> flanges_;

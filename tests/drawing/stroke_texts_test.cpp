@@ -58,6 +58,15 @@ TEST_F(StrokeTexts, SayTheRadiusThatIsMadeWhereItIsAnother) {
   EXPECT_EQ(times(pages(), "inside radius 1.6, drawn 3.0 mm"), 1);
 }
 
+TEST_F(StrokeTexts, SayWhereFingersTouchAFormedFlange) {
+  take(l_bracket());
+  plan_.strokes[0].gauge = GaugeStop{75.25, {}, -3.5, FlangeId(2)};
+  EXPECT_EQ(times(pages(), "gauge 75.2 mm"), 1);
+  EXPECT_EQ(times(pages(), "  on F3, fingers 3.5 mm down"), 1);
+  plan_.strokes[0].gauge->height = 22.0;
+  EXPECT_EQ(times(pages(), "  on F3, fingers 22.0 mm up"), 1);
+}
+
 TEST_F(StrokeTexts, TellWhatIsTurnedSinceTheStrokeBefore) {
   take(u_channel());
   ASSERT_EQ(plan_.strokes.size(), 2U);
@@ -65,8 +74,12 @@ TEST_F(StrokeTexts, TellWhatIsTurnedSinceTheStrokeBefore) {
   EXPECT_EQ(times(pages(), "ROTATE"), 1);
   plan_.strokes[1].reference_up = !plan_.strokes[0].reference_up;
   EXPECT_EQ(times(pages(), "TURN OVER, ROTATE"), 1);
-  plan_.strokes[1].die = "V12";
-  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE, CHANGE TOOLS"), 1);
+  const std::vector<SegmentRow> row{{100.0, {40.0, 15.0}}};
+  plan_.stations = {{0, "P88", "V16", row, row, {0}}, {0, "P85", "V16", row, row, {1}}};
+  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE, GO TO B"), 1);
+  EXPECT_EQ(times(pages(), "B: punch P88"), 1);
+  plan_.stations[1].set_up = 1;
+  EXPECT_EQ(times(pages(), "TURN OVER, ROTATE, NEW SET-UP"), 1);
 }
 
 }  // namespace

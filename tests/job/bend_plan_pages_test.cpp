@@ -24,10 +24,12 @@ TEST(BendPlanPages, DrawEachStrokeOfAPlan) {
   const auto made = bent_channel(30);
   ASSERT_TRUE(made && made->report().plan);
   const auto pages = bend_plan_pages(made->report(), {});
-  ASSERT_EQ(pages.size(), 1u);
+  ASSERT_EQ(pages.size(), 2u);
   for (const Stroke& stroke : made->report().plan->strokes)
-    EXPECT_TRUE(says(pages[0], "punch " + stroke.punch));
-  EXPECT_EQ(bend_plan_pages(*made, {}).size(), 1u) << "of its only piece";
+    for (const Page& page : pages)  // a stroke on each
+      EXPECT_TRUE(says(page, "punch " + stroke.punch));
+  EXPECT_TRUE(says(pages[0], "Set-up 1 on the bed of 3060 mm"));
+  EXPECT_EQ(bend_plan_pages(*made, {}).size(), 2u) << "of its only piece";
 }
 
 TEST(BendPlanPages, SayWhatToMeasureAndHowFlangesAreCalled) {
@@ -41,7 +43,7 @@ TEST(BendPlanPages, SayWhatToMeasureAndHowFlangesAreCalled) {
   EXPECT_TRUE(says(page, "front side up"));
   made->report().plan->remarks = {{"rolled", tell("no stroke bends it", {})},
                                   {kFurthestStage, tell("it is in the way", {})}};
-  const Page noted = bend_plan_pages(made->report(), {}).front();
+  const Page noted = bend_plan_pages(made->report(), {}).back();
   EXPECT_TRUE(says(noted, "No stroke bends it."));
   EXPECT_FALSE(says(noted, "in the way")) << "that is among the reasons";
 }

@@ -91,6 +91,18 @@ TEST(PlanReport, TellsRowsLinesAndHemsWhereThereAreAny) {
   EXPECT_TRUE(row["gauge"].is_null());
 }
 
+TEST(PlanReport, TellsTheFlangeThatTouchesTheGauge) {
+  Report report = planned_report();
+  report.units = LengthUnit::inch;
+  EXPECT_FALSE(plan_of(report)["strokes"][0]["gauge"].contains("flange"));
+  report.plan->strokes[0].gauge->flange = FlangeId{2};
+  report.plan->strokes[0].gauge->height = -25.4;
+  const Json plan = plan_of(report);
+  EXPECT_EQ(mistake_in(plan), "");
+  EXPECT_EQ(plan["strokes"][0]["gauge"]["flange"], "F3");
+  EXPECT_DOUBLE_EQ(plan["strokes"][0]["gauge"]["height"], -1.0);
+}
+
 TEST(PlanReport, ConvertsLengths) {
   Report report = planned_report();
   report.units = LengthUnit::inch;

@@ -36,7 +36,7 @@ TEST(RunBend, PlansWhateverAMakerMakes) {
   EXPECT_EQ(bent.artifacts[1].name, "channel_plan.svg");
   EXPECT_EQ(bent.artifacts[1].media_type, "image/svg+xml");
   EXPECT_THAT(bent.artifacts[1].bytes, HasSubstr("<svg"));
-  EXPECT_THAT(bent.artifacts[1].bytes, HasSubstr("bend plan 1 / 1"));
+  EXPECT_THAT(bent.artifacts[1].bytes, HasSubstr("bend plan 1 / 2"));
   EXPECT_THAT(bent.artifacts[2].bytes, StartsWith("%PDF"));
 }
 

@@ -22,7 +22,7 @@ json example() {
     "machine": { "name": "100 t, 3 m", "force": 1000, "length": 3060,
       "upper_beam": [[-60,120],[60,120],[60,400],[-60,400]],
       "lower_beam": [[-45,-300],[45,-300],[45,-100],[-45,-100]],
-      "gauge": { "range": [5, 700], "finger_width": 40,
+      "gauge": { "range": [5, 700], "finger_width": 40, "lift": [-40, 80],
                  "finger": [[0,0],[80,0],[80,-20],[0,-20]] } },
     "punches": [ { "id": "P88", "profile": [[0,0],[12,12.4],[12,120],[-12,120],[-12,12.4]],
       "tip_radius": 1.0, "angle": 88, "segments": [515,200,100,50], "max_force": 1000 } ],
@@ -50,6 +50,8 @@ TEST(ToolsJson, ReadsTheExampleOfTheFormat) {
   EXPECT_EQ(tools->machine.gauge->from, 5.0);
   EXPECT_EQ(tools->machine.gauge->to, 700.0);
   EXPECT_EQ(tools->machine.gauge->finger_width, 40.0);
+  EXPECT_EQ(tools->machine.gauge->lowest, -40.0);
+  EXPECT_EQ(tools->machine.gauge->highest, 80.0);
   ASSERT_EQ(tools->punches.size(), 1u);
   EXPECT_EQ(tools->punches[0].id, "P88");
   EXPECT_EQ(tools->punches[0].profile[1], Vec2(12, 12.4));
@@ -153,6 +155,8 @@ TEST(ToolsJson, NamesWhatIsOutOfRange) {
   expect_at("/machine/force", 0);
   expect_at("/machine/gauge/range", {700, 5});
   expect_at("/machine/gauge/range", {5});
+  expect_at("/machine/gauge/lift", {80, -40});
+  expect_at("/machine/gauge/lift", {5});
   expect_at("/machine/gauge/finger_width", 0);
   expect_at("/punches/0/profile", {{0, 0}, {1, 1}});
 }

@@ -75,7 +75,7 @@ function strokeText(state: State): string {
     row = strokes[at]!,
     share = order.time - at,
     now = order.playing ? '' : `, bent by ${clean(turnAt(row, share), 0)}° now`,
-    changes = changesBefore(strokes[at - 1], row),
+    changes = changesBefore(order.answer!, at),
     bends = `${row.bends.length > 1 ? 'bends' : 'bend'} ${row.bends.join(', ')}`,
     stopped = isStopped(row, share) ? 'It collides' : 'It cannot be made',
     { blocked } = row;

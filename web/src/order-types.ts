@@ -53,6 +53,7 @@ export interface Scene {
   punch: Vec2[]; // segments: from, length along x
   die: Vec2[];
   gauge: [Vec2, Vec2] | null; // the edge at the fingers, in the pattern
+  gauge_height: number; // of the fingers above the upper skin
 }
 
 export interface StrokeRow extends ReportPlanStroke {
@@ -75,7 +76,7 @@ export interface ToolTable {
 export type OrderStatus = ReportPlan['status'] | 'possible' | 'blocked';
 
 export interface OrderAnswer
-  extends Pick<ReportPlan, 'cost' | 'turn_overs' | 'rotations' | 'tool_changes' | 'ungauged' | 'v_away'> {
+  extends Pick<ReportPlan, 'cost' | 'turn_overs' | 'rotations' | 'tool_changes' | 'ungauged' | 'v_away' | 'stations'> {
   status: OrderStatus;
   sentence: string | null;
   wording?: Wording; // of the sentence

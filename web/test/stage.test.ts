@@ -67,6 +67,7 @@ function stroke(more: Partial<StrokeRow> = {}): StrokeRow {
         [78, 0],
         [78, 60],
       ],
+      gauge_height: 0,
     },
     ...more,
   };
@@ -85,6 +86,7 @@ const answer = (strokes: StrokeRow[]): OrderAnswer => ({
   ungauged: 0,
   v_away: 0,
   strokes,
+  stations: [],
   tools: { machine: '', punches: {}, upper_beams: {}, dies: {}, lower_beam: [], finger: [], finger_width: 0 },
 });
 
@@ -203,11 +205,21 @@ test('a stroke is moved to another place', () => {
 });
 
 test('what is done before a stroke follows from how it differs from the last', () => {
-  assert.deepEqual(changesBefore(undefined, stroke()), []);
-  assert.deepEqual(changesBefore(stroke(), stroke()), []);
-  assert.deepEqual(changesBefore(stroke(), stroke({ side_up: 'other', gauge_direction: [-1, 0], die: 'W' })), [
-    'turn over',
-    'rotate',
-    'change tools',
-  ]);
+  const set = (setUp: number, strokes: number[]) => ({
+    set_up: setUp,
+    punch: 'P',
+    die: 'V',
+    from: 0,
+    segments: [60],
+    die_from: 0,
+    die_segments: [60],
+    strokes,
+  });
+  const before = (more: Partial<StrokeRow>, stations = [set(1, [1, 2])]) =>
+    changesBefore({ strokes: [stroke(), stroke(more)], stations }, 1);
+  assert.deepEqual(changesBefore({ strokes: [stroke()], stations: [] }, 0), []);
+  assert.deepEqual(before({}), []);
+  assert.deepEqual(before({ side_up: 'other', gauge_direction: [-1, 0] }), ['turn over', 'rotate']);
+  assert.deepEqual(before({}, [set(1, [1]), set(1, [2])]), ['go to B']);
+  assert.deepEqual(before({}, [set(1, [1]), set(2, [2])]), ['new set-up']);
 });

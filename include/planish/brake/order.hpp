@@ -53,7 +53,8 @@ struct CheckedStroke {
 /// An order of strokes, each made in the way that makes the whole cheapest.
 struct CheckedOrder {
   std::vector<CheckedStroke> strokes;
-  double cost = 0.0;  ///< of all, as if those that are blocked could be made
+  std::vector<Station> stations = {};  ///< of the strokes that can be made, by set-up from the left
+  double cost = 0.0;                   ///< of all, as if those that are blocked could be made
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
   int v_away = 0;  ///< sizes from the wanted V, of all strokes together
   bool feasible() const;

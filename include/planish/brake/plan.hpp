@@ -50,7 +50,11 @@ struct PlanOptions {
 /// Where the sheet touches the back gauge.
 struct GaugeStop {
   double distance = 0.0;  ///< from the bend line, mm
-  Segment edge;           ///< the border piece that touches, in the flat pattern
+  /// The border piece that touches, in the flat pattern; of a formed flange the line above or below
+  /// which its outer face stands, in the plane of the lying sheet.
+  Segment edge;
+  double height = 0.0;                  ///< of the finger's point above the upper skin, mm
+  std::optional<FlangeId> flange = {};  ///< formed before, whose outer face touches
 };
 
 /// Segments of a tool that stand side by side.
@@ -84,6 +88,14 @@ struct Stroke {
   std::optional<Remark> ungauged = {};           ///< why
   double force = 0.0;                            ///< kN
   double clearance = 0.0;                        ///< least left over all turns, mm
+};
+
+/// Punch and die side by side with others on the bed.
+struct Station {
+  int set_up = 0;  ///< from 0: those of one set-up stand there together
+  std::string punch, die;
+  std::vector<SegmentRow> punch_rows = {}, die_rows = {};  ///< `from`: from the left end of the bed
+  std::vector<int> strokes = {};                           ///< made there, from 0
 };
 
 /// Whether a stroke leaves an inside radius that is worth telling besides the drawn one: by more
@@ -139,9 +151,10 @@ struct Plan {
   PlanStatus status = PlanStatus::gave_up;
   double cost = 0.0;
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
-  int v_away = 0;               ///< sizes from the wanted V, of all strokes together
-  long long states = 0;         ///< stages that were looked at
-  std::vector<Stroke> strokes;  ///< empty unless optimal or feasible
+  int v_away = 0;                      ///< sizes from the wanted V, of all strokes together
+  long long states = 0;                ///< stages that were looked at
+  std::vector<Stroke> strokes;         ///< empty unless optimal or feasible
+  std::vector<Station> stations = {};  ///< by set-up, from the left
   std::vector<LargeBend> large = {};
   std::vector<BlockedBend> blocked;  ///< if infeasible
   std::vector<BendId> unformed;      ///< if infeasible: what is left in the stage that got furthest

@@ -24,11 +24,14 @@ struct StrokeChoice {
   int direction = 0;         ///< of the pattern, towards the gauge
   bool gauged = true;
   int v_away = 0;  ///< sizes of the catalogue between its V and the wanted one
+  /// Tools with equal numbers can stand on the bed together, so that going from one to the other is
+  /// no change. Below 0: with no others.
+  int bed = -1;
 };
 
 /// Costs, at least 0 each: of a stroke; of a stroke without gauge, besides; of turning the sheet
-/// over, of rotating it and of changing a tool or both between two strokes; of each size by which
-/// the V of a stroke differs from the wanted one.
+/// over, of rotating it and of changing the set-up of tools between two strokes; of each size by
+/// which the V of a stroke differs from the wanted one.
 struct StrokeWeights {
   double turn_over = 3.0, rotate = 2.0, tool_change = 5.0, stroke = 1.0, ungauged = 4.0, v = 1.0;
 
@@ -104,7 +107,7 @@ struct StrokeSearch {
   std::vector<int> blocked = {};
   bool blocked_all = true;
   bool none_last = false;  ///< if infeasible: since no stroke can be made after all others
-  LineSet furthest = {};  ///< if there is no plan: the stage with the most lines formed
+  LineSet furthest = {};   ///< if there is no plan: the stage with the most lines formed
 };
 
 /// Finds the cheapest sequence of strokes that forms every line: A* over stages, each with the last

@@ -42,6 +42,7 @@ struct BendDrawing {
   LengthUnit units = LengthUnit::mm;
   const FlatPattern& flat;
   const Layout& layout;
+  double bed = 0.0;                    ///< length of the press brake's
   const Plan* plan = nullptr;          ///< null: there is none
   std::vector<BendId> blocked;         ///< bends that cannot be pressed
   std::vector<std::string> obstacles;  ///< sentences: why they cannot
@@ -52,10 +53,10 @@ struct BendDrawing {
 };
 
 /// A bend plan to hang at the machine, A4 upright: the part with its flat pattern, bends numbered
-/// in the order of the strokes; then each stroke with the way the sheet lies, the workpiece between
-/// the tools, gauge, length to check, tools with their segments, force, and what is turned since
-/// the stroke before; then notes. Requires the pictures of the plan's strokes; without a plan there
-/// is the first page alone.
+/// in the order of the strokes; the bed with its stations for each set-up; then each stroke with
+/// the way the sheet lies, the workpiece between the tools, gauge, length to check, tools with
+/// their segments, force, and what is turned since the stroke before; then notes. Requires the
+/// pictures of the plan's strokes; without a plan there is the first page alone.
 std::vector<Page> bend_pages(const BendDrawing& drawing,
                              const std::vector<StrokePicture>& pictures);
 

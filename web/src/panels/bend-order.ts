@@ -221,7 +221,7 @@ function strokeItem(
   >
     <b>${i + 1}</b>
     <span
-      >${order.asked || !row ? nothing : changes(answer.strokes[i - 1], row)}<strong>${nameOf(stroke)}</strong> ${row
+      >${order.asked || !row ? nothing : changes(answer, i)}<strong>${nameOf(stroke)}</strong> ${row
         ? strokeText(ui, row, answer)
         : nothing}</span
     >
@@ -262,19 +262,28 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
       : nothing}`;
 }
 
-/** What is done before a stroke. */
-export function changesBefore(before: StrokeRow | undefined, row: StrokeRow): string[] {
-  if (!before) return [];
+/** "A", "B" … as on the pages for the machine. */
+const stationName = (i: number) => String.fromCharCode(65 + (i % 26)) + (i < 26 ? '' : String(Math.floor(i / 26)));
+
+/** What is done before stroke i. */
+export function changesBefore({ strokes, stations }: Pick<OrderAnswer, 'strokes' | 'stations'>, i: number): string[] {
+  const before = strokes[i - 1],
+    row = strokes[i];
+  if (!before || !row) return [];
   const turned = Math.hypot(...row.gauge_direction.map((v, k) => (v ?? 0) - (before.gauge_direction[k] ?? 0)));
+  const stationOf = (stroke: number) => stations.findIndex((s) => s.strokes.includes(stroke + 1)),
+    now = stationOf(i),
+    last = stationOf(i - 1),
+    again = stations[now]?.set_up !== stations[last]?.set_up;
   return [
     ...(row.side_up !== before.side_up ? ['turn over'] : []),
     ...(turned > 1e-3 ? ['rotate'] : []),
-    ...(row.punch !== before.punch || row.die !== before.die ? ['change tools'] : []),
+    ...(now >= 0 && last >= 0 && now !== last ? [again ? 'new set-up' : `go to ${stationName(now)}`] : []),
   ];
 }
 
-const changes = (before: StrokeRow | undefined, row: StrokeRow) =>
-  changesBefore(before, row).map((c) => html`<i class="change">${c}</i>`);
+const changes = (answer: OrderAnswer, i: number) =>
+  changesBefore(answer, i).map((c) => html`<i class="change">${c}</i>`);
 
 const stop = (then: () => void) => (e: Event) => {
   e.stopPropagation();

@@ -78,7 +78,7 @@ export function machineLegend(ui: Ui) {
     </ul>
     <p>
       <b>Stroke ${at + 1}: ${nameOf(row)}</b>
-      ${changesBefore(strokes[at - 1], row).map((c) => html`<i class="change">${c}</i>`)}
+      ${changesBefore(order.answer, at).map((c) => html`<i class="change">${c}</i>`)}
     </p>
     ${row.blocked ? html`<p class="bad" data-testid="collision">${byPlates(ui.state, row.blocked)}</p>` : nothing}`;
 }

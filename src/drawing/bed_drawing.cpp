@@ -1,0 +1,100 @@
+#include "bend_drawing.hpp"
+#include "filling.hpp"
+
+#include <planish/base/text.hpp>
+#include <planish/geometry/interval.hpp>
+#include <planish/schema/units.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+// A set-up as it stands on the bed, seen by the operator: the punches above the dies, each segment
+// for itself, to scale along the bed; below it a line of words for each station.
+
+namespace planish::drawing {
+namespace {
+
+constexpr double kTitle = 6.0, kNamesAbove = 4.0, kTool = 4.0, kWords = 4.6;  // heights, mm
+constexpr Colour kPunch{0.80, 0.83, 0.86}, kDie{0.88, 0.90, 0.92};
+
+std::string row_text(const BendDrawing& drawing, const std::vector<SegmentRow>& rows) {
+  const schema::Units units(drawing.units);
+  return fmt::format(
+      "{}",
+      fmt::join(mapped(rows,
+                       [&](const SegmentRow& row) {
+                         return fmt::format(
+                             "{} from {}",
+                             fmt::join(mapped(row.segments,
+                                              [&](double one) { return units.short_text(one); }),
+                                       " + "),
+                             size_text(drawing, row.from));
+                       }),
+                ", "));
+}
+
+std::string words_of(const BendDrawing& drawing, const Station& station, std::size_t number) {
+  return fmt::format("{}  punch {}: {}; die {}: {}; {} {}", station_name(number), station.punch,
+                     row_text(drawing, station.punch_rows), station.die,
+                     row_text(drawing, station.die_rows),
+                     station.strokes.size() == 1 ? "stroke" : "strokes",
+                     fmt::join(mapped(station.strokes, [](int s) { return s + 1; }), ", "));
+}
+
+/// The segments of a row, each in a rectangle, as far down the page as told.
+void draw_rows(Page& page, const std::vector<SegmentRow>& rows, double scale, double top,
+               const Colour& fill) {
+  for (const SegmentRow& row : rows) {
+    double from = row.from;
+    for (const double length : row.segments) {
+      const Vec2 a(kEdge + scale * from, top), b(kEdge + scale * (from + length), top + kTool);
+      page.area({{a, {b.x(), a.y()}, b, {a.x(), b.y()}}},
+                {.stroke = kPageGrey, .fill = fill, .width = 0.15});
+      from += length;
+    }
+  }
+}
+
+}  // namespace
+
+std::string station_name(std::size_t number) {
+  constexpr std::size_t kAlphabet = 26;
+  const std::string letter(1, static_cast<char>('A' + number % kAlphabet));
+  return number < kAlphabet ? letter : fmt::format("{}{}", letter, number / kAlphabet);
+}
+
+double height_of_bed(const BendDrawing& drawing, int set_up) {
+  const auto lines = std::ranges::count(drawing.plan->stations, set_up, &Station::set_up);
+  return kTitle + kNamesAbove + 2.0 * kTool + 3.0 + kWords * static_cast<double>(lines);
+}
+
+void draw_bed(Page& page, const BendDrawing& drawing, int set_up, double top) {
+  const schema::Units units(drawing.units);
+  page.text({kEdge, top + kTitle - 2.0},
+            fmt::format("Set-up {} on the bed of {} {}, from your left", set_up + 1,
+                        units.short_text(drawing.bed), units.symbol()),
+            {.size = 3.8, .bold = true});
+  const double scale = kInner / drawing.bed, punches = top + kTitle + kNamesAbove;
+  double words = punches + 2.0 * kTool + kWords;
+  for (const double y : {punches, punches + kTool, punches + 2.0 * kTool})
+    page.line({kEdge, y}, {kEdge + kInner, y}, {.stroke = kPageGrey, .width = 0.15});
+  for (std::size_t i = 0; i < drawing.plan->stations.size(); ++i) {
+    const Station& station = drawing.plan->stations[i];
+    if (station.set_up != set_up) continue;
+    draw_rows(page, station.punch_rows, scale, punches, kPunch);
+    draw_rows(page, station.die_rows, scale, punches + kTool, kDie);
+    const SegmentRow& last = station.punch_rows.back();
+    double end = last.from;
+    for (const double length : last.segments)
+      end += length;
+    page.text({kEdge + 0.5 * scale * (station.punch_rows.front().from + end), punches - 1.0},
+              station_name(i), {.size = 3.2, .bold = true, .anchor = TextAnchor::middle});
+    const std::string text = words_of(drawing, station, i);
+    page.text({kEdge, words}, text, {.size = fitting_size(text, kInner, 3.2)});
+    words += kWords;
+  }
+}
+
+}  // namespace planish::drawing

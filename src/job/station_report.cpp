@@ -1,0 +1,96 @@
+#include "station_report.hpp"
+
+#include "report_schema.hpp"
+
+#include <planish/base/text.hpp>
+#include <planish/schema/json_parts.hpp>
+#include <planish/schema/table.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+
+namespace planish::job {
+using namespace schema;
+namespace {
+
+Json lengths_json(const std::vector<double>& lengths, const Units& units) {
+  return json_array(lengths, [&](double length) { return number_json(units.length(length)); });
+}
+
+Json station_json(const Station& station, const Units& units) {
+  Json json{{"set_up", station.set_up + 1}, {"punch", station.punch}, {"die", station.die}};
+  add_rows(json, "punch", station.punch_rows, units);
+  json["from"] = std::move(json["punch_from"]);
+  json["segments"] = std::move(json["punch_segments"]);
+  json.erase("punch_from");
+  json.erase("punch_segments");
+  add_rows(json, "die", station.die_rows, units);
+  json["strokes"] = json_array(station.strokes, [](int stroke) { return Json(stroke + 1); });
+  return json;
+}
+
+}  // namespace
+
+void add_rows(Json& json, const std::string& tool, const std::vector<SegmentRow>& rows,
+              const Units& units) {
+  std::vector<double> all;
+  for (const SegmentRow& row : rows)
+    all.insert(all.end(), row.segments.begin(), row.segments.end());
+  json[tool + "_segments"] = lengths_json(all, units);
+  json[tool + "_from"] = number_json(units.length(rows.empty() ? 0.0 : rows.front().from));
+  if (rows.size() < 2) return;
+  Json& list = json[tool + "_rows"] = Json::array();
+  for (const SegmentRow& row : rows)
+    list.push_back({{"from", number_json(units.length(row.from))},
+                    {"segments", lengths_json(row.segments, units)}});
+}
+
+Schema rows_schema() {
+  return list(
+      object({required("from", measured_length()), required("segments", list(measured_length()))}));
+}
+
+Json stations_json(const std::vector<Station>& stations, const Report& report) {
+  return json_array(stations, [units = Units(report.units)](const Station& station) {
+    return station_json(station, units);
+  });
+}
+
+Schema station_schema() {
+  const Schema lengths = list(measured_length());
+  const Schema rows = rows_schema();
+  return object({required("set_up", whole(1)), required("punch", text()), required("die", text()),
+                 required("from", measured_length().said("of the punch, from the bed's left end")),
+                 required("segments", lengths.said("of the punch")),
+                 required("die_from", measured_length()), required("die_segments", lengths),
+                 optional("punch_rows", rows.said("where gaps are between segments")),
+                 optional("die_rows", rows), required("strokes", list(whole(1)))});
+}
+
+std::string stations_text(const Plan& plan, const Units& units) {
+  if (plan.stations.empty()) return {};
+  using Align = Table::Align;
+  Table table({{"set-up", Align::right},
+               {"punch"},
+               {"die"},
+               {"from", Align::right},
+               {"segments"},
+               {"strokes"}});
+  for (const Station& station : plan.stations) {
+    std::string segments;
+    for (const SegmentRow& row : station.punch_rows)
+      segments += fmt::format(
+          "{}{}", segments.empty() ? "" : ", gap, ",
+          fmt::join(mapped(row.segments, [&](double one) { return units.short_text(one); }),
+                    " + "));
+    table.add(
+        {std::to_string(station.set_up + 1), station.punch, station.die,
+         units.length_text(station.punch_rows.front().from), segments,
+         fmt::format("{}", fmt::join(mapped(station.strokes, [](int s) { return s + 1; }), " "))});
+  }
+  return table.text();
+}
+
+}  // namespace planish::job
