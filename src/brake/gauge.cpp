@@ -124,48 +124,62 @@ std::optional<Interval> crossing(const std::vector<Vec2>& polygon, double level)
   return found;
 }
 
-/// Level lines on the outer faces of flanges that stand upright and face the gauge, where a finger
-/// would touch them.
-std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
-                                    const BackGauge& gauge) {
-  constexpr double kLeastTouch = 5.0;  // mm of a face, across its level line
+/// A flange that stands upright at the gauge: its plane pieces in (x, z).
+struct UprightFace {
+  std::vector<std::vector<Vec2>> pieces;
+  Interval heights;
+  double away = 0.0;  ///< of its outer face from the bend line
+  std::optional<FlangeId> flange;
+};
+
+std::vector<UprightFace> upright_faces(StageCache& cache, const Setting& stroke) {
   const Workpiece& work = cache.inputs().work;
   const PartTree& tree = cache.tree(stroke.line);
-  const Interval front = front_of(gauge);
-  const Eigen::Isometry3d lying = line_frame(work.lines[stroke.line]);
-  const double side = stroke.direction > 0 ? 1.0 : -1.0, middle = lying.translation().z();
-  std::vector<GaugeEdge> lines;
+  const double side = stroke.direction > 0 ? 1.0 : -1.0;
+  std::vector<UprightFace> faces;
   for (int part = 0; part < std::ssize(tree.parts()); ++part) {
     const PartTree::Part& at = tree.parts()[part];
     const PlacedPart& placed = *cache.parts(stroke)[part];
-    if (at.is_zone || placed.flat || placed.left != (stroke.direction > 0)) continue;
     const Vec3 normal = placed.at.linear().col(2);
+    if (at.is_zone || placed.flat || placed.left != (stroke.direction > 0)) continue;
     if (std::abs(normal.x()) > kParallel || std::abs(normal.z()) > kParallel) continue;
-    Interval face{kEverywhere.hi, kEverywhere.lo};
-    double away = 0.0;
-    const auto upright = mapped(work.bodies[at.index].pieces, [&](const Convex& piece) {
-      return mapped(piece, [&](const Vec2& corner) {
+    const Body& body = work.bodies[at.index];
+    UprightFace face{{}, {kEverywhere.hi, kEverywhere.lo}, 0.0, body.flange};
+    for (const Convex& piece : body.pieces)
+      face.pieces.push_back(mapped(piece, [&](const Vec2& corner) {
         const Vec3 p = placed.at * Vec3(corner.x(), corner.y(), 0.0);
-        face = {std::min(face.lo, p.z()), std::max(face.hi, p.z())};
-        away = side * p.y() + 0.5 * work.thickness;
+        face.heights = {std::min(face.heights.lo, p.z()), std::max(face.heights.hi, p.z())};
+        face.away = side * p.y() + 0.5 * work.thickness;
         return Vec2(p.x(), p.z());
-      });
-    });
-    const auto height = height_at(face, gauge);
-    if (!height || away <= 0.0) continue;
-    const Interval touched{std::max(face.lo, *height + front.lo),
-                           std::min(face.hi, *height + front.hi)};
+      }));
+    if (face.away > 0.0) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+/// Level lines on the outer faces of upright flanges, where a finger would touch them.
+std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
+                                    const BackGauge& gauge) {
+  constexpr double kLeastTouch = 5.0;  // mm of a face, across its level line
+  const Interval front = front_of(gauge);
+  const Eigen::Isometry3d lying = line_frame(cache.inputs().work.lines[stroke.line]);
+  const double side = stroke.direction > 0 ? 1.0 : -1.0, middle = lying.translation().z();
+  std::vector<GaugeEdge> lines;
+  for (const UprightFace& face : upright_faces(cache, stroke)) {
+    const auto height = height_at(face.heights, gauge);
+    if (!height) continue;
+    const Interval touched{std::max(face.heights.lo, *height + front.lo),
+                           std::min(face.heights.hi, *height + front.hi)};
     if (touched.hi - touched.lo < kLeastTouch) continue;
     std::vector<Interval> along;
-    for (const std::vector<Vec2>& piece : upright)
+    for (const std::vector<Vec2>& piece : face.pieces)
       if (const auto one = crossing(piece, 0.5 * (touched.lo + touched.hi))) along.push_back(*one);
-    for (const Interval& one : joined(std::move(along), kOneEdge)) {
-      const auto in_pattern = [&](double x) {
-        return Vec2((lying.inverse() * Vec3(x, side * away, middle)).head<2>());
-      };
-      lines.push_back({away, one, Segment{in_pattern(one.lo), in_pattern(one.hi)}, *height,
-                       work.bodies[at.index].flange});
-    }
+    const auto in_pattern = [&](double x) {
+      return Vec2((lying.inverse() * Vec3(x, side * face.away, middle)).head<2>());
+    };
+    for (const Interval& one : joined(std::move(along), kOneEdge))
+      lines.push_back(
+          {face.away, one, Segment{in_pattern(one.lo), in_pattern(one.hi)}, *height, face.flange});
   }
   return lines;
 }

@@ -76,7 +76,8 @@ void add_tools(StrokePicture& picture, const BrakeTools& tools, const Stroke& st
   if (!tools.machine.lower_beam.empty())
     picture.lower_beam = moved(section_of(tools.machine.lower_beam).outline, die_at);
   if (stroke.gauge && tools.machine.gauge)
-    picture.finger = moved(tools.machine.gauge->finger, {stroke.gauge->distance, stroke.gauge->height});
+    picture.finger = moved(tools.machine.gauge->finger,
+                           {stroke.gauge->distance, stroke.gauge->height});
 }
 
 StrokePicture picture_of_closing(const Workpiece& work, const BrakeTools& tools,
