@@ -1,9 +1,23 @@
 #include "reference_skin.hpp"
 
+#include <planish/geometry/region.hpp>
+
 #include <algorithm>
+#include <optional>
 
 namespace planish::brep {
 namespace {
+
+/// Area of the plane faces of a skin with all in them filled: holes, and pockets, which lie on one
+/// skin alone and say nothing about which is wider.
+double filled_area(const SolidModel& model, const std::vector<Outline>& outlines,
+                   const Skins& skins, Skin skin) {
+  double sum = 0.0;
+  for (int f = 0; f < std::ssize(model.faces); ++f)
+    if (skins.skin_of[f] == skin && std::holds_alternative<Frame>(model.faces[f].surface))
+      sum += std::abs(ring_area(outlines[f].flat[outlines[f].outer]));
+  return sum;
+}
 
 /// Skin area as the neutral surface (K = ½) would measure it, so that the two skins compare.
 double neutral_area(const SolidModel& model, const std::vector<Outline>& outlines,
@@ -38,10 +52,16 @@ Skin reference_skin(const SolidModel& model, const std::vector<Outline>& outline
   const int second = outward_sharp_edges(model, skins, Skin::second);
   if (first != second) return first < second ? Skin::first : Skin::second;
   constexpr double kClearly = 1.0 + 1e-6;  // so that the sampling of outlines does not decide
-  return neutral_area(model, outlines, skins, Skin::second) >
-                 kClearly * neutral_area(model, outlines, skins, Skin::first)
-             ? Skin::second
-             : Skin::first;
+  constexpr double kWider = 1.0 + 1e-4;    // nor do rounded tangent lines: bends are left out
+  const auto wider = [&](const auto& area, double clearly) -> std::optional<Skin> {
+    const double of_first = area(model, outlines, skins, Skin::first);
+    const double of_second = area(model, outlines, skins, Skin::second);
+    if (of_second > clearly * of_first) return Skin::second;
+    if (of_first > clearly * of_second) return Skin::first;
+    return std::nullopt;
+  };
+  if (const auto skin = wider(filled_area, kWider)) return *skin;
+  return wider(neutral_area, kClearly).value_or(Skin::first);
 }
 
 }  // namespace planish::brep

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace planish::brep::test {
@@ -41,6 +42,18 @@ TEST(ReferenceSide, IsTheSkinWithTheNarrowerOpenings) {
   EXPECT_TRUE(is_reference(plate(2, {100, 60}, {countersink}), 0));
   const Turned from_below{{30, 30}, {{2.5, 2}, {2.5, 1.5}, {4, 0}}};
   EXPECT_TRUE(is_reference(plate(2, {100, 60}, {from_below}), 1));
+}
+
+/// A plate that is narrower below, by this much all round, and whole there; a pocket is in its top.
+SolidModel plate_with_draft(double d) {
+  return plate(
+      2, {{{rectangle_at({d, d}, {100 - d, 60 - d}), rectangle_at({0, 0}, {100, 60})}, {0, 2}}},
+      {{{30, 30}, {{20, 2}, {20, 1.5}, {0, 1.5}}}});
+}
+
+TEST(ReferenceSide, IsTheWiderSkinWhateverIsMilledIntoIt) {
+  EXPECT_TRUE(is_reference(plate_with_draft(2 * std::tan(std::numbers::pi / 36)), 1));
+  EXPECT_TRUE(is_reference(plate_with_draft(1e-4), 0)) << "a rounded outline is not wider";
 }
 
 TEST(ReferenceSide, ComparesBendsAtTheirNeutralSurface) {
