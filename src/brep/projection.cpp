@@ -37,7 +37,7 @@ double circulation_of(const SpaceCurve& curve, const Frame& about, double error)
 }  // namespace
 
 double projected_area(const SolidModel& model, int face, const Frame& plane) {
-  const double error = tolerance::kComputed * model.size * model.size;
+  const double error = tolerance::kRounding * model.size * model.size;
   double sum = 0.0;
   for (const auto& loop : model.faces[face].loops)
     for (const CoEdge& use : loop) {
@@ -48,7 +48,7 @@ double projected_area(const SolidModel& model, int face, const Frame& plane) {
 }
 
 double volume_over(const SolidModel& model, int face, const Frame& plane) {
-  const double error = tolerance::kComputed * model.size * model.size * model.size;
+  const double error = tolerance::kRounding * model.size * model.size * model.size;
   Frame about = plane;
   about.origin = model.centre;
   double volume = model.faces[face].volume -

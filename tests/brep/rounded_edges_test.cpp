@@ -1,8 +1,6 @@
-#include "guarded.hpp"
-#include "step_out.hpp"
 #include "support/bent_bracket.hpp"
+#include "support/unfolded_shape.hpp"
 
-#include <planish/brep/step.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -64,17 +62,12 @@ TopoDS_Shape with_chamfered(const TopoDS_Shape& shape, double width, const Wante
 }
 
 FlatPattern pattern_of(const TopoDS_Shape& shape) {
-  const auto text = brep::guarded([&] { return brep::step_text(shape, "part"); });
-  const auto file = read_step_text(text.value(), "part.step");
-  const auto found = recognize(file.value().bodies.front());
-  EXPECT_TRUE(found) << found.error().message;
-  if (!found) return {};
-  const auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
-  EXPECT_TRUE(flat) << flat.error().message;
-  const auto certificate = certify(found->sheet, *flat, found->distance);
-  EXPECT_LT(certificate->refold_deviation.value(), 1e-4);
-  EXPECT_LT(certificate->opening_error.value_or(0.0), 1e-6);
-  return *flat;
+  const auto made = unfolded_shape(shape);
+  EXPECT_TRUE(made) << made.error().message;
+  if (!made) return {};
+  EXPECT_LT(made->certificate.refold_deviation.value(), 1e-4);
+  EXPECT_LT(made->certificate.opening_error.value_or(0.0), 1e-6);
+  return made->flat;
 }
 
 /// Both skins' edges rounded and chamfered.

@@ -1,8 +1,5 @@
-#include "guarded.hpp"
-#include "step_out.hpp"
+#include "support/unfolded_shape.hpp"
 
-#include <planish/brep/step.hpp>
-#include <planish/sheet/certificate.hpp>
 #include <planish/sheet/codes.hpp>
 
 #include <BRepAlgoAPI_Common.hxx>
@@ -70,30 +67,10 @@ TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius,
   return fillet.Shape();
 }
 
-Result<Recognized> found_in(const TopoDS_Shape& shape, const RecognizeOptions& options = {}) {
-  const auto text = brep::guarded([&] { return brep::step_text(shape, "part"); });
-  if (!text) return tl::unexpected(text.error());
-  const auto file = read_step_text(*text, "part.step");
-  if (!file) return tl::unexpected(file.error());
-  return recognize(file->bodies.front(), options);
-}
-
-struct Seen {
-  Sheet sheet;
-  FlatPattern flat;
-  Certificate certificate;
-};
-
-Seen seen_in(const TopoDS_Shape& shape, const RecognizeOptions& options = {}) {
-  const auto found = found_in(shape, options);
-  EXPECT_TRUE(found) << found.error().message;
-  if (!found) return {};
-  const auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
-  EXPECT_TRUE(flat) << flat.error().message;
-  if (!flat) return {};
-  const auto certificate = certify(found->sheet, *flat, found->distance);
-  EXPECT_TRUE(certificate) << certificate.error().message;
-  return {found->sheet, *flat, certificate.value_or(Certificate{})};
+UnfoldedShape seen_in(const TopoDS_Shape& shape, const RecognizeOptions& options = {}) {
+  auto made = unfolded_shape(shape, options);
+  EXPECT_TRUE(made) << made.error().message;
+  return made ? std::move(*made) : UnfoldedShape{};
 }
 
 TopoDS_Shape with_recesses(TopoDS_Shape plate, double depth) {
@@ -112,7 +89,7 @@ TEST(ShopParts, PlatesMayHaveRecessesBelowAndCounterboresAbove) {
   const TopoDS_Shape plate = cuboid(100, 80, 2);
   for (const TopoDS_Shape& part : {with_recesses(plate, 0.3), with_counterbores(plate, 1),
                                    with_counterbores(with_recesses(plate, 0.3), 1)}) {
-    const Seen seen = seen_in(part);
+    const UnfoldedShape seen = seen_in(part);
     EXPECT_NEAR(seen.sheet.thickness, 2.0, 1e-9);
     EXPECT_NEAR(seen.flat.area + pi * 9 * static_cast<double>(seen.flat.openings.size()), 8000,
                 1e-6);
@@ -133,7 +110,7 @@ TEST(ShopParts, HolesThatShareARecessAreCutAsWhatPassesEach) {
   joined = cut(joined, cuboid({30, 45, 0}, 40, 20, 0.3));
   for (const auto& [part, holes] :
        {std::pair{below, 4}, std::pair{both, 3}, std::pair{joined, 2}}) {
-    const Seen seen = seen_in(part);
+    const UnfoldedShape seen = seen_in(part);
     ASSERT_EQ(std::ssize(seen.flat.openings), holes);
     EXPECT_NEAR(seen.flat.area, 8000 - holes * pi * 9, 1e-6);
     EXPECT_NEAR(*seen.certificate.explained_ratio, 1.0, 1e-9);
@@ -149,7 +126,7 @@ TEST(ShopParts, GroovesAllRoundAreNoOpenings) {
     for (const int holes : {0, 1}) {
       TopoDS_Shape part = cut(cuboid(100, 80, 2), ring);
       if (holes > 0) part = cut(part, pin(50, 40, -1, 5, 10));
-      const Seen seen = seen_in(part);
+      const UnfoldedShape seen = seen_in(part);
       EXPECT_EQ(std::ssize(seen.flat.openings), holes);
       EXPECT_EQ(seen.certificate.openings.lost(), 0);
       EXPECT_NEAR(seen.flat.area, 8000 - holes * pi * 25, 1e-6);
@@ -174,7 +151,7 @@ TEST(ShopParts, BeadsAndLouvresWithSharpEdgesAreForms) {
   const TopoDS_Shape louvre = fused(cut(pressed, cuboid({10, 10, -5}, 80, 20, 20)),
                                     cuboid(100, 30, 1));
   for (const TopoDS_Shape& part : {pressed, louvre}) {
-    const Seen seen = seen_in(part);
+    const UnfoldedShape seen = seen_in(part);
     EXPECT_NEAR(seen.sheet.thickness, 1.0, 1e-9);
     EXPECT_EQ(seen.sheet.flanges.size(), 1u);
     EXPECT_EQ(seen.sheet.bends.size(), 0u);
@@ -209,13 +186,13 @@ TEST(ShopParts, BoxesMayTouchAtCornersThatAreNotchedOutside) {
   TopoDS_Shape part = box();
   for (const double x : {0.0, 80.0 - 0.6 * kWall})
     part = cut(part, cuboid({x, 0, 0}, 0.6 * kWall, 0.6 * kWall, 30));
-  const auto closed = found_in(part);
+  const auto closed = recognized_shape(part);
   ASSERT_FALSE(closed);
   EXPECT_EQ(closed.error().code, code::closed_loop) << "at the two other corners";
   std::vector<int> rips;
   for (const Place& place : closed.error().places)
     if (place.kind == PlaceKind::edge) rips.push_back(std::get<int>(place.id));
-  const Seen seen = seen_in(part, {.rip_edges = rips});
+  const UnfoldedShape seen = seen_in(part, {.rip_edges = rips});
   EXPECT_EQ(seen.flat.openings.size(), 6u);
   EXPECT_EQ(seen.certificate.openings.lost(), 0);
   EXPECT_EQ(seen.certificate.openings.features, 2) << "where the walls touch";
@@ -241,7 +218,7 @@ TopoDS_Shape gusset(double leg) {
 TEST(ShopParts, GussetAcrossABendIsAnotherPlate) {
   EXPECT_EQ(seen_in(angle()).sheet.bends.size(), 1u);
   for (const double leg : {7.0, 12.0, 20.0}) {
-    const auto found = found_in(fused(angle(), gusset(leg)));
+    const auto found = recognized_shape(fused(angle(), gusset(leg)));
     ASSERT_FALSE(found) << leg;
     EXPECT_EQ(found.error().code, code::not_a_sheet);
     EXPECT_THAT(found.error().message, HasSubstr("beyond the sheet of 2 mm"));
@@ -258,25 +235,25 @@ TopoDS_Shape strip(double width) {
 }
 
 TEST(ShopParts, StripsAsNarrowAsABarAreSheetsOfTheThicknessThatIsStated) {
-  const auto bar = found_in(strip(4));
+  const auto bar = recognized_shape(strip(4));
   ASSERT_FALSE(bar);
   EXPECT_EQ(bar.error().code, code::not_a_sheet);
   std::vector<std::string> offered;
   for (const Remedy& remedy : bar.error().remedies)
     if (remedy.option == "thickness") offered.push_back(remedy.value);
   EXPECT_THAT(offered, ElementsAre("4", "5"));
-  const Seen bent = seen_in(strip(4), {.thickness = 5.0}),
-             flat = seen_in(strip(4), {.thickness = 4.0});
+  const UnfoldedShape bent = seen_in(strip(4), {.thickness = 5.0}),
+                      flat = seen_in(strip(4), {.thickness = 4.0});
   EXPECT_EQ(bent.sheet.bends.size(), 1u);
   EXPECT_NEAR(bent.flat.area, 4 * (59 + 39 + pi / 2 * 8.5), 1e-6);
   EXPECT_EQ(flat.sheet.bends.size(), 0u);
   EXPECT_NEAR(flat.flat.area * 4, bent.flat.area * 5, 1e-6) << "of one volume";
   EXPECT_EQ(seen_in(strip(3), {.thickness = 5.0}).sheet.bends.size(), 1u);
-  EXPECT_FALSE(found_in(strip(4), {.thickness = 7.0}));
+  EXPECT_FALSE(recognized_shape(strip(4), {.thickness = 7.0}));
 }
 
 TEST(ShopParts, BlocksAreToldTheirWidth) {
-  const auto cube = found_in(cuboid(40, 40, 40));
+  const auto cube = recognized_shape(cuboid(40, 40, 40));
   ASSERT_FALSE(cube);
   EXPECT_THAT(cube.error().message, HasSubstr("40 mm thick and only about 40 mm wide"));
 }

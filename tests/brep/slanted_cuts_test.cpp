@@ -1,7 +1,4 @@
-#include "guarded.hpp"
-#include "step_out.hpp"
-
-#include <planish/brep/step.hpp>
+#include "support/unfolded_shape.hpp"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
@@ -32,27 +29,7 @@ TopoDS_Shape sawn(const TopoDS_Shape& shape, const gp_Pnt& point, const gp_Dir& 
   return BRepAlgoAPI_Cut(shape, tool).Shape();
 }
 
-struct SawnPart {
-  Sheet sheet;
-  FlatPattern flat;
-  Certificate certificate;
-};
-
-Result<SawnPart> read_sawn(const TopoDS_Shape& shape) {
-  const auto text = brep::guarded([&] { return brep::step_text(shape, "part"); });
-  if (!text) return tl::unexpected(text.error());
-  const auto file = read_step_text(*text, "part.step");
-  if (!file) return tl::unexpected(file.error());
-  auto found = recognize(file->bodies.front());
-  if (!found) return tl::unexpected(found.error());
-  auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
-  if (!flat) return tl::unexpected(flat.error());
-  auto certificate = certify(found->sheet, *flat, found->distance);
-  if (!certificate) return tl::unexpected(certificate.error());
-  return SawnPart{std::move(found->sheet), std::move(*flat), *certificate};
-}
-
-bool is_noted(const SawnPart& part) {
+bool is_noted(const UnfoldedShape& part) {
   return std::ranges::any_of(part.flat.features, [](const FlatFeature& feature) {
     return feature.kind == "slanted cut" && !feature.along.empty();
   });
@@ -60,7 +37,7 @@ bool is_noted(const SawnPart& part) {
 
 TEST(SlantedCut, OfAPlateKeepsTheWiderSkin) {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 6).Shape();
-  const auto part = read_sawn(sawn(plate, {80, 0, 0}, {1, 0, 1}));
+  const auto part = unfolded_shape(sawn(plate, {80, 0, 0}, {1, 0, 1}));
   ASSERT_TRUE(part) << part.error().message;
   EXPECT_NEAR(part->flat.area, 80 * 60, 1e-6);
   EXPECT_NEAR(*part->certificate.volume_ratio, 80.0 / 77.0, 1e-9);
@@ -76,7 +53,8 @@ TEST(SlantedCut, OfAPlateKeepsTheWiderSkin) {
 TEST(SlantedCut, OpensToTheSideFromWhichItIsSeen) {
   // Both ends sawn along parallel planes: one is seen from above, the other from below.
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 6).Shape();
-  const auto part = read_sawn(sawn(sawn(plate, {80, 0, 0}, {1, 0, 1}), {20, 0, 0}, {-1, 0, -1}));
+  const auto part = unfolded_shape(
+      sawn(sawn(plate, {80, 0, 0}, {1, 0, 1}), {20, 0, 0}, {-1, 0, -1}));
   ASSERT_TRUE(part) << part.error().message;
   ASSERT_EQ(part->flat.features.size(), 2u);
   EXPECT_EQ(part->flat.features[0].side, other_side(part->flat.features[1].side));
@@ -86,7 +64,7 @@ TEST(SlantedCut, OpensToTheSideFromWhichItIsSeen) {
 
 TEST(SlantedCut, OfAStraightCutIsNone) {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 6).Shape();
-  const auto part = read_sawn(sawn(plate, {80, 0, 0}, {2, 1, 0}));
+  const auto part = unfolded_shape(sawn(plate, {80, 0, 0}, {2, 1, 0}));
   ASSERT_TRUE(part) << part.error().message;
   EXPECT_TRUE(part->flat.features.empty());
 }
@@ -114,7 +92,7 @@ TopoDS_Shape channel() {
 TEST(SlantedCut, OfAChannelFollowsOneSkinThroughItsBends) {
   // y < 150 − x: legs and web are cut at 45°, the legs normal to the sheet. On the inside skin the
   // web ends at 150 − 43, and each bend at 150 − 40 − 3 sin θ.
-  const auto part = read_sawn(sawn(channel(), {0, 150, 0}, {1, 1, 0}));
+  const auto part = unfolded_shape(sawn(channel(), {0, 150, 0}, {1, 1, 0}));
   ASSERT_TRUE(part) << part.error().message;
   const double legs = 2 * (40 * 150 - 800);
   const double bends = 2 * 4.5 * (110 * pi / 2 - 3);
@@ -132,7 +110,7 @@ TEST(SlantedCut, OfARolledSheetIsAccountedFor) {
                                       BRepPrimAPI_MakeCylinder(27, 100).Shape())
                           .Shape();
   tube = BRepAlgoAPI_Cut(tube, BRepPrimAPI_MakeBox(gp_Pnt(0, -1, -1), 40, 2, 102).Shape()).Shape();
-  const auto part = read_sawn(sawn(tube, {0, 0, 70}, {1, 0, 0.5}));
+  const auto part = unfolded_shape(sawn(tube, {0, 0, 70}, {1, 0, 0.5}));
   ASSERT_TRUE(part) << part.error().message;
   EXPECT_TRUE(is_noted(*part));
   EXPECT_NEAR(*part->certificate.explained_ratio, 1.0, 1e-3);

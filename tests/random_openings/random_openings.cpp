@@ -1,12 +1,10 @@
 // Random plates and brackets: every opening of the pattern is the narrowest of the kernel's own
 // sections, and one that is falsified is noticed. CONTRIBUTING.md says how it is run.
-#include "guarded.hpp"
 #include "random_part.hpp"
 #include "sections.hpp"
-#include "step_out.hpp"
 #include "support/random_run.hpp"
+#include "support/unfolded_shape.hpp"
 
-#include <planish/brep/step.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -120,23 +118,19 @@ std::string unnoticed(const Sheet& sheet, const FlatPattern& flat) {
 
 /// What is wrong about a part's pattern; empty: nothing.
 std::string wrong_with(const Part& part, const std::string& text) {
-  const auto file = read_step_text(text, "part.step");
-  if (!file) return file.error().message;
-  const auto found = recognize(file->bodies.front());
-  if (!found) return "refused: " + found.error().message;
-  const auto flat = flatten(found->sheet, {.allowance = ConstantK{0.5, "test"}});
-  if (!flat) return "refused: " + flat.error().message;
-  for (auto wrong : {wrong_sections(part), wrong_openings(*flat, part), wrong_outline(*flat, part)})
+  const auto made = test::unfolded_sheet(test::recognized_text(text));
+  if (!made) return "refused: " + made.error().message;
+  const FlatPattern& flat = made->flat;
+  for (auto wrong : {wrong_sections(part), wrong_openings(flat, part), wrong_outline(flat, part)})
     if (!wrong.empty()) return wrong;
-  const auto certificate = certify(found->sheet, *flat, found->distance);
-  if (!certificate) return certificate.error().message;
+  const Certificate* certificate = &made->certificate;
   if (const double off = certificate->opening_error.value_or(0.0); off > kWidth)
     return fmt::format("opening_error is {}", off);
   if (certificate->explained_ratio && std::abs(*certificate->explained_ratio - 1.0) > 1e-8)
     return fmt::format("explained_ratio is {}", *certificate->explained_ratio);
   if (const double off = certificate->refold_deviation.value_or(0.0); off > 1e-4)
     return fmt::format("refold_deviation is {}", off);
-  return unnoticed(found->sheet, *flat);
+  return unnoticed(made->sheet, flat);
 }
 
 int run(const Options& options) {
