@@ -37,7 +37,7 @@ std::optional<FlangeId> flange_of(StageCache& cache, int line, int part) {
 /// Where along x a tool counts: beams everywhere, rows where they must press.
 Interval where_it_counts(StageCache& cache, const Setting& stroke, ToolKind kind) {
   if (!is_row(kind)) return kEverywhere;
-  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const double left_out = shortfall(cache.inputs());
   return {pieces.front().lo + left_out, pieces.back().hi - left_out};
 }

@@ -5,12 +5,35 @@
 
 #include <planish/geometry/plane.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::brake_detail {
 namespace {
 
 constexpr double kSameLine = 1e-3;  // mm, and radians: lines that are pressed together
+
+/// Pieces of the lines of a stroke, without the ends that are in another zone if they are trimmed.
+std::vector<Interval> pieces_of(StageCache& cache, const Setting& stroke, bool trimmed) {
+  const StrokeInputs& inputs = cache.inputs();
+  const PartTree& tree = cache.tree(stroke.line);
+  std::vector<Interval> pieces;
+  for (const int number : inputs.on_one_line[stroke.line]) {
+    if (!holds(stroke.pressed, number)) continue;
+    const BrakeLine& line = inputs.work.lines[number];
+    const Eigen::Isometry3d at = tree.place(tree.part_of_body(line.bodies[0]), *stroke.formed);
+    const Interval left{line.from() + (trimmed ? line.overlapped[0] : 0.0),
+                        line.to() - (trimmed ? line.overlapped[1] : 0.0)};
+    for (const Interval& piece : line.pieces) {
+      if (piece.hi <= left.lo || piece.lo >= left.hi) continue;
+      const Vec2 a = line.origin + std::max(piece.lo, left.lo) * line.along,
+                 b = line.origin + std::min(piece.hi, left.hi) * line.along;
+      const double lo = (at * Vec3(a.x(), a.y(), 0.0)).x(), hi = (at * Vec3(b.x(), b.y(), 0.0)).x();
+      pieces.push_back({std::min(lo, hi), std::max(lo, hi)});
+    }
+  }
+  return joined(std::move(pieces), 0.0);
+}
 
 }  // namespace
 
@@ -44,20 +67,11 @@ std::vector<int> together(StageCache& cache, int line, const LineSet& formed) {
 }
 
 std::vector<Interval> pressed_pieces(StageCache& cache, const Setting& stroke) {
-  const StrokeInputs& inputs = cache.inputs();
-  const PartTree& tree = cache.tree(stroke.line);
-  std::vector<Interval> pieces;
-  for (const int number : inputs.on_one_line[stroke.line]) {
-    if (!holds(stroke.pressed, number)) continue;
-    const BrakeLine& line = inputs.work.lines[number];
-    const Eigen::Isometry3d at = tree.place(tree.part_of_body(line.bodies[0]), *stroke.formed);
-    for (const Interval& piece : line.pieces) {
-      const Vec2 a = line.origin + piece.lo * line.along, b = line.origin + piece.hi * line.along;
-      const double lo = (at * Vec3(a.x(), a.y(), 0.0)).x(), hi = (at * Vec3(b.x(), b.y(), 0.0)).x();
-      pieces.push_back({std::min(lo, hi), std::max(lo, hi)});
-    }
-  }
-  return joined(std::move(pieces), 0.0);
+  return pieces_of(cache, stroke, false);
+}
+
+std::vector<Interval> pieces_to_press(StageCache& cache, const Setting& stroke) {
+  return pieces_of(cache, stroke, true);
 }
 
 }  // namespace planish::brake_detail

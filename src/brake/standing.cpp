@@ -111,7 +111,7 @@ Nearness nearness(StageCache& cache, const Setting& stroke, int number, ToolKind
 
 std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
   const PartTree& tree = cache.tree(stroke.line);
-  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const PressMotion at_die = motion(cache.inputs(), stroke),
                     at_punch = motion_at_punch(cache.inputs(), stroke);
   const double left_out = shortfall(cache.inputs());
@@ -126,7 +126,7 @@ std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
 
 StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row) {
   const PartTree& tree = cache.tree(stroke.line);
-  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const PressMotion motion = motion_at(cache.inputs(), stroke, row);
   const double left_out = shortfall(cache.inputs());
   const int parts = static_cast<int>(tree.parts().size());
@@ -178,7 +178,7 @@ void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& block
 
 StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls& walls,
                         ToolKind kind) {
-  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const std::size_t row = row_of(kind);
   std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces,
                                               walls.walls[row]);
@@ -196,7 +196,7 @@ Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& 
 }
 
 PressRows rows_without_walls(StageCache& cache, const Setting& stroke) {
-  const std::vector<Interval> pieces = pressed_pieces(cache, stroke);
+  const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   PressRows rows;
   rows.punch = row_of_segments(cache.inputs(), stroke, ToolKind::punch, pieces, {});
   if (!rows.punch.empty())

@@ -33,7 +33,7 @@ Demand demand_of(StageCache& cache, const ChosenStroke& chosen, int number) {
   Demand demand{number, chosen.choice};
   demand.line = {pieces.front().lo, pieces.back().hi};
   demand.from_left = stroke.direction > 0;
-  demand.pieces = seen(demand, pieces);
+  demand.pieces = seen(demand, pieces_to_press(cache, stroke));
   for (std::size_t row = 0; row < 2; ++row)
     demand.walls[row] = seen(demand, joined(around.walls.walls[row], 0.0));
   demand.part = seen(demand, around.part);
@@ -65,7 +65,8 @@ bool StationTools::stands(const Demand& demand, double shortfall, double at) con
 }
 
 std::optional<double> StationTools::where(const Demand& demand, double shortfall) const {
-  std::vector<double> ways{0.5 * (tools.lo + tools.hi - demand.pieces.back().hi)};
+  std::vector<double> ways{
+      0.5 * (tools.lo + tools.hi - demand.pieces.front().lo - demand.pieces.back().hi)};
   for (std::size_t kind = 0; kind < 2; ++kind)
     for (const ToolRow& row : rows[kind]) {
       const Interval tool = extent(row);

@@ -1,10 +1,46 @@
 #include "cutting.hpp"
 
+#include <planish/geometry/plane.hpp>
+
+#include <algorithm>
+#include <cmath>
+
 namespace planish::brake_detail {
+namespace {
+
+/// The length at one end of a press line along which it is nearer to another than half of both
+/// zones; 0 where the two do not run together.
+double overlap(const BrakeLine& line, const BrakeLine& other, bool upper) {
+  const auto away = [&](double at) {
+    return std::abs(cross(other.along, line.origin + at * line.along - other.origin));
+  };
+  const double width = 0.5 * (line.bend.allowance + other.bend.allowance);
+  const double near = away(upper ? line.to() : line.from()),
+               far = away(upper ? line.from() : line.to());
+  if (near >= width || far <= width) return 0.0;
+  return (width - near) / (far - near) * (line.to() - line.from());
+}
+
+void note_overlaps(std::vector<BrakeLine>& lines) {
+  for (BrakeLine& line : lines)
+    for (const BrakeLine& other : lines) {
+      if (&line == &other || !line.press_line || !other.press_line || line.bends != other.bends)
+        continue;
+      for (const bool upper : {false, true}) {
+        double& most = line.overlapped[upper ? 1 : 0];
+        most = std::min(std::max(most, overlap(line, other, upper)),
+                        0.5 * (line.to() - line.from()));
+      }
+    }
+}
+
+}  // namespace
 
 Result<Workpiece> workpiece_of(const Sheet& sheet, const Layout& layout,
                                const WorkpieceOptions& options) {
-  return Cutting(sheet, layout, options).cut();
+  auto work = Cutting(sheet, layout, options).cut();
+  if (work) note_overlaps(work->lines);
+  return work;
 }
 
 bool touches(const BrakeLine& line, int body) {

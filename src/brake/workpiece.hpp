@@ -28,10 +28,13 @@ struct BrakeLine {
   double drawn_radius = 0.0;   ///< of the whole bend, mm
   bool is_large = false;       ///< over a V that leaves its radius (math.md#large-radii)
   std::optional<double> bump_pitch = {};  ///< between bumps of one bend, mm
-  PressedBend bend;                       ///< BA, K·T, T
-  bool up = true;                         ///< the inside faces the viewer of the pattern
-  bool reference_up = true;               ///< the reference skin is the inside
-  std::array<int, 2> bodies = {};         ///< on the right of the line and on its left
+  /// How far from its lower and its upper end a press line lies in the zone of another of its bend,
+  /// which runs together with it there, mm.
+  std::array<double, 2> overlapped = {};
+  PressedBend bend;                ///< BA, K·T, T
+  bool up = true;                  ///< the inside faces the viewer of the pattern
+  bool reference_up = true;        ///< the reference skin is the inside
+  std::array<int, 2> bodies = {};  ///< on the right of the line and on its left
   /// A hem is two lines at one place: the first bends it by `angle` as far as tools go, the second
   /// closes it to `closed`.
   std::optional<int> closes = {}, closed_by = {};

@@ -65,5 +65,44 @@ TEST(PressLines, DivideACornerUpToItsApex) {
   }
 }
 
+/// Towards the apex press lines run together. From where one is nearer to the next than a zone is
+/// wide it need not be pressed; no farther.
+TEST(PressLines, EndWhereTheyRunTogether) {
+  LoftedCorner corner;
+  corner.near = 0.002;
+  Sheet sheet = lofted_corner(corner);
+  Bend& bend = sheet.bends[BendId(0)];
+  constexpr int kPressed = 5;
+  for (int i = 0; i < kPressed; ++i)
+    bend.press_lines.push_back(
+        {(i + 0.5) / kPressed, Angle::radians(bend.angle.radians() / kPressed)});
+  const auto flat = flat_sheet(sheet);
+  ASSERT_TRUE(flat);
+  // A radius as in the middle of the corner: near the apex zones are wider than lines are apart.
+  bend.inside_radius = 30.0;
+  WorkpieceOptions options;
+  options.air_radius = 4.0;
+  const auto work = workpiece_of(sheet, flat->layout, options);
+  ASSERT_TRUE(work);
+  const std::vector<BrakeLine>& lines = work->lines;
+  ASSERT_EQ(std::ssize(lines), kPressed);
+  int ends = 0;
+  for (const BrakeLine& line : lines)
+    for (const bool upper : {false, true}) {
+      const double over = line.overlapped[upper ? 1 : 0];
+      const double at = upper ? line.to() - over : line.from() + over;
+      double nearest = 1e9;
+      for (const BrakeLine& other : lines)
+        if (&other != &line)
+          nearest = std::min(
+              nearest, std::abs(cross(other.along, line.origin + at * line.along - other.origin)));
+      EXPECT_GE(nearest, line.bend.allowance - 1e-9);
+      if (over == 0.0) continue;
+      ++ends;
+      EXPECT_NEAR(nearest, line.bend.allowance, 1e-9) << "no more is left out";
+    }
+  EXPECT_EQ(ends, kPressed) << "each at the apex";
+}
+
 }  // namespace
 }  // namespace planish::test
