@@ -1,3 +1,6 @@
+// What all strokes are asked about, made once: tools that fit each line, sums of segments,
+// directions of the gauge by number, and the beds on which tools can stand together
+// (math.md#stations).
 #include "stroke_inputs.hpp"
 
 #include "one_line.hpp"

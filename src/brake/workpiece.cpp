@@ -1,3 +1,6 @@
+// The sheet as a tree of bodies and lines. Press lines of one bend that run together are one where
+// their zones overlap, half a zone of each; since lines are straight, that is a share of their
+// length (math.md#tool-segments).
 #include "cutting.hpp"
 
 #include <planish/geometry/plane.hpp>
