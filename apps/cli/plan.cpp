@@ -47,6 +47,20 @@ tl::unexpected<Error> says_nothing(std::string_view option, const std::string& n
               {{"option", option}, {"file", name}, {"suffixes", suffixes + more}});
 }
 
+/// Refuses a name that no option of this role writes: another one may.
+tl::unexpected<Error> not_written(const Planning& planning, Role role, const std::string& name,
+                                  const char* more) {
+  const job::Maker& maker = *planning.arguments.maker;
+  const std::string_view option = output_option(maker, role);
+  for (const Role other : kOrder)
+    if (const Artifact* artifact = by_suffix(planning.written(other), name); artifact)
+      return fail(refuse::output_of_other_option, {{"option", option},
+                                                   {"suffix", artifact->suffix},
+                                                   {"other", output_option(maker, other)},
+                                                   {"file", name}});
+  return says_nothing(option, name, planning.written(role), more);
+}
+
 std::vector<const Artifact*> formats_of(const Planning& planning) {
   const auto written = planning.written(Role::flat);
   std::vector<const Artifact*> formats;
@@ -84,8 +98,7 @@ Result<std::vector<Target>> targets_of(const Planning& planning, Role role,
   } else if (const Artifact* artifact = by_suffix(written, name)) {
     targets.push_back({name, artifact});
   } else {
-    return says_nothing(output_option(*planning.arguments.maker, role), name, written,
-                        folders ? ", or in / for a folder" : "");
+    return not_written(planning, role, name, folders ? ", or in / for a folder" : "");
   }
   return targets;
 }

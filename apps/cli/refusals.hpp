@@ -9,6 +9,8 @@ namespace planish::refuse {
 constexpr Refusal output_unclear{code::bad_option,
                                  "{option} \"{file}\" does not say what to write.",
                                  "End the name in one of {suffixes}."};
+constexpr Refusal output_of_other_option{code::bad_option, "{option} writes no {suffix} files.",
+                                         "Give {other} {file} instead."};
 constexpr Refusal outputs_unnamed{code::bad_option,
                                   "Standard input has no name from which to name the outputs.",
                                   "Give {option} FILE, or --check for no output."};

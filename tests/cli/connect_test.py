@@ -206,6 +206,12 @@ class Ell(PlatesTest):
         self.report()
         self.assertEqual(before, {name: (self.dir / name).read_bytes() for name in before})
 
+    def test_names_the_option_that_writes_such_a_file(self):
+        self.write("plates.json", json.dumps(ell()))
+        for option, name, other in (("-o", "a.dxf", "--flat"), ("--flat", "a.stl", "-o")):
+            said = self.refused("connect", "plates.json", option, name, status=2)
+            self.assertIn(f"{option} writes no {name[1:]} files. Give {other} {name} instead.", said)
+
 
 def through_the_bend():
     """The plates of `ell` and a third one, which comes from the top of B and leans back into the bend
