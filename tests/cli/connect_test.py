@@ -210,7 +210,7 @@ class Ell(PlatesTest):
         self.write("plates.json", json.dumps(ell()))
         for option, name, other in (("-o", "a.dxf", "--flat"), ("--flat", "a.stl", "-o")):
             said = self.refused("connect", "plates.json", option, name, status=2)
-            self.assertIn(f"{option} writes no {name[1:]} files. Give {other} {name} instead.", said)
+            self.assertIn(f"{option} writes no {name[1:]} files. Give {other} {name} instead", said)
 
 
 def through_the_bend():
