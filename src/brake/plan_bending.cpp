@@ -129,7 +129,10 @@ Remark told_of(const BlockedBend& blocked) {
   if (blocked.with) facts.emplace_back("flange", place::flange(index_of(*blocked.with) + 1));
   facts.emplace_back("depth", blocked.depth, unit::mm);
   facts.emplace_back("tool", text_of(*blocked.hits));
-  Remark remark = remark_of(blocked.with ? say::flange_in_tool : say::sheet_in_tool, facts);
+  // With a clearance that is wanted a tool may be in the way without being hit.
+  const say::Sentence& hits = blocked.with ? say::flange_in_tool : say::sheet_in_tool;
+  const say::Sentence& nears = blocked.with ? say::flange_near_tool : say::sheet_near_tool;
+  Remark remark = remark_of(blocked.depth > 0.0 ? hits : nears, facts);
   if (blocked.at_turn)
     say_after(remark.told, " ",
               tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));

@@ -41,6 +41,14 @@ constexpr Sentence sheet_in_tool{
     kFurthestStage,
     "where the order gets furthest, {@bend:id} cannot be bent: the sheet would run {depth:3} into "
     "the {tool}"};
+constexpr Sentence flange_near_tool{
+    kFurthestStage,
+    "where the order gets furthest, {@bend:id} cannot be bent: {@flange} would come nearer to the "
+    "{tool} than the clearance"};
+constexpr Sentence sheet_near_tool{
+    kFurthestStage,
+    "where the order gets furthest, {@bend:id} cannot be bent: the sheet would come nearer to the "
+    "{tool} than the clearance"};
 constexpr std::string_view at_turn = "at {turn:3}";
 
 // Why a stroke is not gauged.

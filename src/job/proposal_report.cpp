@@ -40,7 +40,9 @@ Told told_of(const BlockedBend& blocked, const Report& report) {
     if (blocked.with) facts.emplace_back("flange", part_place(report.flat, *blocked.with));
     facts.emplace_back("tool", text_of(*blocked.hits));
     facts.emplace_back("depth", units.length(blocked.depth), units.symbol());
-    told = tell(blocked.with ? say::flange_hits : say::part_hits, facts);
+    // With a clearance that is wanted a tool may be in the way without being hit.
+    told = blocked.depth > 0.0 ? tell(blocked.with ? say::flange_hits : say::part_hits, facts)
+                               : tell(blocked.with ? say::flange_near : say::part_near, facts);
     if (blocked.at_turn)
       say_after(told, " ",
                 tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));

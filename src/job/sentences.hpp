@@ -99,6 +99,10 @@ constexpr std::string_view seam_edges =
 
 // Bending. What is in the way of a bend goes on from another sentence, or is a line by itself.
 constexpr std::string_view flange_hits = "{@bend:id}: {@flange} hits {tool} by {depth}";
+constexpr std::string_view
+    flange_near = "{@bend:id}: {@flange} comes nearer to {tool} than the clearance";
+constexpr std::string_view
+    part_near = "{@bend:id}: the part comes nearer to {tool} than the clearance";
 constexpr std::string_view part_hits = "{@bend:id}: the part hits {tool} by {depth}";
 constexpr std::string_view at_turn = "at {turn:3}";
 constexpr std::string_view only_bend = "{@bend:id}";

@@ -100,6 +100,8 @@ TEST(BlockedBend, SaysWhatHitsWhatWhereAndHowDeep) {
   blocked.with.reset();
   blocked.at_turn.reset();
   EXPECT_THAT(said(), AllOf(Not(HasSubstr("flange")), Not(HasSubstr("°")), HasSubstr("punch P88")));
+  blocked.depth = 0.0;
+  EXPECT_EQ(said(), "B2: the part comes nearer to punch P88 than the clearance");
   blocked.why = Remark{"short_side", tell("no V is wide enough", {})};
   EXPECT_THAT(said(), AllOf(HasSubstr("punch P88"), HasSubstr("no V is wide enough")));
   blocked.hits.reset();
