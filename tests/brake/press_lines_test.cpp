@@ -27,19 +27,26 @@ Vec2 middle_of_corners(const Body& body) {
   return sum / std::max(corners, 1);
 }
 
-/// A corner of a transition pressed along five rulings. The sheet ends so near the apex that the
+constexpr int kPressed = 5;
+
+/// A corner of a transition that is to be pressed along five rulings.
+Sheet pressed_corner(double near) {
+  LoftedCorner corner;
+  corner.near = near;
+  Sheet sheet = lofted_corner(corner);
+  Bend& bend = sheet.bends[BendId(0)];
+  for (int i = 0; i < kPressed; ++i)
+    bend.press_lines.push_back(
+        {(i + 0.5) / kPressed, Angle::radians(bend.angle.radians() / kPressed)});
+  return sheet;
+}
+
+/// The sheet ends so near the apex that the
 /// lower ends of the surface's range of v lie beyond it for the shorter rulings, where what follows
 /// a ruling is on its other side.
 TEST(PressLines, DivideACornerUpToItsApex) {
   for (const double near : {0.4, 0.05, 0.02}) {
-    LoftedCorner corner;
-    corner.near = near;
-    Sheet sheet = lofted_corner(corner);
-    Bend& bend = sheet.bends[BendId(0)];
-    constexpr int kPressed = 5;
-    for (int i = 0; i < kPressed; ++i)
-      bend.press_lines.push_back(
-          {(i + 0.5) / kPressed, Angle::radians(bend.angle.radians() / kPressed)});
+    const Sheet sheet = pressed_corner(near);
     const auto flat = flat_sheet(sheet);
     ASSERT_TRUE(flat) << flat.error().message;
     const auto work = workpiece_of(sheet, flat->layout, {});
@@ -68,18 +75,11 @@ TEST(PressLines, DivideACornerUpToItsApex) {
 /// Towards the apex press lines run together. From where one is nearer to the next than a zone is
 /// wide it need not be pressed; no farther.
 TEST(PressLines, EndWhereTheyRunTogether) {
-  LoftedCorner corner;
-  corner.near = 0.002;
-  Sheet sheet = lofted_corner(corner);
-  Bend& bend = sheet.bends[BendId(0)];
-  constexpr int kPressed = 5;
-  for (int i = 0; i < kPressed; ++i)
-    bend.press_lines.push_back(
-        {(i + 0.5) / kPressed, Angle::radians(bend.angle.radians() / kPressed)});
+  Sheet sheet = pressed_corner(0.002);
   const auto flat = flat_sheet(sheet);
   ASSERT_TRUE(flat);
   // A radius as in the middle of the corner: near the apex zones are wider than lines are apart.
-  bend.inside_radius = 30.0;
+  sheet.bends[BendId(0)].inside_radius = 30.0;
   WorkpieceOptions options;
   options.air_radius = 4.0;
   const auto work = workpiece_of(sheet, flat->layout, options);
