@@ -38,14 +38,10 @@ class SetUpTools {
       std::vector<ToolRow>& rows = fresh.rows[above ? 0 : 1];
       rows = take(above, demand);
       if (rows.empty()) return false;
-      for (const ToolRow& row : rows) {
-        const Interval tool = extent(row);
-        fresh.tools = fresh.rows[1].empty() && &row == &rows.front()
-                          ? tool
-                          : Interval{std::min(fresh.tools.lo, tool.lo),
-                                     std::max(fresh.tools.hi, tool.hi)};
-      }
     }
+    const auto& [punch, die] = fresh.rows;
+    fresh.tools = {std::min(punch.front().from, die.front().from),
+                   std::max(extent(punch.back()).hi, extent(die.back()).hi)};
     fresh.reach = fresh.tools;
     fresh.add(demand, 0.0);
     places_.push_back(std::move(fresh));
@@ -287,6 +283,14 @@ class Laying {
 };
 
 }  // namespace
+
+bool Bed::count_more(double weight, int& tool_changes, double& cost) const {
+  const int more = set_ups - 1 - tool_changes;
+  if (more <= 0) return false;
+  tool_changes += more;
+  cost += more * weight;
+  return true;
+}
 
 Bed bed_of(StageCache& cache, const std::vector<ChosenStroke>& strokes) {
   return Laying(cache, strokes).run();

@@ -15,6 +15,10 @@ struct Bed {
   std::vector<StrokeChoice> choices;           ///< by stroke, with the tools that stand there
   std::vector<std::optional<PressRows>> rows;  ///< by stroke, along its line; empty if blocked
   int set_ups = 0;
+
+  /// Counts the set-ups beyond the changes that a search counted, for want of segments or length of
+  /// the press, among the changes and in the cost; whether there are any.
+  bool count_more(double weight, int& tool_changes, double& cost) const;
 };
 
 /// Stands the tools of strokes on the bed, in as few set-ups as this order of strokes allows: each

@@ -83,9 +83,8 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
     const Obstacle& plain = cache.tools().deeper(kind, tool, depth);
     const Obstacle other = mirrored(plain);
     const bool same = stroke.direction > 0;
-    return hit_within(is_above(kind) ? motion_at_punch(inputs, stroke) : motion(inputs, stroke),
-                      placed, same ? plain : other, same ? other : plain, along,
-                      most_turn(inputs, stroke.line));
+    return hit_within(motion_at(inputs, stroke, kind), placed, same ? plain : other,
+                      same ? other : plain, along, most_turn(inputs, stroke.line));
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;

@@ -43,6 +43,11 @@ inline bool is_above(ToolKind kind) {
   return kind == ToolKind::punch || kind == ToolKind::upper_beam;
 }
 
+/// How the sheet moves in a stroke, as that tool or beam sees it.
+inline PressMotion motion_at(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind) {
+  return is_above(kind) ? motion_at_punch(inputs, stroke) : motion(inputs, stroke);
+}
+
 /// The beam that bears a row.
 inline ToolKind beam_of(ToolKind row) {
   return row == ToolKind::punch ? ToolKind::upper_beam : ToolKind::lower_beam;

@@ -217,10 +217,7 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
                                steps.steps()[i].blocked, scene(cache, stage, choice, bed.rows[i])});
   }
   checked.stations = std::move(bed.stations);
-  if (const int more = bed.set_ups - 1 - checked.tool_changes; more > 0) {
-    checked.tool_changes += more;
-    checked.cost += more * state_->options.weights.tool_change;
-  }
+  bed.count_more(state_->options.weights.tool_change, checked.tool_changes, checked.cost);
   return checked;
 }
 

@@ -110,11 +110,9 @@ void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
   for (std::size_t i = 0; i < chosen.size(); ++i)
     plan.strokes.push_back(describe(cache, chosen[i].formed, bed.choices[i], bed.rows[i]));
   plan.stations = std::move(bed.stations);
-  const int more = std::max(bed.set_ups - 1, 0) - plan.tool_changes;
-  if (more <= 0) return;
-  plan.tool_changes += more;
-  plan.cost += more * cache.inputs().options.weights.tool_change;
-  if (plan.status == PlanStatus::optimal && cache.inputs().options.weights.tool_change > 0.0)
+  const double weight = cache.inputs().options.weights.tool_change;
+  const bool more = bed.count_more(weight, plan.tool_changes, plan.cost);
+  if (more && weight > 0.0 && plan.status == PlanStatus::optimal)
     plan.status = PlanStatus::feasible;
 }
 

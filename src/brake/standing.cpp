@@ -31,10 +31,6 @@ SidedObstacle seen_by(StageCache& cache, const Setting& stroke, int part, ToolKi
                                 stroke.direction);
 }
 
-PressMotion motion_at(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind) {
-  return is_above(kind) ? motion_at_punch(inputs, stroke) : motion(inputs, stroke);
-}
-
 /// Whether a part hits a tool where that must stand.
 bool stands_in(StageCache& cache, const Setting& stroke, int part, ToolKind kind,
                const PressMotion& motion, const std::vector<Interval>& needed) {
@@ -77,10 +73,9 @@ Interval of_shortest_row(const StrokeInputs& inputs, const Setting& stroke, Tool
 }
 
 /// Adds where along x parts are in the way of a row, as far as that lies within a range.
-void add_walls(StageCache& cache, const Setting& stroke, ToolKind row, const Interval& within,
-               RowWalls& walls) {
+void add_walls(StageCache& cache, const Setting& stroke, ToolKind row, const PressMotion& motion,
+               const Interval& within, RowWalls& walls) {
   const PartTree& tree = cache.tree(stroke.line);
-  const PressMotion motion = motion_at(cache.inputs(), stroke, row);
   for (int part = 0; part < std::ssize(tree.parts()); ++part) {
     const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, motion, within);
     if (!blocked.empty()) add_wall(walls, row, blocked, tree.parts()[part].path);
@@ -138,7 +133,7 @@ StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row)
   }
   const auto row_within = [&](const Interval& within) {
     RowWalls walls = no_walls(cache.inputs());
-    add_walls(cache, stroke, row, within, walls);
+    add_walls(cache, stroke, row, motion, within, walls);
     return row_between(cache, stroke, walls, row);
   };
   // Mostly the shortest row has room, and what is farther away does not matter.
@@ -160,7 +155,7 @@ Standing standing(StageCache& cache, const Setting& stroke) {
 RowWalls walls_of(StageCache& cache, const Setting& stroke) {
   RowWalls walls = no_walls(cache.inputs());
   for (const ToolKind row : {ToolKind::punch, ToolKind::die})
-    add_walls(cache, stroke, row, kEverywhere, walls);
+    add_walls(cache, stroke, row, motion_at(cache.inputs(), stroke, row), kEverywhere, walls);
   return walls;
 }
 
