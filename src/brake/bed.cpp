@@ -54,12 +54,29 @@ class SetUpTools {
     SegmentSums::Chosen& used = used_[{above, tool}];
     const SegmentSums& all = above ? inputs_.punch_segments[tool] : inputs_.die_segments[tool];
     const SegmentSums left(all.segments(), used);
-    auto rows = tool_rows(left, {demand.pieces, shortfall(inputs_), demand.walls[above ? 0 : 1],
-                                 inputs_.tools.machine.length});
+    RowRequest request{demand.pieces, shortfall(inputs_), demand.walls[above ? 0 : 1],
+                       inputs_.tools.machine.length};
+    if (above) {
+      request.ears = ears_left(tool);
+      request.blocked_foot = demand.foot_walls;
+    }
+    auto rows = tool_rows(left, request);
     for (const ToolRow& row : rows)
-      for (const double length : row.segments)
+      for (const double length : row.plain())
         used |= one_of(all.segments(), used, length);
     return rows;
+  }
+
+  /// Those that do not stand yet.
+  RowEars ears_left(int punch) const {
+    RowEars ears = ears_of(inputs_.tools.punches[punch]);
+    for (const StationTools& place : places_)
+      for (const ToolRow& row : place.rows[0]) {
+        if (place.punch != punch) continue;
+        if (row.ears.lo > 0.0) ears.lo = 0.0;
+        if (row.ears.hi > 0.0) ears.hi = 0.0;
+      }
+    return ears;
   }
 
   /// A segment of that length that is not used yet.
@@ -188,9 +205,7 @@ class Writer {
 
  private:
   static std::vector<SegmentRow> moved(const std::vector<ToolRow>& rows, double by) {
-    return mapped(rows, [&](const ToolRow& row) {
-      return SegmentRow{row.from + by, row.segments};
-    });
+    return mapped(rows, [&](const ToolRow& row) { return row_of(row, row.from + by); });
   }
 
   /// The rows of a station in the frame of a stroke's line.
@@ -201,7 +216,7 @@ class Writer {
       for (ToolRow& row : rows) {
         const double from = row.from - made.at;
         row.from = demand->from_left ? line.lo + from : line.hi - from - row.length();
-        if (!demand->from_left) std::ranges::reverse(row.segments);
+        if (!demand->from_left) row = turned(std::move(row));
       }
       if (!demand->from_left) std::ranges::reverse(rows);
       return rows;

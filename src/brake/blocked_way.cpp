@@ -34,12 +34,26 @@ std::optional<FlangeId> flange_of(StageCache& cache, int line, int part) {
   return flange ? flange : work.bodies[before].flange;
 }
 
-/// Where along x a tool counts: beams everywhere, rows where they must press.
-Interval where_it_counts(StageCache& cache, const Setting& stroke, ToolKind kind) {
-  if (!is_row(kind)) return kEverywhere;
+/// A section of a tool that counts, and where along x.
+struct Counting {
+  CrossSection of = CrossSection::whole;
+  Interval along = kEverywhere;
+};
+
+/// Beams count everywhere, rows where they must press; of a row with ears the feet, and the body
+/// between them.
+std::vector<Counting> what_counts(StageCache& cache, const Setting& stroke, ToolKind kind) {
+  if (!is_row(kind)) return {{}};
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const double left_out = shortfall(cache.inputs());
-  return {pieces.front().lo + left_out, pieces.back().hi - left_out};
+  const Interval row{pieces.front().lo + left_out, pieces.back().hi - left_out};
+  const RowEars ears = kind == ToolKind::punch ? ears_of(cache.inputs(), stroke) : RowEars{};
+  if (!ears.any()) return {{CrossSection::whole, row}};
+  const Interval body{row.lo + (ears.lo > 0.0 ? ears.reach : 0.0),
+                      row.hi - (ears.hi > 0.0 ? ears.reach : 0.0)};
+  std::vector<Counting> counting{{CrossSection::foot, row}};
+  if (body.lo < body.hi) counting.push_back({CrossSection::whole, body});
+  return counting;
 }
 
 /// What a stroke lacks, with what would help if that is known.
@@ -47,7 +61,9 @@ Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die) {
   Facts facts{{"tool", text_of(tool)}, {"is", lack.is, unit::mm}};
   switch (lack.kind) {
     case Lack::Kind::segments:
-      return remark_of(say::no_segments_fit, facts);
+      if (!lack.room) return remark_of(say::no_segments_fit, facts);
+      facts.emplace_back("room", *lack.room, unit::mm);
+      return remark_of(say::no_segments_in_room, facts);
     case Lack::Kind::plane_sides:
       return remark_of(say::shoulders_touch_bend, facts);
     case Lack::Kind::room:
@@ -78,13 +94,18 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
     return blocked;
   }
   const PlacedPart& placed = *cache.parts(stroke)[obstruction.part];
-  const Interval along = where_it_counts(cache, stroke, kind);
+  const std::vector<Counting> counting = what_counts(cache, stroke, kind);
   const auto turn_deeper = [&](double depth) {
-    const Obstacle& plain = cache.tools().deeper(kind, tool, depth);
-    const Obstacle other = mirrored(plain);
-    const bool same = stroke.direction > 0;
-    return hit_within(motion_at(inputs, stroke, kind), placed, same ? plain : other,
-                      same ? other : plain, along, most_turn(inputs, stroke.line));
+    std::optional<double> turn;
+    for (const auto& [of, along] : counting) {
+      const Obstacle& plain = cache.tools().deeper(kind, tool, depth, of);
+      const Obstacle other = mirrored(plain);
+      const bool same = stroke.direction > 0;
+      if (!turn)
+        turn = hit_within(motion_at(inputs, stroke, kind), placed, same ? plain : other,
+                          same ? other : plain, along, most_turn(inputs, stroke.line));
+    }
+    return turn;
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;
@@ -128,6 +149,15 @@ BlockedBend deepest_of_all(StageCache& cache, const Setting& stroke, double most
   return worst;
 }
 
+/// What tells most why a line cannot be pressed: a narrower V cures a short side, so where that one
+/// fails otherwise it is told why.
+enum class Telling { short_side, lack, hit };
+
+Telling telling_of(const Lack& lack) {
+  if (lack.kind == Lack::Kind::nothing) return Telling::hit;
+  return lack.kind == Lack::Kind::reach ? Telling::short_side : Telling::lack;
+}
+
 /// Of all ways to make a stroke that cannot be made the one in which least is in the way.
 BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& pressed,
                        Clock::time_point until) {
@@ -138,7 +168,8 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
   const bool closes = first.closes.has_value();
   BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
   Setting way{&formed, pressed, line, 0, 0, 1};
-  double missing = std::numeric_limits<double>::infinity();
+  std::optional<Telling> told;
+  double missing = 0.0;  // by what is told: the first, or of short sides the least
   int measured = 0;
   for (const ToolPair& pair : fitting.pairs)
     for (const int direction : {1, -1}) {
@@ -147,18 +178,20 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
       const Setting stroke{&formed, pressed, line, pair.punch, pair.die, direction};
       const auto obstruction = obstruction_of(cache, stroke);
       if (!obstruction) continue;
-      // Of sides that are too short the one that lacks least.
-      const double lacks = obstruction->lack.needs - obstruction->lack.is;
-      const bool is_short = obstruction->lack.kind == Lack::Kind::reach;
-      if (is_short && (best.hits || lacks >= missing)) continue;
-      if (is_short) missing = lacks;
-      measured += is_short ? 0 : 1;
+      const Lack& lack = obstruction->lack;
+      const Telling telling = telling_of(lack);
+      const double lacks = lack.needs - lack.is;
+      if (told && telling < *told) continue;
+      if (told == telling && telling != Telling::hit && lacks >= missing) continue;
+      measured += telling == Telling::short_side ? 0 : 1;
       const double most = best.hits ? best.depth : kDeepest;
-      BlockedBend found = obstruction->lack.kind == Lack::Kind::nothing
+      BlockedBend found = telling == Telling::hit
                               ? deepest_of_all(cache, stroke, most)
                               : deepest(cache, stroke, *obstruction, {0.0, most});
-      if (!found.hits && !is_short && (best.hits || best.why)) continue;
-      if (found.hits && best.hits && found.depth >= best.depth) continue;
+      if (telling == Telling::hit && (!found.hits || (best.hits && found.depth >= best.depth)))
+        continue;
+      told = telling;
+      missing = lacks;
       best = std::move(found);
       way = stroke;
     }

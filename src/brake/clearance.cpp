@@ -13,15 +13,25 @@ namespace {
 
 constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
 
-/// The ranges of x in which a tool stands beside a block.
-std::vector<Interval> beside(const Interval& block, ToolKind kind, const PressRows& rows) {
-  if (!is_row(kind)) return {block};
-  std::vector<Interval> ranges;
+/// A section of a tool that stands along a range of x.
+struct Beside {
+  CrossSection of = CrossSection::whole;
+  Interval along;
+};
+
+/// What of a tool stands beside a block.
+std::vector<Beside> beside(const Interval& block, ToolKind kind, const PressRows& rows) {
+  if (!is_row(kind)) return {{CrossSection::whole, block}};
+  std::vector<Beside> all;
+  const auto add = [&](CrossSection of, const Interval& along) {
+    const Interval range{std::max(block.lo, along.lo), std::min(block.hi, along.hi)};
+    if (range.lo <= range.hi) all.push_back({of, range});
+  };
   for (const ToolRow& row : kind == ToolKind::punch ? rows.punch : rows.die) {
-    const Interval range{std::max(block.lo, row.from), std::min(block.hi, row.from + row.length())};
-    if (range.lo <= range.hi) ranges.push_back(range);
+    add(CrossSection::whole, body(row));
+    if (row.ears.any()) add(CrossSection::foot, extent(row));
   }
-  return ranges;
+  return all;
 }
 
 }  // namespace
@@ -35,14 +45,15 @@ double clearance(StageCache& cache, const Setting& stroke, const PressRows& rows
   for (int part = 0; part < std::ssize(parts); ++part) {
     const PlacedPart& placed = *parts[part];
     for (const ToolKind kind : kToolKinds) {
-      const SidedObstacle body = cache.tools().body(
-          kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind), stroke.direction);
-      const Obstacle& obstacle = placed.left ? *body.left : *body.right;
+      const Nearness near = nearness(cache, stroke, part, kind);
       const PressMotion& motion = is_above(kind) ? at_punch : at_die;
       for (const Block3& block : placed.blocks)
-        for (const Interval& range : beside(extent(block), kind, rows)) {
-          const Convex cut = section(block, range.lo, range.hi);
+        for (const auto& [of, along] : beside(extent(block), kind, rows)) {
+          const Convex cut = section(block, along.lo, along.hi);
           if (cut.empty()) continue;
+          const SidedObstacle body = cache.tools().body(kind, tool_of(kind, stroke), near,
+                                                        stroke.direction, of);
+          const Obstacle& obstacle = placed.left ? *body.left : *body.right;
           const Moving moving = turned_with_side(motion, cut);
           least = std::min(least, closest(motion, moving, obstacle, most, least).distance);
         }

@@ -17,14 +17,24 @@ namespace {
 std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interval& line,
                                   bool from_left) {
   auto seen = mapped(rows, [&](const ToolRow& row) {
-    return SegmentRow{from_left ? row.from - line.lo : line.hi - (row.from + row.length()),
-                      row.segments};
+    return from_left ? row_of(row, row.from - line.lo)
+                     : row_of(turned(row), line.hi - extent(row).hi);
   });
-  if (from_left) return seen;
-  std::ranges::reverse(seen);
-  for (SegmentRow& row : seen)
-    std::ranges::reverse(row.segments);
+  if (!from_left) std::ranges::reverse(seen);
   return seen;
+}
+
+/// Whether something that the body of the punch would hit is above the foot of an ear.
+bool reaches_over_feet(StageCache& cache, const Setting& stroke,
+                       const std::vector<ToolRow>& punch) {
+  const auto over = [&](const ToolRow& row, const std::vector<Interval>& walls) {
+    return std::ranges::any_of(walls, [&](const Interval& wall) {
+      return wall.hi > row.from + kPenetration && wall.lo < extent(row).hi - kPenetration;
+    });
+  };
+  return std::ranges::any_of(punch, [&](const ToolRow& row) {
+    return row.ears.any() && over(row, surroundings(cache, stroke).walls.walls[0]);
+  });
 }
 
 /// kN, of all lines that are pressed.
@@ -63,6 +73,7 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
     const Interval whole{pieces.front().lo, pieces.back().hi};
     stroke.punch_rows = seen_rows(rows->punch, whole, from_left);
     stroke.die_rows = seen_rows(rows->die, whole, from_left);
+    stroke.on_ears = reaches_over_feet(cache, at, rows->punch);
   }
   stroke.reference_up = line.reference_up;
   stroke.gauge_direction = at.direction * line.across();

@@ -39,6 +39,13 @@ double pressed_span(const BrakeLine& line, double shortfall) {
   return covered(line.pieces.back(), shortfall).hi - covered(line.pieces.front(), shortfall).lo;
 }
 
+std::vector<double> segments_of(const Die& die) { return die.segments; }
+std::vector<double> segments_of(const Punch& punch) {
+  std::vector<double> all = punch.segments;
+  if (punch.ears) all.insert(all.end(), {punch.ears->left, punch.ears->right});
+  return all;
+}
+
 /// Whether all segments of a tool together press the pieces of a line.
 bool has_segments(const std::vector<double>& segments, const BrakeLine& line, double shortfall) {
   double needed = 0.0;
@@ -223,8 +230,8 @@ class Fitting {
   }
 
   bool pressed_by(const Punch& punch, const Die& die) const {
-    return has_segments(punch.segments, line_, shortfall_) &&
-           has_segments(die.segments, line_, shortfall_);
+    return has_segments(segments_of(punch), line_, shortfall_) &&
+           has_segments(segments_of(die), line_, shortfall_);
   }
 
   bool suits(const Punch& punch, const Die& die) const {

@@ -10,13 +10,14 @@ namespace planish::brake_detail {
 struct Lack {
   enum class Kind {
     nothing,
-    segments,     ///< of the tool, to press a line as long as `is`
+    segments,     ///< of the tool, to press a line as long as `is`, where there is `room`
     plane_sides,  ///< where the shoulders of the die touch: the bend is as wide as `is`
     reach,        ///< of a side, which ends so far from the bend line: the die `needs` more
     room,         ///< of the tool, to close a hem
   };
   Kind kind = Kind::nothing;
   double is = 0.0, needs = 0.0;
+  std::optional<double> room = {};  ///< empty: something is beside the line on one side at most
 };
 
 /// Why a stroke cannot be made.

@@ -234,6 +234,7 @@ ToolSections tool_sections(const BrakeTools& tools) {
   ToolSections sections;
   for (const Punch& punch : tools.punches) {
     sections.punches.push_back(section_of(punch).outline);
+    sections.feet.push_back(foot_of(punch).outline);
     if (!tools.machine.upper_beam.empty())
       sections.upper_beams.push_back(upper_beam_over(punch, tools.machine).outline);
   }

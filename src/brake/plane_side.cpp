@@ -136,15 +136,14 @@ std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke) {
                        -1,
                        {Lack::Kind::plane_sides, line.bend.allowance}};
   const double needed = std::max(0.5 * die.opening + die.shoulder_radius, contact.hi);
-  for (const bool left : {false, true}) {
-    const double far = reach(cache, stroke, left);
-    if (far >= needed - kLongEnough) continue;
-    return Obstruction{limits_of(cache, stroke, left),
-                       ToolKind::die,
-                       left ? 1 : 0,
-                       {Lack::Kind::reach, far, needed}};
-  }
-  return std::nullopt;
+  const double far_right = reach(cache, stroke, false), far_left = reach(cache, stroke, true);
+  const bool left = far_left < far_right;
+  const double far = std::min(far_right, far_left);
+  if (far >= needed - kLongEnough) return std::nullopt;
+  return Obstruction{limits_of(cache, stroke, left),
+                     ToolKind::die,
+                     left ? 1 : 0,
+                     {Lack::Kind::reach, far, needed}};
 }
 
 }  // namespace planish::brake_detail

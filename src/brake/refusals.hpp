@@ -57,6 +57,13 @@ constexpr Refusal bad_tool_value{code::bad_tools, "{subject} is {value:6}, which
                                  "Set it to {range}."};
 constexpr Refusal no_segments{code::bad_tools, "{subject} has no segments.",
                               "List the lengths of its segments."};
+constexpr Refusal no_ears{code::bad_tools, "{subject} has ears of length 0.",
+                          "Give the length of the left or the right one, or leave them out."};
+constexpr Refusal flat_punch_ears{code::bad_tools, "{subject} is flat and has ears.",
+                                  "Leave them out: a hem is closed without."};
+constexpr Refusal short_ear{
+    code::bad_tools, "{subject} has an ear of {length:6} whose body stands back by {reach:6}.",
+    "Make the reach no longer than the ear."};
 constexpr Refusal no_id{code::bad_tools, "{subject} has no id.", "Give each tool a different id."};
 constexpr Refusal same_tool_id{code::bad_tools, "{subject} appears twice.",
                                "Give each tool a different id."};

@@ -26,19 +26,38 @@ Vec2 point_on(const Body& body) {
   return middle;
 }
 
-/// Segments along x of the machine, which runs against that of the line where the gauge is on its
-/// right.
-std::vector<StandingSegment> standing_segments(const std::vector<ToolRow>& rows, int direction) {
-  std::vector<StandingSegment> segments;
+/// Stretches of the bend line along x of the machine, which runs against that of the line where the
+/// gauge is on its right.
+std::vector<StandingSegment> along_machine(const std::vector<Interval>& stretches, int direction) {
+  auto segments = mapped(stretches, [&](const Interval& s) {
+    return StandingSegment{direction > 0 ? s.lo : -s.hi, s.hi - s.lo};
+  });
+  std::ranges::sort(segments, {}, &StandingSegment::from);
+  return segments;
+}
+
+/// Where the whole section of each segment stands.
+std::vector<Interval> bodies_of(const std::vector<ToolRow>& rows) {
+  std::vector<Interval> bodies;
   for (const ToolRow& row : rows) {
+    const Interval whole = body(row);
     double from = row.from;
     for (const double length : row.segments) {
-      segments.push_back({direction > 0 ? from : -(from + length), length});
+      bodies.push_back({std::max(from, whole.lo), std::min(from + length, whole.hi)});
       from += length;
     }
   }
-  std::ranges::sort(segments, {}, &StandingSegment::from);
-  return segments;
+  return bodies;
+}
+
+std::vector<Interval> feet_of(const std::vector<ToolRow>& rows) {
+  std::vector<Interval> feet;
+  for (const ToolRow& row : rows) {
+    const Interval end = extent(row), whole = body(row);
+    if (row.ears.lo > 0.0) feet.push_back({end.lo, whole.lo});
+    if (row.ears.hi > 0.0) feet.push_back({whole.hi, end.hi});
+  }
+  return feet;
 }
 
 /// The rows of tools of a stroke. Of one that cannot be made those that the line needs, whatever
@@ -100,8 +119,9 @@ StrokeScene scene(StageCache& cache, const LineSet& formed, const StrokeChoice& 
   else
     add_bending(inputs, stroke, scene);
   const PressRows rows = station ? *station : rows_wanted(cache, stroke);
-  scene.punch = standing_segments(rows.punch, stroke.direction);
-  scene.die = standing_segments(rows.die, stroke.direction);
+  scene.punch = along_machine(bodies_of(rows.punch), stroke.direction);
+  scene.die = along_machine(bodies_of(rows.die), stroke.direction);
+  scene.feet = along_machine(feet_of(rows.punch), stroke.direction);
   return scene;
 }
 

@@ -1,7 +1,8 @@
 // Rows of segments. The sums that segments add up to are listed once, each with its fewest
 // segments (subset sums by rounded length); a row is the shortest sum that presses its stretch and
 // has room, and where walls part the line the rest of the segments fill the next stretch. What
-// must hold: every segment stands once (math.md#tool-segments).
+// must hold: every segment stands once, and where a row ends in an ear only its foot is beside what
+// the body would hit (math.md#tool-segments).
 #include "segments.hpp"
 
 #include "tool_shape.hpp"
@@ -27,13 +28,33 @@ struct Stretch {
 
 long long rounded(double length) { return std::llround(length / kSameLength); }
 
+/// Where the ends of a row with these ears may not be: at a wall beside the outer ends it is the
+/// body that keeps away, not the foot.
+std::vector<Interval> blocked_with(const RowRequest& request, const RowEars& ears) {
+  if (!ears.any()) return request.blocked;
+  const Interval &first = request.pieces.front(), &last = request.pieces.back();
+  std::vector<Interval> blocked = request.blocked_foot;
+  for (Interval wall : request.blocked) {
+    const bool before = wall.lo + wall.hi < first.lo + last.hi;
+    if (before && ears.lo > 0.0 && wall.lo < first.hi - kPenetration) {
+      wall.hi -= ears.reach;
+      wall.lo = std::min(wall.lo, wall.hi);
+    } else if (!before && ears.hi > 0.0 && wall.hi > last.lo + kPenetration) {
+      wall.lo += ears.reach;
+      wall.hi = std::max(wall.lo, wall.hi);
+    }
+    blocked.push_back(wall);
+  }
+  return joined(std::move(blocked), 0.0);
+}
+
 /// Stretches between what blocks, each with the pieces that lie there; empty if a piece cannot be
 /// pressed.
-std::vector<Stretch> stretches_of(const RowRequest& request) {
+std::vector<Stretch> stretches_of(const RowRequest& request, const RowEars& ears) {
   constexpr double kFar = 1e9;  // mm
   std::vector<Interval> rooms;
   double from = -kFar;
-  for (const Interval& blocked : request.blocked) {
+  for (const Interval& blocked : blocked_with(request, ears)) {
     // A tool may stand in a wall as deep as anything may.
     rooms.push_back({from, blocked.lo + kPenetration});
     from = blocked.hi - kPenetration;
@@ -63,22 +84,77 @@ double start_of_row(const Stretch& stretch, double length) {
   return std::clamp(middle, lo, std::max(lo, hi));
 }
 
-/// Fills the stretches from `rows.size()` on with what is left of the segments.
-bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches, SegmentSums::Chosen used,
-          std::vector<ToolRow>& rows) {
-  const Stretch& stretch = stretches[rows.size()];
-  const double least = stretch.pressed.hi - stretch.pressed.lo - 0.5 * kSameLength,
-               most = stretch.room.hi - stretch.room.lo + 0.5 * kSameLength;
-  const auto& sums = left.sums();
-  auto at = std::ranges::lower_bound(sums, least, {}, &SegmentSums::Sum::length);
-  for (; at != sums.end() && at->length <= most; ++at) {
-    rows.push_back({start_of_row(stretch, at->length), left.chosen(at->chosen)});
-    if (rows.size() == stretches.size()) return true;
-    const SegmentSums::Chosen taken = used | at->chosen;
-    if (fill(SegmentSums(left.segments(), taken), stretches, taken, rows)) return true;
-    rows.pop_back();
+/// Fills stretches with segments, the outer ends with ears.
+class Filling {
+ public:
+  Filling(std::vector<Stretch> stretches, const RowEars& ears)
+      : stretches_(std::move(stretches)), ears_(ears) {}
+
+  std::vector<ToolRow> rows(const SegmentSums& segments) {
+    fill(segments, 0);
+    return std::move(rows_);
   }
-  return false;
+
+ private:
+  /// Fills those from `rows_.size()` on with what is left of the segments.
+  bool fill(const SegmentSums& left, SegmentSums::Chosen used) {
+    const Stretch& stretch = stretches_[rows_.size()];
+    const RowEars ears = ears_here();
+    const double least = stretch.pressed.hi - stretch.pressed.lo - 0.5 * kSameLength - ears.lo -
+                         ears.hi;
+    const double most = stretch.room.hi - stretch.room.lo + 0.5 * kSameLength - ears.lo - ears.hi;
+    if (ears.any() && least <= 0.0 && most >= 0.0 && goes_on(left, used, {}, ears)) return true;
+    const auto& sums = left.sums();
+    auto at = std::ranges::lower_bound(sums, least, {}, &SegmentSums::Sum::length);
+    for (; at != sums.end() && at->length <= most; ++at)
+      if (goes_on(left, used, *at, ears)) return true;
+    return false;
+  }
+
+  /// Takes a sum of segments for the next stretch, then fills the others.
+  bool goes_on(const SegmentSums& left, SegmentSums::Chosen used, const SegmentSums::Sum& sum,
+               const RowEars& ears) {
+    std::vector<double> segments = left.chosen(sum.chosen);
+    if (ears.lo > 0.0) segments.insert(segments.begin(), ears.lo);
+    if (ears.hi > 0.0) segments.push_back(ears.hi);
+    const double length = ears.lo + sum.length + ears.hi;
+    rows_.push_back({start_of_row(stretches_[rows_.size()], length), std::move(segments), ears});
+    if (rows_.size() == stretches_.size()) return true;
+    const SegmentSums::Chosen taken = used | sum.chosen;
+    if (fill(SegmentSums(left.segments(), taken), taken)) return true;
+    rows_.pop_back();
+    return false;
+  }
+
+  RowEars ears_here() const {
+    const bool first = rows_.empty(), last = rows_.size() + 1 == stretches_.size();
+    return {first ? ears_.lo : 0.0, last ? ears_.hi : 0.0, ears_.reach};
+  }
+
+  std::vector<Stretch> stretches_;
+  RowEars ears_;
+  std::vector<ToolRow> rows_;
+};
+
+/// None first, then as few as there can be.
+std::vector<RowEars> choices_of(const RowEars& ears) {
+  const auto& [lo, hi, reach] = ears;
+  std::vector<RowEars> choices{{}};
+  if (lo > 0.0) choices.push_back({lo, 0.0, reach});
+  if (hi > 0.0) choices.push_back({0.0, hi, reach});
+  if (lo > 0.0 && hi > 0.0) choices.push_back(ears);
+  return choices;
+}
+
+/// By which rows are preferred: how long they are together, and of how many segments.
+std::pair<long long, std::size_t> size_of(const std::vector<ToolRow>& rows) {
+  double length = 0.0;
+  std::size_t count = 0;
+  for (const ToolRow& row : rows) {
+    length += row.length();
+    count += row.segments.size();
+  }
+  return {rounded(length), count};
 }
 
 }  // namespace
@@ -86,6 +162,29 @@ bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches, Segmen
 Interval covered(const Interval& piece, double shortfall) {
   const double middle = 0.5 * (piece.lo + piece.hi);
   return {std::min(piece.lo + shortfall, middle), std::max(piece.hi - shortfall, middle)};
+}
+
+std::vector<double> ToolRow::plain() const {
+  return {segments.begin() + (ears.lo > 0.0 ? 1 : 0), segments.end() - (ears.hi > 0.0 ? 1 : 0)};
+}
+
+ToolRow turned(ToolRow row) {
+  std::ranges::reverse(row.segments);
+  row.ears = row.ears.turned();
+  return row;
+}
+
+SegmentRow row_of(const ToolRow& row, double from) {
+  const auto& [lo, hi, reach] = row.ears;
+  return {from, row.segments, lo > 0.0 ? reach : 0.0, hi > 0.0 ? reach : 0.0};
+}
+
+Interval extent(const ToolRow& row) { return {row.from, row.from + row.length()}; }
+
+Interval body(const ToolRow& row) {
+  const auto [lo, hi] = extent(row);
+  const auto& [at_lo, at_hi, reach] = row.ears;
+  return {at_lo > 0.0 ? lo + reach : lo, at_hi > 0.0 ? hi - reach : hi};
 }
 
 double ToolRow::length() const { return std::accumulate(segments.begin(), segments.end(), 0.0); }
@@ -115,12 +214,16 @@ std::vector<double> SegmentSums::chosen(Chosen chosen) const {
 }
 
 std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request) {
-  const std::vector<Stretch> stretches = stretches_of(request);
-  std::vector<ToolRow> rows;
-  if (stretches.empty() || !fill(segments, stretches, 0, rows)) return {};
-  const double length = rows.back().from + rows.back().length() - rows.front().from;
-  if (length > request.longest + kSameLength) return {};
-  return rows;
+  std::vector<ToolRow> best;
+  for (const RowEars& ears : choices_of(request.ears)) {
+    std::vector<Stretch> stretches = stretches_of(request, ears);
+    if (stretches.empty()) continue;
+    std::vector<ToolRow> rows = Filling(std::move(stretches), ears).rows(segments);
+    if (rows.empty() || extent(rows.back()).hi - rows.front().from > request.longest + kSameLength)
+      continue;
+    if (best.empty() || size_of(rows) < size_of(best)) best = std::move(rows);
+  }
+  return best;
 }
 
 }  // namespace planish::brake_detail

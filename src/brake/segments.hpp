@@ -8,12 +8,30 @@ namespace planish::brake_detail {
 
 inline constexpr double kSameLength = 1e-3;  ///< mm: sums of segments that are one length
 
+/// The ears of a punch, by the end of a row at which they stand. Above their foot the body stands
+/// back from that end.
+struct RowEars {
+  double lo = 0.0, hi = 0.0;  ///< lengths, mm; 0: none at that end
+  double reach = 0.0;         ///< by which the body stands back, mm
+  bool any() const { return lo > 0.0 || hi > 0.0; }
+  RowEars turned() const { return {hi, lo, reach}; }
+};
+
 /// Segments of a tool standing side by side.
 struct ToolRow {
-  double from = 0.0;  ///< along the bend line, mm
-  std::vector<double> segments;
+  double from = 0.0;             ///< along the bend line, mm
+  std::vector<double> segments;  ///< ears included
+  RowEars ears = {};
   double length() const;
+  std::vector<double> plain() const;  ///< without the ears
 };
+/// The same, seen from the other side.
+ToolRow turned(ToolRow row);
+/// As it is reported, beginning there.
+SegmentRow row_of(const ToolRow& row, double from);
+Interval extent(const ToolRow& row);
+/// Where the whole section of the tool stands: without what is only the foot of an ear.
+Interval body(const ToolRow& row);
 
 /// What a row must cover of a piece of the bend line, of which so much may be missing at each end.
 Interval covered(const Interval& piece, double shortfall);
@@ -23,6 +41,8 @@ struct RowRequest {
   double shortfall = 0.0;         ///< may be missing at each end of a piece, mm
   std::vector<Interval> blocked;  ///< where a tool may not stand, apart and from the lowest x on
   double longest = 0.0;           ///< row that the machine takes, mm
+  RowEars ears = {};              ///< that there are
+  std::vector<Interval> blocked_foot = {};  ///< where not even the foot of an ear may stand
 };
 
 /// The lengths that segments add up to: each with one way to do it, with few segments. Of more than
@@ -49,7 +69,8 @@ class SegmentSums {
 
 /// Rows of segments that together press every piece: one row where nothing is in its way, else one
 /// for each stretch between what blocks. Each row is as short as it can be, in the middle of what
-/// it presses as far as there is room. Empty: no choice of segments does it.
+/// it presses as far as there is room. Ears are segments like others but stand at the outer ends.
+/// Empty: no choice of segments does it.
 std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request);
 
 }  // namespace planish::brake_detail

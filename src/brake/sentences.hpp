@@ -67,16 +67,20 @@ constexpr Sentence finger_blocked{"finger_blocked",
 constexpr Sentence no_segments_fit{
     "no_segments",
     "no segments of {tool} press the line, {is} long, and stand between what is beside it"};
+constexpr Sentence no_segments_in_room{
+    "no_segments",
+    "{tool} has no segments that press the line, {is} long, in the {room} between what is beside "
+    "it"};
 constexpr Sentence shoulders_touch_bend{
     "bend_too_wide",
     "the shoulders of {tool} would touch the bend, {is} wide, and not the plane sides"};
 constexpr Sentence short_side{
     "short_side",
-    "a side is {is} from the bend line, and {tool} needs {needed}; a V of {opening} or less would "
-    "take it"};
+    "a side ends {is} from the bend line, and {tool} needs {needed}; a V of {opening} or less "
+    "would take it"};
 constexpr Sentence short_of_any{
     "short_side",
-    "a side is {is} from the bend line, and {tool} needs {needed}; no V would take it"};
+    "a side ends {is} from the bend line, and {tool} needs {needed}; no V would take it"};
 constexpr Sentence beam_at_hem{"beam_at_hem", "the {tool} is in the way of closing the hem"};
 constexpr Sentence hem_not_bent{"hem_not_bent", "a hem is bent before it is closed"};
 

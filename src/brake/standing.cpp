@@ -13,42 +13,62 @@
 namespace planish::brake_detail {
 namespace {
 
-/// Where along x a tool must stand: a row where it presses, less as deep as anything may be in it.
-std::vector<Interval> needed_by(ToolKind kind, const std::vector<Interval>& pieces,
-                                double shortfall) {
-  if (!is_row(kind)) return {kEverywhere};
-  return mapped(pieces, [&](const Interval& piece) {
-    const Interval row = covered(piece, shortfall);
-    const double middle = 0.5 * (row.lo + row.hi);
-    return Interval{std::min(row.lo + kPenetration, middle),
-                    std::max(row.hi - kPenetration, middle)};
-  });
+/// A section of a tool and where along x it must stand.
+struct Needed {
+  CrossSection of = CrossSection::whole;
+  std::vector<Interval> along;
+};
+
+/// A row stands where it presses, less as deep as anything may be in it; above the feet of ears it
+/// need not reach to the ends.
+std::vector<Needed> needed_by(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind,
+                              const std::vector<Interval>& pieces) {
+  if (!is_row(kind)) return {{CrossSection::whole, {kEverywhere}}};
+  Needed row{CrossSection::whole, mapped(pieces, [&](const Interval& piece) {
+               const Interval pressed = covered(piece, shortfall(inputs));
+               const double middle = 0.5 * (pressed.lo + pressed.hi);
+               return Interval{std::min(pressed.lo + kPenetration, middle),
+                               std::max(pressed.hi - kPenetration, middle)};
+             })};
+  const RowEars ears = kind == ToolKind::punch ? ears_of(inputs, stroke) : RowEars{};
+  if (!ears.any()) return {std::move(row)};
+  const double lo = row.along.front().lo + (ears.lo > 0.0 ? ears.reach : 0.0),
+               hi = row.along.back().hi - (ears.hi > 0.0 ? ears.reach : 0.0);
+  Needed body;
+  for (const Interval& along : row.along)
+    if (std::max(along.lo, lo) <= std::min(along.hi, hi))
+      body.along.push_back({std::max(along.lo, lo), std::min(along.hi, hi)});
+  row.of = CrossSection::foot;
+  return {std::move(body), std::move(row)};
 }
 
 /// A tool as a part sees it.
-SidedObstacle seen_by(StageCache& cache, const Setting& stroke, int part, ToolKind kind) {
+SidedObstacle seen_by(StageCache& cache, const Setting& stroke, int part, ToolKind kind,
+                      CrossSection of) {
   return cache.tools().obstacle(kind, tool_of(kind, stroke), nearness(cache, stroke, part, kind),
-                                stroke.direction);
+                                stroke.direction, of);
 }
 
 /// Whether a part hits a tool where that must stand.
 bool stands_in(StageCache& cache, const Setting& stroke, int part, ToolKind kind,
-               const PressMotion& motion, const std::vector<Interval>& needed) {
-  const SidedObstacle obstacle = seen_by(cache, stroke, part, kind);
-  return cache.stands_in(stroke, part, obstacle.key, needed, [&](const PlacedPart& placed) {
-    return std::ranges::any_of(needed, [&](const Interval& along) {
-      return hit_within(motion, placed, *obstacle.left, *obstacle.right, along,
-                        most_turn(cache.inputs(), stroke.line))
-          .has_value();
+               const PressMotion& motion, const std::vector<Needed>& needed) {
+  return std::ranges::any_of(needed, [&](const Needed& one) {
+    const SidedObstacle obstacle = seen_by(cache, stroke, part, kind, one.of);
+    return cache.stands_in(stroke, part, obstacle.key, one.along, [&](const PlacedPart& placed) {
+      return std::ranges::any_of(one.along, [&](const Interval& along) {
+        return hit_within(motion, placed, *obstacle.left, *obstacle.right, along,
+                          most_turn(cache.inputs(), stroke.line))
+            .has_value();
+      });
     });
   });
 }
 
 /// Where along x a part is in the way of a tool, as far as that lies within a range.
 const std::vector<Interval>& blocked_by(StageCache& cache, const Setting& stroke, int part,
-                                        ToolKind kind, const PressMotion& motion,
+                                        ToolKind kind, CrossSection of, const PressMotion& motion,
                                         const Interval& within) {
-  const SidedObstacle obstacle = seen_by(cache, stroke, part, kind);
+  const SidedObstacle obstacle = seen_by(cache, stroke, part, kind, of);
   return cache.blocked(stroke, part, obstacle.key, within, [&](const PlacedPart& placed) {
     return blocked_along(motion, placed, *obstacle.left, *obstacle.right,
                          most_turn(cache.inputs(), stroke.line), within);
@@ -76,9 +96,15 @@ Interval of_shortest_row(const StrokeInputs& inputs, const Setting& stroke, Tool
 void add_walls(StageCache& cache, const Setting& stroke, ToolKind row, const PressMotion& motion,
                const Interval& within, RowWalls& walls) {
   const PartTree& tree = cache.tree(stroke.line);
+  const bool on_feet = row == ToolKind::punch && ears_of(cache.inputs(), stroke).any();
   for (int part = 0; part < std::ssize(tree.parts()); ++part) {
-    const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, motion, within);
-    if (!blocked.empty()) add_wall(walls, row, blocked, tree.parts()[part].path);
+    const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, CrossSection::whole,
+                                                      motion, within);
+    if (blocked.empty()) continue;
+    add_wall(walls, row, blocked, tree.parts()[part].path);
+    if (!on_feet) continue;
+    std::ranges::copy(blocked_by(cache, stroke, part, row, CrossSection::foot, motion, within),
+                      std::back_inserter(walls.foot));
   }
 }
 
@@ -87,9 +113,14 @@ std::size_t row_of(ToolKind kind) { return kind == ToolKind::punch ? 0 : 1; }
 /// Segments of punch or die that press all pieces between walls; empty if none do.
 std::vector<ToolRow> row_of_segments(const StrokeInputs& inputs, const Setting& stroke,
                                      ToolKind kind, const std::vector<Interval>& pieces,
-                                     const std::vector<Interval>& walls) {
-  return tool_rows(segments_of(inputs, stroke, kind),
-                   {pieces, shortfall(inputs), joined(walls, 0.0), inputs.tools.machine.length});
+                                     const RowWalls& walls) {
+  RowRequest request{pieces, shortfall(inputs), joined(walls.walls[row_of(kind)], 0.0),
+                     inputs.tools.machine.length};
+  if (kind == ToolKind::punch) {
+    request.ears = ears_of(inputs, stroke);
+    request.blocked_foot = walls.foot;
+  }
+  return tool_rows(segments_of(inputs, stroke, kind), request);
 }
 
 }  // namespace
@@ -109,12 +140,11 @@ std::vector<Obstruction> collisions(StageCache& cache, const Setting& stroke) {
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const PressMotion at_die = motion(cache.inputs(), stroke),
                     at_punch = motion_at_punch(cache.inputs(), stroke);
-  const double left_out = shortfall(cache.inputs());
   std::vector<Obstruction> all;
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     for (const ToolKind kind : kToolKinds)
       if (stands_in(cache, stroke, part, kind, is_above(kind) ? at_punch : at_die,
-                    needed_by(kind, pieces, left_out)))
+                    needed_by(cache.inputs(), stroke, kind, pieces)))
         all.push_back({tree.parts()[part].path, kind, part});
   return all;
 }
@@ -123,10 +153,9 @@ StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row)
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const PressMotion motion = motion_at(cache.inputs(), stroke, row);
-  const double left_out = shortfall(cache.inputs());
   const int parts = static_cast<int>(tree.parts().size());
   for (const ToolKind kind : {row, beam_of(row)}) {
-    const std::vector<Interval> needed = needed_by(kind, pieces, left_out);
+    const std::vector<Needed> needed = needed_by(cache.inputs(), stroke, kind, pieces);
     for (int part = 0; part < parts; ++part)
       if (stands_in(cache, stroke, part, kind, motion, needed))
         return tl::unexpected(Obstruction{tree.parts()[part].path, kind, part});
@@ -161,7 +190,7 @@ RowWalls walls_of(StageCache& cache, const Setting& stroke) {
 
 RowWalls no_walls(const StrokeInputs& inputs) {
   const LineSet none = no_lines(inputs.lines());
-  return {{}, {none, none}};
+  return {{}, {none, none}, {}};
 }
 
 void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& blocked,
@@ -171,15 +200,38 @@ void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& block
   walls.because[row] = joined(walls.because[row], because);
 }
 
+namespace {
+
+/// The least room between walls on both sides of a piece.
+std::optional<double> room_of(const std::vector<Interval>& pieces,
+                              const std::vector<Interval>& walls) {
+  std::optional<double> least;
+  for (const Interval& piece : pieces) {
+    const double middle = 0.5 * (piece.lo + piece.hi);
+    Interval room = kEverywhere;
+    for (const Interval& wall : walls)
+      if (0.5 * (wall.lo + wall.hi) < middle)
+        room.lo = std::max(room.lo, wall.hi);
+      else
+        room.hi = std::min(room.hi, wall.lo);
+    if (room.lo <= kEverywhere.lo || room.hi >= kEverywhere.hi) continue;
+    least = std::min(least.value_or(room.hi - room.lo), room.hi - room.lo);
+  }
+  return least;
+}
+
+}  // namespace
+
 StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls& walls,
                         ToolKind kind) {
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
-  const std::size_t row = row_of(kind);
-  std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces,
-                                              walls.walls[row]);
+  std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces, walls);
   if (!made.empty()) return made;
-  return tl::unexpected(Obstruction{
-      walls.because[row], kind, -1, {Lack::Kind::segments, pieces.back().hi - pieces.front().lo}});
+  return tl::unexpected(Obstruction{walls.because[row_of(kind)],
+                                    kind,
+                                    -1,
+                                    {Lack::Kind::segments, pieces.back().hi - pieces.front().lo,
+                                     0.0, room_of(pieces, walls.walls[row_of(kind)])}});
 }
 
 Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls) {
@@ -192,10 +244,11 @@ Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& 
 
 PressRows rows_without_walls(StageCache& cache, const Setting& stroke) {
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
+  const RowWalls none = no_walls(cache.inputs());
   PressRows rows;
-  rows.punch = row_of_segments(cache.inputs(), stroke, ToolKind::punch, pieces, {});
+  rows.punch = row_of_segments(cache.inputs(), stroke, ToolKind::punch, pieces, none);
   if (!rows.punch.empty())
-    rows.die = row_of_segments(cache.inputs(), stroke, ToolKind::die, pieces, {});
+    rows.die = row_of_segments(cache.inputs(), stroke, ToolKind::die, pieces, none);
   return rows;
 }
 

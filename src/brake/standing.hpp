@@ -17,6 +17,7 @@ StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row)
 struct RowWalls {
   std::array<std::vector<Interval>, 2> walls;  ///< of the punch, of the die
   std::array<LineSet, 2> because;
+  std::vector<Interval> foot = {};  ///< of the feet of the punch's ears
 };
 RowWalls no_walls(const StrokeInputs& inputs);
 void add_wall(RowWalls& walls, ToolKind kind, const std::vector<Interval>& blocked,

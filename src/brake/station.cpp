@@ -36,49 +36,69 @@ Demand demand_of(StageCache& cache, const ChosenStroke& chosen, int number) {
   demand.pieces = seen(demand, pieces_to_press(cache, stroke));
   for (std::size_t row = 0; row < 2; ++row)
     demand.walls[row] = seen(demand, joined(around.walls.walls[row], 0.0));
+  demand.foot_walls = seen(demand, joined(around.walls.foot, 0.0));
   demand.part = seen(demand, around.part);
   return demand;
 }
 
-Interval extent(const ToolRow& row) { return {row.from, row.from + row.length()}; }
+namespace {
+
+/// What stands at a station, and what it keeps away from.
+struct Kept {
+  Interval tool;
+  const std::vector<Interval>& walls;
+};
+
+std::vector<Kept> keeping_away(const Rows& rows, const Demand& demand) {
+  std::vector<Kept> all;
+  for (std::size_t kind = 0; kind < 2; ++kind)
+    for (const ToolRow& row : rows[kind]) {
+      all.push_back({body(row), demand.walls[kind]});
+      if (row.ears.any()) all.push_back({extent(row), demand.foot_walls});
+    }
+  return all;
+}
+
+/// A tool may stand in a wall as deep as anything may.
+bool is_clear(const Interval& tool, const Interval& wall, double at) {
+  return tool.hi <= wall.lo + at + kPenetration + kSameLength ||
+         tool.lo >= wall.hi + at - kPenetration - kSameLength;
+}
+
+bool is_within(const Interval& pressed, const Interval& tool, double at) {
+  return tool.lo <= pressed.lo + at + kSameLength && tool.hi >= pressed.hi + at - kSameLength;
+}
+
+}  // namespace
 
 bool StationTools::stands(const Demand& demand, double shortfall, double at) const {
-  for (std::size_t kind = 0; kind < 2; ++kind) {
+  for (const std::vector<ToolRow>& kind : rows)
     for (const Interval& piece : demand.pieces) {
       const Interval pressed = covered(piece, shortfall);
-      const bool covered_by_one = std::ranges::any_of(rows[kind], [&](const ToolRow& row) {
-        const Interval tool = extent(row);
-        return tool.lo <= pressed.lo + at + kSameLength && tool.hi >= pressed.hi + at - kSameLength;
-      });
-      if (!covered_by_one) return false;
+      if (std::ranges::none_of(
+              kind, [&](const ToolRow& row) { return is_within(pressed, extent(row), at); }))
+        return false;
     }
-    for (const Interval& wall : demand.walls[kind])
-      for (const ToolRow& row : rows[kind]) {
-        const Interval tool = extent(row);
-        // A tool may stand in a wall as deep as anything may.
-        if (tool.hi > wall.lo + at + kPenetration + kSameLength &&
-            tool.lo < wall.hi + at - kPenetration - kSameLength)
-          return false;
-      }
-  }
-  return true;
+  return std::ranges::all_of(keeping_away(rows, demand), [&](const Kept& one) {
+    return std::ranges::all_of(one.walls,
+                               [&](const Interval& wall) { return is_clear(one.tool, wall, at); });
+  });
 }
 
 std::optional<double> StationTools::where(const Demand& demand, double shortfall) const {
   std::vector<double> ways{
       0.5 * (tools.lo + tools.hi - demand.pieces.front().lo - demand.pieces.back().hi)};
-  for (std::size_t kind = 0; kind < 2; ++kind)
-    for (const ToolRow& row : rows[kind]) {
-      const Interval tool = extent(row);
+  for (const std::vector<ToolRow>& kind : rows)
+    for (const ToolRow& row : kind)
       for (const Interval& piece : demand.pieces) {
-        const Interval pressed = covered(piece, shortfall);
+        const Interval pressed = covered(piece, shortfall), tool = extent(row);
         ways.push_back(tool.lo - pressed.lo);
         ways.push_back(tool.hi - pressed.hi);
       }
-      for (const Interval& wall : demand.walls[kind]) {
-        ways.push_back(tool.hi - wall.lo - kPenetration);
-        ways.push_back(tool.lo - wall.hi + kPenetration);
-      }
+  for (const auto& [tool, walls] : keeping_away(rows, demand))
+    for (const Interval& wall : walls) {
+      ways.push_back(tool.hi - wall.lo - kPenetration);
+      ways.push_back(tool.lo - wall.hi + kPenetration);
     }
   const auto can = [&](double at) { return stands(demand, shortfall, at); };
   if (can(ways.front())) return ways.front();

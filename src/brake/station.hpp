@@ -24,13 +24,12 @@ struct Demand {
   StrokeChoice choice = {};
   std::vector<Interval> pieces = {};                ///< of the line
   std::array<std::vector<Interval>, 2> walls = {};  ///< where punch and die may not stand
+  std::vector<Interval> foot_walls = {};            ///< where not even the foot of an ear may
   Interval part = {};                               ///< of the workpiece
   Interval line = {};                               ///< in the frame of the line
   bool from_left = true;                            ///< its x runs as the operator's
 };
 Demand demand_of(StageCache& cache, const ChosenStroke& chosen, int number);
-
-Interval extent(const ToolRow& row);
 
 /// A station while its set-up grows. x from the line of its first stroke.
 struct StationTools {

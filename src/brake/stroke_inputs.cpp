@@ -71,6 +71,16 @@ Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeC
   return stroke;
 }
 
+RowEars ears_of(const Punch& punch) {
+  if (!punch.ears) return {};
+  return {punch.ears->left, punch.ears->right, punch.ears->reach};
+}
+
+RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke) {
+  const RowEars ears = ears_of(inputs.tools.punches[stroke.punch]);
+  return stroke.direction > 0 ? ears : ears.turned();
+}
+
 PressMotion motion_at_punch(const StrokeInputs& inputs, const Setting& stroke) {
   const BrakeLine& line = inputs.work.lines[stroke.line];
   PressedBend bend = line.bend;

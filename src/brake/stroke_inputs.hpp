@@ -48,6 +48,11 @@ struct Setting {
 };
 Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeChoice& choice);
 
+/// The ears of a punch as the operator sees them, from the left; none if it has none.
+RowEars ears_of(const Punch& punch);
+/// Those of a stroke's punch along its line.
+RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke);
+
 /// How the sheet moves in a stroke.
 PressMotion motion(const StrokeInputs& inputs, const Setting& stroke);
 /// The same as the punch sees it: bent about a tip that is rounder than the drawn radius.

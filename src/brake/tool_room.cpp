@@ -3,6 +3,8 @@
 // key for both directions of the gauge.
 #include "tool_room.hpp"
 
+#include <planish/base/assert.hpp>
+
 namespace planish::brake_detail {
 namespace {
 
@@ -43,6 +45,12 @@ ToolSection ToolRoom::section(ToolKind kind, int tool) const {
   return upper_beam_over(tools_.punches[tool], tools_.machine);
 }
 
+Obstacle ToolRoom::cut(Obstacle obstacle, ToolKind kind, int tool, CrossSection of) const {
+  if (of == CrossSection::whole) return obstacle;
+  PLANISH_ASSERT(kind == ToolKind::punch && tools_.punches[tool].ears);
+  return up_to(std::move(obstacle), tools_.punches[tool].ears->height);
+}
+
 ToolRoom::Seen ToolRoom::seen(Obstacle obstacle, ToolKind kind, int tool) {
   obstacle.moves = hangs_below(kind);
   Seen seen{std::move(obstacle), {}, is_symmetric(section(kind, tool)), keys_};
@@ -60,24 +68,27 @@ SidedObstacle ToolRoom::sided(const Seen& seen, int direction) const {
 SidedObstacle ToolRoom::kept(Table& table, MakeObstacle make, const ToolKey& key, int direction) {
   auto at = table.find(key);
   if (at == table.end()) {
-    const auto& [kind, nearness, tool] = key;
-    at = table.emplace(key, seen((this->*make)(kind, tool, nearness), kind, tool)).first;
+    const auto& [kind, nearness, tool, of] = key;
+    Obstacle made = cut((this->*make)(kind, tool, nearness), kind, tool, of);
+    at = table.emplace(key, seen(std::move(made), kind, tool)).first;
   }
   return sided(at->second, direction);
 }
 
-SidedObstacle ToolRoom::obstacle(ToolKind kind, int tool, Nearness nearness, int direction) {
-  return kept(obstacles_, &ToolRoom::kept_from, {kind, nearness, tool}, direction);
+SidedObstacle ToolRoom::obstacle(ToolKind kind, int tool, Nearness nearness, int direction,
+                                 CrossSection of) {
+  return kept(obstacles_, &ToolRoom::kept_from, {kind, nearness, tool, of}, direction);
 }
 
-SidedObstacle ToolRoom::body(ToolKind kind, int tool, Nearness nearness, int direction) {
-  return kept(bodies_, &ToolRoom::body_of, {kind, nearness, tool}, direction);
+SidedObstacle ToolRoom::body(ToolKind kind, int tool, Nearness nearness, int direction,
+                             CrossSection of) {
+  return kept(bodies_, &ToolRoom::body_of, {kind, nearness, tool, of}, direction);
 }
 
-const Obstacle& ToolRoom::deeper(ToolKind kind, int tool, double depth) {
-  const auto [at, added] = deeper_.try_emplace({kind, tool, depth});
+const Obstacle& ToolRoom::deeper(ToolKind kind, int tool, double depth, CrossSection of) {
+  const auto [at, added] = deeper_.try_emplace({kind, tool, depth, of});
   if (added) {
-    at->second = obstacle_of(section(kind, tool), depth, 0.0);
+    at->second = cut(obstacle_of(section(kind, tool), depth, 0.0), kind, tool, of);
     at->second.moves = hangs_below(kind);
   }
   return at->second;

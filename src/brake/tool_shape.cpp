@@ -103,6 +103,11 @@ ToolSection section_of(const Punch& punch) {
   return {moved(rounded_outline(oriented(punch.profile), {tip_of(punch)}), {0.0, -lowered(punch)})};
 }
 
+ToolSection foot_of(const Punch& punch) {
+  if (!punch.ears) return {};
+  return {clipped(section_of(punch).outline, Vec2::UnitY(), punch.ears->height)};
+}
+
 ToolSection section_of(const Die& die) {
   const ToolProfile profile = oriented(die.profile);
   const double half = 0.5 * die.opening;
@@ -152,6 +157,20 @@ Obstacle obstacle_beside_tip(const Punch& punch, double clearance) {
   keep_away(beside, clearance);
   add_boxes(beside);
   return beside;
+}
+
+Obstacle up_to(Obstacle obstacle, double height) {
+  Obstacle low;
+  for (std::size_t i = 0; i < obstacle.pieces.size(); ++i) {
+    Convex rest = clipped(obstacle.pieces[i], Vec2::UnitY(), height);
+    if (is_thin(rest, kAtCorner)) continue;
+    low.pieces.push_back(std::move(rest));
+    low.keeps.push_back(obstacle.keeps[i]);
+  }
+  low.keep = obstacle.keep;
+  low.moves = obstacle.moves;
+  add_boxes(low);
+  return low;
 }
 
 Obstacle united(Obstacle a, const Obstacle& b) {

@@ -18,6 +18,8 @@ struct ToolSection {
 
 /// The punch with its tip rounded, its lowest point at height 0.
 ToolSection section_of(const Punch& punch);
+/// What of it reaches to the outer ends of its ears; empty if it has none.
+ToolSection foot_of(const Punch& punch);
 /// How far the punch moves down because its tip is rounded, and the upper beam with it.
 double lowered(const Punch& punch);
 /// The upper beam as it stands when it holds that punch.
@@ -41,6 +43,8 @@ struct Obstacle {
 Obstacle obstacle_of(const ToolSection& section, double depth, double clearance);
 /// The same, of what of the punch stands out beyond the wedge of its tip, prolonged.
 Obstacle obstacle_beside_tip(const Punch& punch, double clearance);
+/// What of it is at most that high.
+Obstacle up_to(Obstacle obstacle, double height);
 /// Both at once.
 Obstacle united(Obstacle a, const Obstacle& b);
 Obstacle mirrored(const Obstacle& obstacle);

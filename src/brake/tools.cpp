@@ -3,6 +3,7 @@
 
 #include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/brake/plan.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <algorithm>
@@ -114,11 +115,28 @@ void check_tip(ToolCheck& to, const Punch& punch) {
     to.wrong("/tip_radius", "tip_radius", fault->refusal, fault->facts);
 }
 
+/// A foot that the body stands back from on both sides is there above the whole of it.
+void check_ears(ToolCheck& to, const Punch& punch) {
+  const Ears& ears = *punch.ears;
+  if (flattens(punch.angle)) return to.wrong("/ears", "", refuse::flat_punch_ears);
+  to.at_least_zero("/ears/left", "left ear", ears.left);
+  to.at_least_zero("/ears/right", "right ear", ears.right);
+  to.above_zero("/ears/height", "height of the ears", ears.height);
+  to.above_zero("/ears/reach", "reach of the ears", ears.reach);
+  if (ears.left == 0.0 && ears.right == 0.0) to.wrong("/ears", "", refuse::no_ears);
+  for (const auto& [key, length] :
+       {std::pair("/ears/left", ears.left), {"/ears/right", ears.right}})
+    if (length > 0.0 && length < ears.reach)
+      to.wrong(key, "", refuse::short_ear,
+               {{"length", length, unit::mm}, {"reach", ears.reach, unit::mm}});
+}
+
 void check_punch(ToolCheck& to, const Punch& punch) {
   to.common(punch);
   to.at_least_zero("/tip_radius", "tip_radius", punch.tip_radius);
   if (to.error()) return;
   check_side(to, "/profile", "profile", punch.profile, Body::above);
+  if (punch.ears) check_ears(to, punch);
   if (!flattens(punch.angle)) return check_tip(to, punch);
   if (!on_outline(punch.profile, Vec2::Zero()))
     to.wrong("/profile", "profile", refuse::not_through_origin);
@@ -218,6 +236,18 @@ std::string_view kind_name(ToolKind kind) {
 std::string text_of(const ToolName& tool) {
   std::string text(kind_name(tool.kind));
   return tool.id.empty() ? text : text + " " + tool.id;
+}
+
+std::string text_of(const SegmentRow& row, const std::function<std::string(double)>& length) {
+  std::string text;
+  for (std::size_t i = 0; i < row.segments.size(); ++i) {
+    const bool left = i == 0 && row.left_ear > 0.0,
+               right = i + 1 == row.segments.size() && row.right_ear > 0.0;
+    text += i == 0 ? "" : " + ";
+    text += left ? "left ear " : right ? "right ear " : "";
+    text += length(row.segments[i]);
+  }
+  return text;
 }
 
 bool flattens(Angle angle) {

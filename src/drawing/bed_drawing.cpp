@@ -16,23 +16,21 @@
 namespace planish::drawing {
 namespace {
 
-constexpr double kTitle = 6.0, kNamesAbove = 4.0, kTool = 4.0, kWords = 4.6;  // heights, mm
+constexpr double kTitle = 6.0, kNamesAbove = 4.0, kTool = 4.0, kFoot = 1.2,
+                 kWords = 4.6;  // heights, mm
 constexpr Colour kPunch{0.80, 0.83, 0.86}, kDie{0.88, 0.90, 0.92};
 
 std::string row_text(const BendDrawing& drawing, const std::vector<SegmentRow>& rows) {
   const schema::Units units(drawing.units);
   return fmt::format(
-      "{}",
-      fmt::join(mapped(rows,
-                       [&](const SegmentRow& row) {
-                         return fmt::format(
-                             "{} from {}",
-                             fmt::join(mapped(row.segments,
-                                              [&](double one) { return units.short_text(one); }),
-                                       " + "),
-                             size_text(drawing, row.from));
-                       }),
-                ", "));
+      "{}", fmt::join(mapped(rows,
+                             [&](const SegmentRow& row) {
+                               return fmt::format(
+                                   "{} from {}",
+                                   text_of(row, [&](double one) { return units.short_text(one); }),
+                                   size_text(drawing, row.from));
+                             }),
+                      ", "));
 }
 
 std::string words_of(const BendDrawing& drawing, const Station& station, std::size_t number) {
@@ -43,15 +41,37 @@ std::string words_of(const BendDrawing& drawing, const Station& station, std::si
                      fmt::join(mapped(station.strokes, [](int s) { return s + 1; }), ", "));
 }
 
-/// The segments of a row, each in a rectangle, as far down the page as told.
+/// The front of a segment; that of an ear has a foot below, at the end from which its body stands
+/// back.
+std::vector<Vec2> front_of(const Vec2& a, const Vec2& b, double left_back, double right_back) {
+  const double foot = b.y() - kFoot;
+  std::vector<Vec2> corners;
+  if (left_back > 0.0)
+    corners = {
+        {a.x() + left_back, a.y()}, {a.x() + left_back, foot}, {a.x(), foot}, {a.x(), b.y()}};
+  else
+    corners = {a, {a.x(), b.y()}};
+  corners.push_back(b);
+  if (right_back > 0.0)
+    corners.insert(corners.end(),
+                   {{b.x(), foot}, {b.x() - right_back, foot}, {b.x() - right_back, a.y()}});
+  else
+    corners.emplace_back(b.x(), a.y());
+  return corners;
+}
+
+/// The segments of a row, each for itself, as far down the page as told.
 void draw_rows(Page& page, const std::vector<SegmentRow>& rows, double scale, double top,
                const Colour& fill) {
   for (const SegmentRow& row : rows) {
     double from = row.from;
-    for (const double length : row.segments) {
+    for (std::size_t i = 0; i < row.segments.size(); ++i) {
+      const double length = row.segments[i];
       const Vec2 a(kEdge + scale * from, top), b(kEdge + scale * (from + length), top + kTool);
-      page.area({{a, {b.x(), a.y()}, b, {a.x(), b.y()}}},
-                {.stroke = kPageGrey, .fill = fill, .width = 0.15});
+      const bool last = i + 1 == row.segments.size();
+      page.area(
+          {front_of(a, b, i == 0 ? scale * row.left_ear : 0.0, last ? scale * row.right_ear : 0.0)},
+          {.stroke = kPageGrey, .fill = fill, .width = 0.15});
       from += length;
     }
   }

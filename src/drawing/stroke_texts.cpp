@@ -61,9 +61,7 @@ void add_rows(Lines& lines, const BendDrawing& drawing, const std::vector<Segmen
   constexpr std::size_t kLetters = 31;  // of the column
   const schema::Units units(drawing.units);
   for (const SegmentRow& row : rows) {
-    std::string text;
-    for (const double length : row.segments)
-      text += (text.empty() ? "" : " + ") + units.short_text(length);
+    const std::string text = text_of(row, [&](double one) { return units.short_text(one); });
     std::vector<std::string> parts = wrapped(text + ",", kLetters);
     const std::string from = "from " + with_unit(drawing, row.from);
     if (parts.back().size() + 1 + from.size() > kLetters) parts.emplace_back();
@@ -75,7 +73,8 @@ void add_rows(Lines& lines, const BendDrawing& drawing, const std::vector<Segmen
 
 bool same(const std::vector<SegmentRow>& a, const std::vector<SegmentRow>& b) {
   return std::ranges::equal(a, b, [](const SegmentRow& one, const SegmentRow& other) {
-    return one.from == other.from && one.segments == other.segments;
+    return one.from == other.from && one.segments == other.segments &&
+           one.left_ear == other.left_ear && one.right_ear == other.right_ear;
   });
 }
 
@@ -123,6 +122,7 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
   lines.emplace_back(fmt::format("{} kN, {} clear", number_text(stroke.force, 3),
                                  with_unit(drawing, stroke.clearance)),
                      kPlain);
+  if (stroke.on_ears) lines.emplace_back("hangs on the ears: slide it off", kPlain);
   return lines;
 }
 

@@ -56,6 +56,7 @@ Json scene_json(const CheckedStroke& checked) {
   json["moments"] = moments_json(scene.moments);
   json["punch"] = segments_json(scene.punch);
   json["die"] = segments_json(scene.die);
+  json["feet"] = segments_json(scene.feet);
   const auto& gauge = checked.stroke.gauge;
   json["gauge"] = gauge ? Json::array({point_json(gauge->edge.a, millimetres()),
                                        point_json(gauge->edge.b, millimetres())})
@@ -85,12 +86,13 @@ Json sections_json(const CheckedOrder& checked, const BrakeTools& tools) {
   };
   Json json;
   json["machine"] = tools.machine.name;
-  for (const char* key : {"punches", "upper_beams", "dies"})
+  for (const char* key : {"punches", "feet", "upper_beams", "dies"})
     json[key] = Json::object();
   for (std::size_t i = 0; i < tools.punches.size(); ++i) {
     const std::string& id = tools.punches[i].id;
     if (!uses(&Stroke::punch, id)) continue;
     json["punches"][id] = profile_json(sections.punches[i]);
+    if (!sections.feet[i].empty()) json["feet"][id] = profile_json(sections.feet[i]);
     if (!sections.upper_beams.empty())
       json["upper_beams"][id] = profile_json(sections.upper_beams[i]);
   }

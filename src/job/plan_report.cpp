@@ -54,6 +54,7 @@ Schema stroke_schema() {
        required("die", text()),
        required("punch_segments", list(measured_length())),
        required("punch_from", measured_length().said("from the end of the bend line")),
+       optional("punch_ears", ears_schema()),
        optional("punch_rows", rows.said("where gaps are between segments")),
        required("die_segments", list(measured_length())),
        required("die_from", measured_length()),
@@ -68,6 +69,7 @@ Schema stroke_schema() {
                         required("length", measured_length().said("from the outside of the bend"))})
                     .said("to measure after the stroke")),
        required("force", measured_number().said("kN")),
+       optional("on_ears", flag().said("the part reaches over the feet of ears")),
        required("clearance", measured_length().said("least that is left"))});
 }
 
@@ -172,8 +174,9 @@ Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& chec
   json["radius_made"] = number_json(units.length(stroke.radius_made));
   json["punch"] = stroke.punch;
   json["die"] = stroke.die;
-  add_rows(json, "punch", stroke.punch_rows, units);
-  add_rows(json, "die", stroke.die_rows, units);
+  add_rows(json, {"punch_from", "punch_segments", "punch_ears", "punch_rows"}, stroke.punch_rows,
+           units);
+  add_rows(json, kDieRows, stroke.die_rows, units);
   json["side_up"] = stroke.reference_up ? "reference" : "other";
   json["to_gauge"] = id_json(stroke.to_gauge);
   json["gauge_direction"] = Json::array(
@@ -184,6 +187,7 @@ Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& chec
                                {"length", number_json(units.length(check->length))}};
   json["force"] = number_json(stroke.force);
   json["clearance"] = number_json(units.length(stroke.clearance));
+  if (stroke.on_ears) json["on_ears"] = true;
   return json;
 }
 

@@ -19,32 +19,44 @@ Json lengths_json(const std::vector<double>& lengths, const Units& units) {
   return json_array(lengths, [&](double length) { return number_json(units.length(length)); });
 }
 
+Json ears_json(const SegmentRow& row) {
+  Json ears = Json::array();
+  if (row.left_ear > 0.0) ears.push_back("left");
+  if (row.right_ear > 0.0) ears.push_back("right");
+  return ears;
+}
+
 Json station_json(const Station& station, const Units& units) {
   Json json{{"set_up", station.set_up + 1}, {"punch", station.punch}, {"die", station.die}};
-  add_rows(json, "punch", station.punch_rows, units);
-  json["from"] = std::move(json["punch_from"]);
-  json["segments"] = std::move(json["punch_segments"]);
-  json.erase("punch_from");
-  json.erase("punch_segments");
-  add_rows(json, "die", station.die_rows, units);
+  add_rows(json, {"from", "segments", "ears", "punch_rows"}, station.punch_rows, units);
+  add_rows(json, kDieRows, station.die_rows, units);
   json["strokes"] = json_array(station.strokes, [](int stroke) { return Json(stroke + 1); });
   return json;
 }
 
 }  // namespace
 
-void add_rows(Json& json, const std::string& tool, const std::vector<SegmentRow>& rows,
+void add_rows(Json& json, const RowKeys& keys, const std::vector<SegmentRow>& rows,
               const Units& units) {
-  std::vector<double> all;
-  for (const SegmentRow& row : rows)
-    all.insert(all.end(), row.segments.begin(), row.segments.end());
-  json[tool + "_segments"] = lengths_json(all, units);
-  json[tool + "_from"] = number_json(units.length(rows.empty() ? 0.0 : rows.front().from));
+  SegmentRow all;
+  if (!rows.empty()) all.from = rows.front().from;
+  for (const SegmentRow& row : rows) {
+    all.segments.insert(all.segments.end(), row.segments.begin(), row.segments.end());
+    all.left_ear += row.left_ear;
+    all.right_ear += row.right_ear;
+  }
+  json[keys.segments] = lengths_json(all.segments, units);
+  json[keys.from] = number_json(units.length(all.from));
+  if (Json ears = ears_json(all); !ears.empty()) json[keys.ears] = std::move(ears);
   if (rows.size() < 2) return;
-  Json& list = json[tool + "_rows"] = Json::array();
-  for (const SegmentRow& row : rows)
-    list.push_back({{"from", number_json(units.length(row.from))},
-                    {"segments", lengths_json(row.segments, units)}});
+  json[keys.rows] = json_array(rows, [&](const SegmentRow& row) {
+    return Json{{"from", number_json(units.length(row.from))},
+                {"segments", lengths_json(row.segments, units)}};
+  });
+}
+
+Schema ears_schema() {
+  return list(words({"left", "right"})).said("ends of the row that are ears");
 }
 
 Schema rows_schema() {
@@ -64,7 +76,8 @@ Schema station_schema() {
   return object({required("set_up", whole(1)), required("punch", text()), required("die", text()),
                  required("from", measured_length().said("of the punch, from the bed's left end")),
                  required("segments", lengths.said("of the punch")),
-                 required("die_from", measured_length()), required("die_segments", lengths),
+                 optional("ears", ears_schema()), required("die_from", measured_length()),
+                 required("die_segments", lengths),
                  optional("punch_rows", rows.said("where gaps are between segments")),
                  optional("die_rows", rows), required("strokes", list(whole(1)))});
 }
@@ -81,10 +94,8 @@ std::string stations_text(const Plan& plan, const Units& units) {
   for (const Station& station : plan.stations) {
     std::string segments;
     for (const SegmentRow& row : station.punch_rows)
-      segments += fmt::format(
-          "{}{}", segments.empty() ? "" : ", gap, ",
-          fmt::join(mapped(row.segments, [&](double one) { return units.short_text(one); }),
-                    " + "));
+      segments += (segments.empty() ? "" : ", gap, ") +
+                  text_of(row, [&](double one) { return units.short_text(one); });
     table.add(
         {std::to_string(station.set_up + 1), station.punch, station.die,
          units.length_text(station.punch_rows.front().from), segments,

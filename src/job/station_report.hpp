@@ -9,11 +9,16 @@
 /// Tools on the bed: rows of segments, and the stations of a plan (math.md#stations).
 namespace planish::job {
 
-/// All segments of a tool in one row, and where it begins; the rows where there are several. Keys
-/// begin with `tool`.
-void add_rows(schema::Json& json, const std::string& tool, const std::vector<SegmentRow>& rows,
+struct RowKeys {
+  const char *from, *segments, *ears, *rows;
+};
+inline constexpr RowKeys kDieRows{"die_from", "die_segments", "", "die_rows"};
+
+/// All segments of a tool in one row, and where it begins; the rows where there are several.
+void add_rows(schema::Json& json, const RowKeys& keys, const std::vector<SegmentRow>& rows,
               const schema::Units& units);
 schema::Schema rows_schema();
+schema::Schema ears_schema();
 
 schema::Json stations_json(const std::vector<Station>& stations, const Report& report);
 schema::Schema station_schema();

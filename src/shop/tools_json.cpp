@@ -35,6 +35,14 @@ Schema segments_schema() {
 
 Schema force_schema() { return number(kAboveZero).said("that it bears, kN per metre"); }
 
+Schema ears_schema() {
+  return object({optional("left", length(kAtLeastZero)), optional("right", length(kAtLeastZero)),
+                 required("height", length(kAboveZero).said("of the foot, above the tip")),
+                 required("reach",
+                          length(kAboveZero).said("by which the body above the foot stands back"))})
+      .said("lengths of the left and right end segments for boxes with inward lips (horns)");
+}
+
 Schema punch_schema() {
   return object(
       {required("id", text().said("name of the punch, different for each")),
@@ -43,7 +51,8 @@ Schema punch_schema() {
        required(
            "angle",
            angle(kToolAngle).said("between the flanks of the tip; 180: flat, for closing hems")),
-       required("segments", segments_schema()), optional("max_force", force_schema()),
+       required("segments", segments_schema()), optional("ears", ears_schema()),
+       optional("max_force", force_schema()),
        optional("raises_beam",
                 length(kAtLeastZero).said("by which the upper beam is higher than drawn"))});
 }
@@ -125,12 +134,20 @@ std::vector<double> lengths_at(const JsonPlace& place) {
   return mapped(place.items(), [&](const JsonPlace& item) { return item.length(); });
 }
 
+std::optional<Ears> ears_at(const JsonPlace& place) {
+  if (!place.given()) return std::nullopt;
+  return Ears{place["left"].maybe_length().value_or(0.0),
+              place["right"].maybe_length().value_or(0.0), place["height"].length(),
+              place["reach"].length()};
+}
+
 Punch punch_at(const JsonPlace& place, Profiles& profiles) {
   return {.id = place["id"].text(),
           .profile = profiles.at(place["profile"]),
           .tip_radius = place["tip_radius"].length(),
           .angle = place["angle"].angle(),
           .segments = lengths_at(place["segments"]),
+          .ears = ears_at(place["ears"]),
           .max_force = place["max_force"].maybe_number(),
           .raises_beam = place["raises_beam"].maybe_length().value_or(0.0)};
 }

@@ -17,12 +17,14 @@ using namespace brake_detail;
 BrakeTools tools_with_beam() {
   BrakeTools tools = plain_tools();
   tools.punches.push_back(punch({Angle::degrees(60), 16.0}));
+  tools.punches.push_back(punch({Angle::degrees(60), 4.0}));
+  tools.punches.back().ears = Ears{40.0, 50.0, 20.0, 30.0};
   tools.machine.upper_beam = {{-30, 150}, {30, 150}, {30, 400}, {-30, 400}};
   return tools;
 }
 
 std::vector<Sheet> sheets() {
-  return {box({70.0, 45.0, 30.0}), box({60.0, 60.0, 55.0}), staircase(2),
+  return {lipped_base(15.0), box({70.0, 45.0, 30.0}), box({60.0, 60.0, 55.0}), staircase(2),
           strip({Straight{12},
                  {Turn{Angle::degrees(90), 2.0, BendDirection::up}},
                  Straight{45},
@@ -107,6 +109,8 @@ TEST(Standing, PressesTheWholeLine) {
       EXPECT_LE(row->front().from, pieces.front().lo + left_out);
       EXPECT_GE(row->front().from + row->front().length(), pieces.back().hi - left_out);
       std::vector<double> left = room.tools().punches.front().segments;
+      if (row->front().ears.lo > 0.0) left.push_back(row->front().ears.lo);
+      if (row->front().ears.hi > 0.0) left.push_back(row->front().ears.hi);
       for (const double segment : row->front().segments) {
         const auto found = std::ranges::find(left, segment);
         ASSERT_NE(found, left.end());

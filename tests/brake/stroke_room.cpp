@@ -1,5 +1,7 @@
 #include "stroke_room.hpp"
 
+#include "support/sheet_builder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +52,21 @@ std::vector<Die> plain_dies(const std::vector<double>& openings, const std::stri
     dies.back().id = prefix + std::to_string(static_cast<int>(opening));
   }
   return dies;
+}
+
+Sheet lipped_base(double lip) {
+  constexpr double kLength = 120.0, kRadius = 1.0, kWall = 28.0;
+  const Turn turn{Angle::degrees(90), kRadius, BendDirection::up};
+  SheetBuilder builder(1.0);
+  const FaceId base = builder.flange(
+      Frame{}, {polygon({{0, 0}, {kLength, 0}, {kLength, 5}, {kLength, 80}, {0, 80}})});
+  const Rim front = builder.bend(builder.rim(base, 0), turn);
+  builder.flange_behind(front, {rectangle(front.length, 20)});
+  const Rim side = builder.bend(builder.rim(base, 2), turn);
+  const FaceId wall = builder.flange_behind(side, {rectangle(side.length, kWall)});
+  const Rim top = builder.bend(builder.rim(wall, 2), turn);
+  builder.flange_behind(top, {rectangle(top.length, lip)});
+  return builder.finish();
 }
 
 Room::Room(Sheet sheet, BrakeTools tools, const PlanOptions& options,

@@ -35,6 +35,11 @@ std::vector<Die> plain_dies(const std::vector<double>& openings, const std::stri
 /// One punch, one die, no beams, no gauge.
 BrakeTools plain_tools(const PlainPunch& upper = {}, const PlainDie& lower = {});
 
+/// A base of 120 × 80 with a wall at its right edge that carries a lip, 30 above the base on the
+/// inside and as wide as told, and a flap along the front: r 1, t 1. Bend 1 is the flap's, 2 the
+/// wall's, 3 the lip's.
+Sheet lipped_base(double lip);
+
 /// A sheet made ready for strokes; its tools live as long as it does.
 class Room {
  public:

@@ -100,6 +100,8 @@ export class MachineObject {
     const punch = tools.punches[row.punch] ?? [],
       die = tools.dies[row.die] ?? [];
     for (const [from, length] of scene.punch) this.add(this.upper, 'punch', punch, from, length, scene.across);
+    for (const [from, length] of scene.feet)
+      this.add(this.upper, 'punch', tools.feet[row.punch] ?? [], from, length, scene.across);
     for (const [from, length] of scene.die) this.add(this.lower, 'die', die, from, length, scene.across);
     const [first, last] = reach(row),
       from = Math.min(first, span[0]),
@@ -143,7 +145,7 @@ export class MachineObject {
 
 /** From where to where along x the tools of a stroke stand. */
 function reach({ scene }: StrokeRow): [number, number] {
-  const all = [...scene.punch, ...scene.die];
+  const all = [...scene.punch, ...scene.feet, ...scene.die];
   return [Math.min(...all.map(([from]) => from)), Math.max(...all.map(([from, length]) => from + length))];
 }
 

@@ -52,6 +52,7 @@ export interface Scene {
   moments: Moments;
   punch: Vec2[]; // segments: from, length along x
   die: Vec2[];
+  feet: Vec2[]; // of the punch's ears
   gauge: [Vec2, Vec2] | null; // the edge at the fingers, in the pattern
   gauge_height: number; // of the fingers above the upper skin
 }
@@ -65,6 +66,7 @@ export interface StrokeRow extends ReportPlanStroke {
 export interface ToolTable {
   machine: string;
   punches: Record<string, Vec2[]>;
+  feet: Record<string, Vec2[]>; // of the ears of each punch that has them
   upper_beams: Record<string, Vec2[]>; // above each punch
   dies: Record<string, Vec2[]>;
   lower_beam: Vec2[];

@@ -42,6 +42,7 @@ struct StrokeScene {
   double across = 0.0;  ///< y of the middle of punch and die
   /// Where segments stand; of a stroke that cannot be made, where they would have to.
   std::vector<StandingSegment> punch, die;
+  std::vector<StandingSegment> feet;  ///< of ears, beside the bodies of their segments
 };
 
 struct CheckedStroke {
@@ -88,6 +89,7 @@ class OrderChecker {
 /// Sections of tools with their corners rounded, in the order of the tools.
 struct ToolSections {
   std::vector<ToolProfile> punches;      ///< lowest point at height 0
+  std::vector<ToolProfile> feet;         ///< of the ears of each punch; empty if it has none
   std::vector<ToolProfile> upper_beams;  ///< above each punch; empty if the machine has none
   std::vector<ToolProfile> dies;         ///< top at height 0
   ToolProfile lower_beam;

@@ -8,6 +8,7 @@
 #include <planish/sheet/layout.hpp>
 #include <planish/sheet/sheet.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,7 +62,12 @@ struct GaugeStop {
 struct SegmentRow {
   double from = 0.0;             ///< along the bend line, mm, from the end of its first line
   std::vector<double> segments;  ///< in the order in which they stand, mm
+  /// By which the body of the first and of the last stands back from its outer end, mm; 0: no ear.
+  double left_ear = 0.0, right_ear = 0.0;
 };
+
+/// "left ear 100 + 300 + 50": `length` writes one.
+std::string text_of(const SegmentRow& row, const std::function<std::string(double)>& length);
 
 /// Something to know about a plan. Codes: formats.md#remarks.
 struct Remark {
@@ -88,6 +94,7 @@ struct Stroke {
   std::optional<Remark> ungauged = {};           ///< why
   double force = 0.0;                            ///< kN
   double clearance = 0.0;                        ///< least left over all turns, mm
+  bool on_ears = false;  ///< the workpiece then reaches over the feet of the punch's ears
 };
 
 /// Punch and die side by side with others on the bed.

@@ -15,6 +15,14 @@ namespace planish {
 /// (towards the back gauge), y is z (up); math.md#press-brake.
 using ToolProfile = std::vector<Vec2>;
 
+/// The end segments of a punch for boxes with inward lips, also called horns. Up to a height above
+/// the tip they reach to their outer end; above it the body stands back.
+struct Ears {
+  double left = 0.0, right = 0.0;  ///< lengths, mm, as the operator sees them; 0: there is none
+  double height = 0.0;             ///< of the foot, above the tip, mm
+  double reach = 0.0;              ///< by which the body stands back, mm
+};
+
 struct Punch {
   std::string id;
   ToolProfile profile;                   ///< its tip at the origin, the body above
@@ -22,6 +30,7 @@ struct Punch {
   Angle angle;                           ///< between the flanks of the tip; 180°: flat, for
                                          ///< closing hems, and the origin anywhere on its edge
   std::vector<double> segments;          ///< lengths, mm, one of each
+  std::optional<Ears> ears = {};         ///< besides the segments
   std::optional<double> max_force = {};  ///< kN per metre; empty: not limited
   double raises_beam = 0.0;              ///< how much higher the upper beam is than drawn, mm
 };
