@@ -91,6 +91,8 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
   if (obstruction.part >= 0) blocked.with = flange_of(cache, stroke.line, obstruction.part);
   if (obstruction.lack.kind != Lack::Kind::nothing) {
     blocked.why = remark_on(obstruction.lack, name, inputs.tools.dies[stroke.die]);
+    if (obstruction.lack.kind == Lack::Kind::reach)
+      blocked.short_by = obstruction.lack.needs - obstruction.lack.is;
     return blocked;
   }
   const PlacedPart& placed = *cache.parts(stroke)[obstruction.part];
@@ -181,15 +183,14 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
       const Lack& lack = obstruction->lack;
       const Telling telling = telling_of(lack);
       const double lacks = lack.needs - lack.is;
-      if (told && telling < *told) continue;
-      if (told == telling && telling != Telling::hit && lacks >= missing) continue;
+      const bool no_more = telling != Telling::hit && lacks >= missing;
+      if (told && (telling < *told || (telling == *told && no_more))) continue;
       measured += telling == Telling::short_side ? 0 : 1;
       const double most = best.hits ? best.depth : kDeepest;
-      BlockedBend found = telling == Telling::hit
-                              ? deepest_of_all(cache, stroke, most)
-                              : deepest(cache, stroke, *obstruction, {0.0, most});
-      if (telling == Telling::hit && (!found.hits || (best.hits && found.depth >= best.depth)))
-        continue;
+      const bool hits = telling == Telling::hit;
+      BlockedBend found = hits ? deepest_of_all(cache, stroke, most)
+                               : deepest(cache, stroke, *obstruction, {0.0, most});
+      if (hits && (!found.hits || (best.hits && found.depth >= best.depth))) continue;
       told = telling;
       missing = lacks;
       best = std::move(found);

@@ -61,17 +61,52 @@ void take_out(Body& body, const BrakeLine& line, const Vec2& away, const Interva
         *p += std::min(1.0, (away.dot(*p) - at - strip.lo) / (strip.hi - strip.lo)) * back;
 }
 
+/// Opens a gap at that height along `away` and fills it with what is cut there, drawn out.
+void put_in(Body& body, const Vec2& away, double at, double by) {
+  const Vec2 out = by * away;
+  std::vector<Convex> pieces;
+  for (const Convex& piece : body.pieces) {
+    Convex near = clipped(piece, away, at), far = moved(clipped(piece, -away, -at), out);
+    if (near.size() > 2 && far.size() > 2) {
+      Convex cut = near;
+      std::erase_if(cut, [&](const Vec2& p) { return away.dot(p) < at - kAlike; });
+      Convex strip = cut;
+      for (const Vec2& p : cut)
+        strip.push_back(p + out);
+      pieces.push_back(hull_of(std::move(strip)));
+    }
+    for (Convex* kept : {&near, &far})
+      if (kept->size() > 2) pieces.push_back(std::move(*kept));
+  }
+  body.pieces = std::move(pieces);
+  for (FreeEdge& edge : body.edges)
+    for (Vec2* p : {&edge.a, &edge.b})
+      if (away.dot(*p) > at) *p += out;
+}
+
+/// Moves what hangs on a body away from a line, as `work` has it.
+void move_beyond(Workpiece& made, const Workpiece& work, int body, int line, const Vec2& by) {
+  const std::vector<bool> reached = reached_from(work, body, line);
+  for (int i = 0; i < std::ssize(work.bodies); ++i)
+    if (reached[i] && i != body) move(made.bodies[i], by);
+  for (int i = 0; i < std::ssize(work.lines); ++i) {
+    if (is_same(work, i, line) || !reached[work.lines[i].bodies[0]]) continue;
+    made.lines[i].origin += by;
+    for (FreeEdge& edge : made.zones[i].edges)
+      edge = {edge.a + by, edge.b + by};
+  }
+}
+
 }  // namespace
 
 double most_shorter(const Workpiece& work, int body, int line) {
   constexpr double kLeft = 0.5;  // mm of the flange
+  if (!can_lengthen(work, body, line)) return 0.0;
   const BrakeLine& near = work.lines[line];
   const Vec2 away = away_from(near, body);
   double far = farthest(work.bodies[body], near, away);
   for (const int number : other_lines(work, body, line)) {
     const BrakeLine& other = work.lines[number];
-    const double turned = cross(near.along, other.along);
-    if (std::abs(turned) > kAlike) return 0.0;
     far = std::min(far, away.dot(other.origin - near.origin) - half_zone(other));
   }
   return std::max(0.0, far - half_zone(near) - kLeft);
@@ -86,15 +121,23 @@ Workpiece shortened(const Workpiece& work, int body, int line, double by) {
   const Interval strip = is_end ? Interval{far - by, far}
                                 : Interval{half_zone(near), half_zone(near) + by};
   take_out(made.bodies[body], near, away, strip);
-  const std::vector<bool> reached = reached_from(work, body, line);
-  for (int i = 0; i < std::ssize(work.bodies); ++i)
-    if (reached[i] && i != body) move(made.bodies[i], -by * away);
-  for (int i = 0; i < std::ssize(work.lines); ++i) {
-    if (is_same(work, i, line) || !reached[work.lines[i].bodies[0]]) continue;
-    made.lines[i].origin -= by * away;
-    for (FreeEdge& edge : made.zones[i].edges)
-      edge = {edge.a - by * away, edge.b - by * away};
-  }
+  move_beyond(made, work, body, line, -by * away);
+  return made;
+}
+
+bool can_lengthen(const Workpiece& work, int body, int line) {
+  return std::ranges::all_of(other_lines(work, body, line), [&](int other) {
+    return std::abs(cross(work.lines[line].along, work.lines[other].along)) <= kAlike;
+  });
+}
+
+Workpiece lengthened(const Workpiece& work, int body, int line, double by) {
+  constexpr double kBeside = 0.1;  // mm from the zone: borders that end at it go with the strip
+  Workpiece made = work;
+  const BrakeLine& near = work.lines[line];
+  const Vec2 away = away_from(near, body);
+  put_in(made.bodies[body], away, away.dot(near.origin) + half_zone(near) + kBeside, by);
+  move_beyond(made, work, body, line, by * away);
   return made;
 }
 

@@ -15,6 +15,12 @@ double most_shorter(const Workpiece& work, int body, int line);
 /// where the material goes on.
 Workpiece shortened(const Workpiece& work, int body, int line, double by);
 
+/// Whether a body beside a line can be made longer: lines on it do not run across.
+bool can_lengthen(const Workpiece& work, int body, int line);
+
+/// The workpiece with a strip put in beside a line, as wide as told; what hangs there moves away.
+Workpiece lengthened(const Workpiece& work, int body, int line, double by);
+
 /// The two workpieces that are left when one is cut at a line and what is bent there falls away.
 std::array<Workpiece, 2> split_at(const Workpiece& work, int line);
 

@@ -67,9 +67,9 @@ class Trying {
 
   std::vector<Proposal> all() {
     if (work_.lines.empty()) return {};
-    const std::vector<void (Trying::*)()> kinds{&Trying::try_orders,  &Trying::try_openings,
-                                                &Trying::try_punches, &Trying::try_taller,
-                                                &Trying::try_shorter, &Trying::try_split};
+    const std::vector<void (Trying::*)()> kinds{
+        &Trying::try_orders,  &Trying::try_openings, &Trying::try_punches, &Trying::try_taller,
+        &Trying::try_shorter, &Trying::try_longer,   &Trying::try_split};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       // What one kind leaves of its share the others may use.
       share_ = left_ / static_cast<std::int64_t>(kinds.size() - i);
@@ -176,10 +176,16 @@ class Trying {
     }
   }
 
-  /// What is in the way in some stage, with what it hits.
-  std::vector<BlockedBend> hits() const {
+  /// What is in the way in some stage.
+  std::vector<BlockedBend> blocked() const {
     std::vector<BlockedBend> all = plan_.blocked;
     all.insert(all.end(), plan_.in_the_way.begin(), plan_.in_the_way.end());
+    return all;
+  }
+
+  /// The same, of what hits a tool.
+  std::vector<BlockedBend> hits() const {
+    std::vector<BlockedBend> all = blocked();
     std::erase_if(all, [](const BlockedBend& one) { return !one.hits; });
     return all;
   }
@@ -209,16 +215,16 @@ class Trying {
     return -1;
   }
 
-  struct Shortened {
+  struct Changed {
     int body = 0;
     int near = 0;  ///< its line towards the bend that is in question
-    auto operator<=>(const Shortened&) const = default;
+    auto operator<=>(const Changed&) const = default;
   };
 
   /// The bodies on the way from one to a line, then all others that do not lie on it.
-  std::vector<Shortened> candidates(int body, int line) const {
+  std::vector<Changed> candidates(int body, int line) const {
     const PartTree tree(work_, line);
-    std::vector<Shortened> bodies;
+    std::vector<Changed> bodies;
     const auto add = [&](const PartTree::Part& part) {
       if (!part.is_zone && part.over >= 0) bodies.push_back({part.index, part.over});
     };
@@ -232,12 +238,12 @@ class Trying {
   /// The flange that hits, one on the way from it to the bend, or another: with another tool it is
   /// another that hits.
   void try_shorter() {
-    std::set<Shortened> tried;
+    std::set<Changed> tried;
     for (const BlockedBend& hit : hits()) {
       if (!hit.with) continue;
       const int line = line_of(hit.bend), body = body_of(*hit.with);
       if (line < 0 || body < 0) continue;
-      for (const Shortened& one : candidates(body, line))
+      for (const Changed& one : candidates(body, line))
         if (tried.insert(one).second && shortens(one.body, one.near)) return;
     }
   }
@@ -261,8 +267,30 @@ class Trying {
     }
     found_.push_back({.kind = Kind::shorter_flange,
                       .by = enough * kFinest,
-                      .flange = work_.bodies[body].flange});
+                      .flanges = {*work_.bodies[body].flange}});
     return true;
+  }
+
+  /// All that end too near to a bend for its die, by what the shortest of them lacks.
+  void try_longer() {
+    std::set<Changed> all;
+    double by = 0.0;
+    for (const BlockedBend& one : blocked()) {
+      if (one.short_by <= 0.0 || !one.with) continue;
+      const Changed changed{body_of(*one.with), line_of(one.bend)};
+      if (changed.body < 0 || changed.near < 0) return;
+      all.insert(changed);
+      by = std::max(by, kFinest * std::ceil(one.short_by / kFinest));
+    }
+    Workpiece work = work_;
+    Proposal proposal{.kind = Kind::longer_flanges, .by = by};
+    for (const auto& [body, near] : all) {
+      if (!can_lengthen(work, body, near)) return;
+      work = lengthened(work, body, near, by);
+      proposal.flanges.push_back(*work_.bodies[body].flange);
+    }
+    if (!all.empty() && can_bend(std::move(work), tools_, options_))
+      found_.push_back(std::move(proposal));
   }
 
   void try_split() {

@@ -19,12 +19,9 @@ using Kind = Proposal::Kind;
 
 constexpr int kDigits = 6;  // of an opening that is given as an option
 
-const std::vector<std::string_view> kKinds{
-    "smaller_v", "punch", "taller_punches", "shorter_flange", "swap", "any_order", "split"};
-
-std::string flange_name(const Proposal& proposal) {
-  return proposal.flange ? flange_id(*proposal.flange) : std::string();
-}
+const std::vector<std::string_view> kKinds{"smaller_v",      "punch",          "taller_punches",
+                                           "shorter_flange", "longer_flanges", "swap",
+                                           "any_order",      "split"};
 
 std::string with_unit(double mm, const Units& units) {
   return fmt::format("{} {}", units.short_text(mm), units.symbol());
@@ -64,7 +61,10 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
       return fmt::format("with punches {} taller and the upper beam higher by the same",
                          with_unit(proposal.by, units));
     case Kind::shorter_flange:
-      return fmt::format("with {} shorter by {}", flange_name(proposal),
+    case Kind::longer_flanges:
+      return fmt::format("with {} {} by {}",
+                         fmt::join(mapped(proposal.flanges, flange_id), " and "),
+                         proposal.kind == Kind::shorter_flange ? "shorter" : "longer",
                          with_unit(proposal.by, units));
     case Kind::swap:
       return fmt::format("with {} swapped in the order you gave", fmt::join(bends, " and "));
@@ -97,7 +97,12 @@ Json proposals_json(const Plan& plan, const Report& report) {
     if (proposal.opening > 0.0) json["opening"] = number_json(units.length(proposal.opening));
     if (proposal.by > 0.0) json["by"] = number_json(units.length(proposal.by));
     if (!proposal.tools.empty()) json["tools"] = proposal.tools;
-    if (proposal.flange) json["flange"] = flange_name(proposal);
+    if (!proposal.flanges.empty()) {
+      if (proposal.kind == Kind::shorter_flange)
+        json["flange"] = flange_id(proposal.flanges.front());
+      else
+        json["flanges"] = mapped(proposal.flanges, flange_id);
+    }
     if (!proposal.bends.empty()) json["bends"] = bend_ids(report, proposal.bends);
     all.push_back(std::move(json));
   }
@@ -105,13 +110,14 @@ Json proposals_json(const Plan& plan, const Report& report) {
 }
 
 Schema proposal_schema() {
-  return object(
-      {required("kind", words(kKinds)),
-       required("sentence", text().said("goes on from \"it can be bent\"")),
-       optional("opening", measured_length().said("of the V")),
-       optional("by", measured_length().said("that punches are taller, or the flange is shorter")),
-       optional("tools", list(text()).said("the dies of that V; the punch")),
-       optional("flange", text()), optional("bends", list(text()))});
+  return object({required("kind", words(kKinds)),
+                 required("sentence", text().said("goes on from \"it can be bent\"")),
+                 optional("opening", measured_length().said("of the V")),
+                 optional("by", measured_length().said(
+                                    "that punches are taller, or flanges shorter or longer")),
+                 optional("tools", list(text()).said("the dies of that V; the punch")),
+                 optional("flange", text()), optional("flanges", list(text())),
+                 optional("bends", list(text()))});
 }
 
 std::string proposals_text(const Plan& plan, const Report& report) {

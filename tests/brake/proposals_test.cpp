@@ -55,8 +55,8 @@ TEST(Proposals, TellByHowMuchALegIsTooLong) {
     ASSERT_NE(shorter, nullptr) << beyond;
     EXPECT_GT(shorter->by, beyond - 0.01);
     EXPECT_LT(shorter->by, beyond + 0.11);
-    ASSERT_TRUE(shorter->flange);
-    EXPECT_NE(*shorter->flange, FlangeId(1));
+    ASSERT_EQ(shorter->flanges.size(), 1u);
+    EXPECT_NE(shorter->flanges[0], FlangeId(1));
     // Two angles can be bent.
     const Proposal* split = all.of(Kind::split);
     ASSERT_NE(split, nullptr);
@@ -103,6 +103,26 @@ TEST(Proposals, NameTheWidestVForAShortFlange) {
   EXPECT_EQ(proposed(7.0, VChoice::wanted), Named(10.0, {"V10"}));
   // From 4 T on the plan itself takes it.
   EXPECT_EQ(proposed(4.7, VChoice::any), Named(6.0, {"V6"}));
+}
+
+/// Two flanges of a Z that end x from their lines, where a V of v with shoulders of q takes
+/// v / 2 + q: both are to be longer by the difference, to 0.1 mm.
+TEST(Proposals, TellByHowMuchFlangesAreTooShort) {
+  BrakeTools tools = plain_tools();
+  tools.dies = plain_dies({12.0});
+  const double half_zone = 0.25 * std::numbers::pi * (1.0 + 0.44 * 2.0);
+  const Turn up{Angle::degrees(90), 1.0, BendDirection::up},
+      down{Angle::degrees(90), 1.0, BendDirection::down};
+  for (const double lacks : {0.15, 2.0, 4.95}) {
+    const double leg = 6.0 + 1.5 - lacks - half_zone;
+    const Tried all = tried(strip({Straight{leg}, up, Straight{60}, down, Straight{leg}}, 50, 2.0),
+                            tools);
+    const Proposal* longer = all.of(Kind::longer_flanges);
+    ASSERT_NE(longer, nullptr) << lacks;
+    EXPECT_EQ(longer->flanges, (std::vector<FlangeId>{FlangeId(0), FlangeId(2)}));
+    EXPECT_GT(longer->by, lacks - 0.01);
+    EXPECT_LT(longer->by, lacks + 0.11);
+  }
 }
 
 /// check_test.cpp: a beam at Z above the tip takes legs up to

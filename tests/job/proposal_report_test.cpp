@@ -27,8 +27,11 @@ std::vector<Proposal> one_of_each() {
   add(Kind::punch).tools = {"P200"};
   add(Kind::taller_punches).by = 50.8;
   Proposal& shorter = add(Kind::shorter_flange);
-  shorter.flange = FlangeId{4};
+  shorter.flanges = {FlangeId{4}};
   shorter.by = 12.7;
+  Proposal& longer = add(Kind::longer_flanges);
+  longer.flanges = {FlangeId{0}, FlangeId{2}};
+  longer.by = 2.54;
   add(Kind::swap).bends = {BendId{1}, BendId{0}};
   add(Kind::any_order);
   add(Kind::split).bends = {BendId{1}};
@@ -52,6 +55,7 @@ TEST(ProposalReport, HasTheKeysOfEachKind) {
                                   {"kind": "punch", "tools": ["P200"]},
                                   {"kind": "taller_punches", "by": 2.0},
                                   {"kind": "shorter_flange", "by": 0.5, "flange": "F5"},
+                                  {"kind": "longer_flanges", "by": 0.1, "flanges": ["F1", "F3"]},
                                   {"kind": "swap", "bends": ["B2", "B1"]},
                                   {"kind": "any_order"},
                                   {"kind": "split", "bends": ["B2"]}])"));
@@ -65,8 +69,9 @@ TEST(ProposalReport, NamesToolsLengthsFlangesAndBends) {
   EXPECT_THAT(said(1), HasSubstr("P200"));
   EXPECT_THAT(said(2), HasSubstr("50.8 mm"));
   EXPECT_THAT(said(3), AllOf(HasSubstr("F5"), HasSubstr("12.7 mm")));
-  EXPECT_THAT(said(4), AllOf(HasSubstr("B2"), HasSubstr("B1")));
-  EXPECT_THAT(said(6), AllOf(HasSubstr("B2"), Not(HasSubstr("B1"))));
+  EXPECT_THAT(said(4), AllOf(HasSubstr("F1 and F3"), HasSubstr("2.54 mm")));
+  EXPECT_THAT(said(5), AllOf(HasSubstr("B2"), HasSubstr("B1")));
+  EXPECT_THAT(said(7), AllOf(HasSubstr("B2"), Not(HasSubstr("B1"))));
 }
 
 TEST(ProposalReport, IsARemedyEach) {

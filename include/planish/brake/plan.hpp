@@ -120,6 +120,7 @@ struct BlockedBend {
   double depth = 0.0;                 ///< mm
   std::optional<Angle> at_turn = {};
   std::optional<Remark> why = {};  ///< with what would help if that is known
+  double short_by = 0.0;           ///< mm that `with` lacks on the die
 };
 
 /// A change by which a sheet can be bent that cannot be bent as it is. Each was planned again and
@@ -129,7 +130,8 @@ struct Proposal {
     smaller_v,       ///< another wanted opening: `opening`, `tools` its dies
     punch,           ///< a punch of another catalogue besides: `tools`
     taller_punches,  ///< all punches taller `by`, the upper beam as much higher
-    shorter_flange,  ///< `flange` shorter `by`
+    shorter_flange,  ///< the one of `flanges` shorter `by`
+    longer_flanges,  ///< each of `flanges` longer `by`
     swap,            ///< the two `bends` swapped in the order that was asked for
     any_order,       ///< without the order that was asked for
     split,           ///< two parts, cut at `bends`, each of which can be bent
@@ -138,7 +140,7 @@ struct Proposal {
   double opening = 0.0;  ///< mm
   double by = 0.0;       ///< mm
   std::vector<std::string> tools = {};
-  std::optional<FlangeId> flange = {};
+  std::vector<FlangeId> flanges = {};
   std::vector<BendId> bends = {};
 };
 
