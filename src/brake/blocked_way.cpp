@@ -57,7 +57,7 @@ std::vector<Counting> what_counts(StageCache& cache, const Setting& stroke, Tool
 }
 
 /// What a stroke lacks, with what would help if that is known.
-Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die) {
+Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die, double thickness) {
   Facts facts{{"tool", text_of(tool)}, {"is", lack.is, unit::mm}};
   switch (lack.kind) {
     case Lack::Kind::segments:
@@ -75,7 +75,8 @@ Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die) {
   const double opening = 2.0 * (lack.is - die.shoulder_radius);
   if (opening <= 0.0) return remark_of(say::short_of_any, facts);
   facts.emplace_back("opening", opening, unit::mm);
-  return remark_of(say::short_side, facts);
+  const bool usual = opening >= narrowest_opening(thickness);
+  return remark_of(usual ? say::short_side : say::short_of_usual, facts);
 }
 
 /// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
@@ -90,9 +91,12 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
   BlockedBend blocked{inputs.work.lines[stroke.line].bends.front()};
   if (obstruction.part >= 0) blocked.with = flange_of(cache, stroke.line, obstruction.part);
   if (obstruction.lack.kind != Lack::Kind::nothing) {
-    blocked.why = remark_on(obstruction.lack, name, inputs.tools.dies[stroke.die]);
-    if (obstruction.lack.kind == Lack::Kind::reach)
-      blocked.short_by = obstruction.lack.needs - obstruction.lack.is;
+    blocked.why = remark_on(obstruction.lack, name, inputs.tools.dies[stroke.die],
+                            inputs.work.thickness);
+    if (obstruction.lack.kind == Lack::Kind::reach) {
+      blocked.reach = obstruction.lack.is;
+      blocked.needed = obstruction.lack.needs;
+    }
     return blocked;
   }
   const PlacedPart& placed = *cache.parts(stroke)[obstruction.part];
@@ -160,46 +164,53 @@ Telling telling_of(const Lack& lack) {
   return lack.kind == Lack::Kind::reach ? Telling::short_side : Telling::lack;
 }
 
+/// With all tools that fit and from both sides.
+std::vector<Setting> ways_to_press(const StrokeInputs& inputs, const LineSet& formed,
+                                   const LineSet& pressed) {
+  const int line = members(pressed).front();
+  std::vector<Setting> ways;
+  for (const ToolPair& pair : inputs.fitting[line].pairs)
+    for (const int direction : {1, -1})
+      ways.push_back({&formed, pressed, line, pair.punch, pair.die, direction});
+  return ways;
+}
+
 /// Of all ways to make a stroke that cannot be made the one in which least is in the way.
 BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& pressed,
                        Clock::time_point until) {
   const StrokeInputs& inputs = cache.inputs();
   const int line = members(pressed).front();
   const BrakeLine& first = inputs.work.lines[line];
-  const FittingTools& fitting = inputs.fitting[line];
-  const bool closes = first.closes.has_value();
-  BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
+  BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, inputs.fitting[line].why};
   Setting way{&formed, pressed, line, 0, 0, 1};
   std::optional<Telling> told;
   double missing = 0.0;  // by what is told: the first, or of short sides the least
   int measured = 0;
-  for (const ToolPair& pair : fitting.pairs)
-    for (const int direction : {1, -1}) {
-      const bool enough = measured >= kMostMeasured || Clock::now() > until;
-      if (enough && (best.hits || best.why)) continue;
-      const Setting stroke{&formed, pressed, line, pair.punch, pair.die, direction};
-      const auto obstruction = obstruction_of(cache, stroke);
-      if (!obstruction) continue;
-      const Lack& lack = obstruction->lack;
-      const Telling telling = telling_of(lack);
-      const double lacks = lack.needs - lack.is;
-      const bool no_more = telling != Telling::hit && lacks >= missing;
-      if (told && (telling < *told || (telling == *told && no_more))) continue;
-      measured += telling == Telling::short_side ? 0 : 1;
-      const double most = best.hits ? best.depth : kDeepest;
-      const bool hits = telling == Telling::hit;
-      BlockedBend found = hits ? deepest_of_all(cache, stroke, most)
-                               : deepest(cache, stroke, *obstruction, {0.0, most});
-      if (hits && (!found.hits || (best.hits && found.depth >= best.depth))) continue;
-      told = telling;
-      missing = lacks;
-      best = std::move(found);
-      way = stroke;
-    }
+  for (const Setting& stroke : ways_to_press(inputs, formed, pressed)) {
+    const bool enough = measured >= kMostMeasured || Clock::now() > until;
+    if (enough && (best.hits || best.why)) continue;
+    const auto obstruction = obstruction_of(cache, stroke);
+    if (!obstruction) continue;
+    const Lack& lack = obstruction->lack;
+    const Telling telling = telling_of(lack);
+    const double lacks = lack.needs - lack.is;
+    const bool no_more = telling != Telling::hit && lacks >= missing;
+    if (told && (telling < *told || (telling == *told && no_more))) continue;
+    measured += telling == Telling::short_side ? 0 : 1;
+    const double most = best.hits ? best.depth : kDeepest;
+    const bool hits = telling == Telling::hit;
+    BlockedBend found = hits ? deepest_of_all(cache, stroke, most)
+                             : deepest(cache, stroke, *obstruction, {0.0, most});
+    if (hits && (!found.hits || (best.hits && found.depth >= best.depth))) continue;
+    told = telling;
+    missing = lacks;
+    best = std::move(found);
+    way = stroke;
+  }
   if (!best.hits) best.depth = 0.0;
   StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
   choice.direction = direction_number(inputs, way.direction * first.across());
-  choice.gauged = closes || gauge(cache, way).has_value();
+  choice.gauged = first.closes || gauge(cache, way).has_value();
   return {std::move(best), std::move(choice)};
 }
 

@@ -131,12 +131,12 @@ bool can_lengthen(const Workpiece& work, int body, int line) {
   });
 }
 
-Workpiece lengthened(const Workpiece& work, int body, int line, double by) {
-  constexpr double kBeside = 0.1;  // mm from the zone: borders that end at it go with the strip
+Workpiece lengthened(const Workpiece& work, int body, int line, double at, double by) {
+  constexpr double kBefore = 0.1;  // mm: a border there moves
   Workpiece made = work;
   const BrakeLine& near = work.lines[line];
   const Vec2 away = away_from(near, body);
-  put_in(made.bodies[body], away, away.dot(near.origin) + half_zone(near) + kBeside, by);
+  put_in(made.bodies[body], away, away.dot(near.origin) + at - kBefore, by);
   move_beyond(made, work, body, line, by * away);
   return made;
 }

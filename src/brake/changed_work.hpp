@@ -18,8 +18,9 @@ Workpiece shortened(const Workpiece& work, int body, int line, double by);
 /// Whether a body beside a line can be made longer: lines on it do not run across.
 bool can_lengthen(const Workpiece& work, int body, int line);
 
-/// The workpiece with a strip put in beside a line, as wide as told; what hangs there moves away.
-Workpiece lengthened(const Workpiece& work, int body, int line, double by);
+/// The workpiece with a strip put into a body, as wide as told, just before a distance from the
+/// line; what is farther away moves.
+Workpiece lengthened(const Workpiece& work, int body, int line, double at, double by);
 
 /// The two workpieces that are left when one is cut at a line and what is bent there falls away.
 std::array<Workpiece, 2> split_at(const Workpiece& work, int line);

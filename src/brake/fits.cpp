@@ -63,6 +63,8 @@ double wanted_opening(double thickness) {
   return (thickness <= 8.0 ? 8.0 : 10.0) * thickness;
 }
 
+double narrowest_opening(double thickness) { return kNarrowest * thickness; }
+
 double wanted_opening(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options) {
   const double thickness = line.bend.thickness, radius = line.drawn_radius;
   if (options.opening) return *options.opening;
@@ -195,13 +197,13 @@ class Fitting {
         die.opening > narrowest() + kWritten)
       return false;
     if (is_nearest || options_.radius == RadiusWanted::drawn) return true;
-    return die.opening >= kNarrowest * thickness_ - kWritten &&
+    return die.opening >= narrowest_opening(thickness_) - kWritten &&
            die.opening <= kWidest * thickness_ + kWritten;
   }
 
   /// The narrowest V of the catalogue that is wide enough for the thickness.
   double narrowest() const {
-    const auto least = sizes_.lower_bound(kNarrowest * thickness_ - kWritten);
+    const auto least = sizes_.lower_bound(narrowest_opening(thickness_) - kWritten);
     return least == sizes_.end() ? *sizes_.begin() : *least;
   }
 

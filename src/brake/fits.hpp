@@ -14,6 +14,9 @@ namespace planish::brake_detail {
 /// The V opening for a thickness: 6 T up to 2.5 mm, 8 T to 8 mm, 10 T above.
 double wanted_opening(double thickness);
 
+/// The narrowest V that is taken unasked: 4 T.
+double narrowest_opening(double thickness);
+
 /// The V that is wanted for a line: as given; of a large radius R 2.2 R + 2 T if there is a punch
 /// of it, else the one that leaves it in air bending; or that for the thickness.
 double wanted_opening(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace planish {
@@ -273,23 +274,23 @@ class Trying {
 
   /// All that end too near to a bend for its die, by what the shortest of them lacks.
   void try_longer() {
-    std::set<Changed> all;
+    std::map<Changed, double> reach;
     double by = 0.0;
     for (const BlockedBend& one : blocked()) {
-      if (one.short_by <= 0.0 || !one.with) continue;
+      if (one.needed <= one.reach || !one.with) continue;
       const Changed changed{body_of(*one.with), line_of(one.bend)};
       if (changed.body < 0 || changed.near < 0) return;
-      all.insert(changed);
-      by = std::max(by, kFinest * std::ceil(one.short_by / kFinest));
+      reach[changed] = one.reach;
+      by = std::max(by, kFinest * std::ceil((one.needed - one.reach) / kFinest));
     }
     Workpiece work = work_;
     Proposal proposal{.kind = Kind::longer_flanges, .by = by};
-    for (const auto& [body, near] : all) {
-      if (!can_lengthen(work, body, near)) return;
-      work = lengthened(work, body, near, by);
-      proposal.flanges.push_back(*work_.bodies[body].flange);
+    for (const auto& [changed, at] : reach) {
+      if (!can_lengthen(work, changed.body, changed.near)) return;
+      work = lengthened(work, changed.body, changed.near, at, by);
+      proposal.flanges.push_back(*work_.bodies[changed.body].flange);
     }
-    if (!all.empty() && can_bend(std::move(work), tools_, options_))
+    if (!reach.empty() && can_bend(std::move(work), tools_, options_))
       found_.push_back(std::move(proposal));
   }
 

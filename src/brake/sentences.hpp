@@ -78,6 +78,10 @@ constexpr Sentence short_side{
     "short_side",
     "a side ends {is} from the bend line, and {tool} needs {needed}; a V of {opening} or less "
     "would take it"};
+constexpr Sentence short_of_usual{
+    "short_side",
+    "a side ends {is} from the bend line, and {tool} needs {needed}; only a V of {opening} would "
+    "take it, narrower than 4 T"};
 constexpr Sentence short_of_any{
     "short_side",
     "a side ends {is} from the bend line, and {tool} needs {needed}; no V would take it"};

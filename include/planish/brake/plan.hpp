@@ -119,8 +119,8 @@ struct BlockedBend {
   std::optional<FlangeId> with = {};  ///< the flange that hits
   double depth = 0.0;                 ///< mm
   std::optional<Angle> at_turn = {};
-  std::optional<Remark> why = {};  ///< with what would help if that is known
-  double short_by = 0.0;           ///< mm that `with` lacks on the die
+  std::optional<Remark> why = {};    ///< with what would help if that is known
+  double reach = 0.0, needed = 0.0;  ///< of `with`, too short for the die: from the bend line, mm
 };
 
 /// A change by which a sheet can be bent that cannot be bent as it is. Each was planned again and
