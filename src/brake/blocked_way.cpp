@@ -175,6 +175,20 @@ std::vector<Setting> ways_to_press(const StrokeInputs& inputs, const LineSet& fo
   return ways;
 }
 
+/// A way as it is told why it fails. Where ears find no place in what stands beside the line, it is
+/// told what a punch without them would hit.
+Setting told_of(StageCache& cache, const Setting& stroke, Obstruction& obstruction) {
+  Setting plain = stroke;
+  plain.ears = false;
+  if (obstruction.lack.kind != Lack::Kind::segments || obstruction.tool != ToolKind::punch ||
+      !ears_of(cache.inputs(), stroke).any())
+    return stroke;
+  const auto hits = collisions(cache, plain);
+  if (hits.empty()) return stroke;
+  obstruction = hits.front();
+  return plain;
+}
+
 /// Of all ways to make a stroke that cannot be made the one in which least is in the way.
 BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& pressed,
                        Clock::time_point until) {
@@ -186,11 +200,12 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
   std::optional<Telling> told;
   double missing = 0.0;  // by what is told: the first, or of short sides the least
   int measured = 0;
-  for (const Setting& stroke : ways_to_press(inputs, formed, pressed)) {
+  for (Setting stroke : ways_to_press(inputs, formed, pressed)) {
     const bool enough = measured >= kMostMeasured || Clock::now() > until;
     if (enough && (best.hits || best.why)) continue;
-    const auto obstruction = obstruction_of(cache, stroke);
+    auto obstruction = obstruction_of(cache, stroke);
     if (!obstruction) continue;
+    stroke = told_of(cache, stroke, *obstruction);
     const Lack& lack = obstruction->lack;
     const Telling telling = telling_of(lack);
     const double lacks = lack.needs - lack.is;

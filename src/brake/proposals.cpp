@@ -69,8 +69,8 @@ class Trying {
   std::vector<Proposal> all() {
     if (work_.lines.empty()) return {};
     const std::vector<void (Trying::*)()> kinds{
-        &Trying::try_orders,  &Trying::try_openings, &Trying::try_punches, &Trying::try_taller,
-        &Trying::try_shorter, &Trying::try_longer,   &Trying::try_split};
+        &Trying::try_orders, &Trying::try_openings, &Trying::try_longer, &Trying::try_punches,
+        &Trying::try_taller, &Trying::try_shorter,  &Trying::try_split};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       // What one kind leaves of its share the others may use.
       share_ = left_ / static_cast<std::int64_t>(kinds.size() - i);

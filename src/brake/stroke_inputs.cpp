@@ -77,6 +77,7 @@ RowEars ears_of(const Punch& punch) {
 }
 
 RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke) {
+  if (!stroke.ears) return {};
   const RowEars ears = ears_of(inputs.tools.punches[stroke.punch]);
   return stroke.direction > 0 ? ears : ears.turned();
 }

@@ -45,6 +45,7 @@ struct Setting {
   int line = 0;  ///< the first of those pressed
   int punch = 0, die = 0;
   int direction = 1;  ///< +1: the gauge is on the left of the line, −1: on its right
+  bool ears = true;   ///< whether the punch may stand on them
 };
 Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeChoice& choice);
 

@@ -65,9 +65,10 @@ std::string stem_of_input(const fs::path& input) {
 
 bool is_nameless(std::string_view body) {
   static const std::set<std::string> kNames{
-      "body",   "brep",    "bossextrude", "compound", "compsolid", "component",
-      "none",   "extrude", "noname",      "pad",      "part",      "partbody",
-      "pocket", "shell",   "solid",       "unnamed",  "solidbody", "manifoldsolidbrep"};
+      "body",           "brep",    "bossextrude", "compound", "compsolid", "component",
+      "none",           "extrude", "noname",      "pad",      "part",      "partbody",
+      "pocket",         "shell",   "solid",       "unnamed",  "solidbody", "manifoldsolidbrep",
+      "fusioncomponent"};
   return body.empty() || kNames.contains(letters_of(body)) ||
          body.starts_with("Open CASCADE STEP translator");
 }

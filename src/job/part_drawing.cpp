@@ -4,6 +4,7 @@
 
 #include <planish/base/message.hpp>
 #include <planish/drawing/part_pages.hpp>
+#include <planish/job/output_paths.hpp>
 #include <planish/schema/units.hpp>
 
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Report& report) 
 
 Result<std::string> part_drawing(const Made& made, int piece) {
   const Report& report = made.piece(piece);
-  PartDrawing drawing{.title = report.body,
+  PartDrawing drawing{.title = is_nameless(report.body) ? stem_of_input(report.input) : report.body,
                       .subtitle = std::filesystem::path(report.input).filename().string(),
                       .facts = facts_of(report),
                       .flat = &report.flat,

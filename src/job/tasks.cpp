@@ -32,7 +32,7 @@ const std::vector<Task>& tasks() {
                   "file of another maker. Answers with the report of the part and its plan.",
        .reader = Reader::by_format,
        .taking = bending_of,
-       .artifacts = std::vector<std::string_view>{"pdf", "svg", "json"},
+       .artifacts = std::vector<std::string_view>{"pdf", "svg", "dxf", "json"},
        .ask = ask_for_plan,
        .run = run_bend},
       {.name = "info",

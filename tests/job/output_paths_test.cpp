@@ -58,8 +58,9 @@ TEST_F(OutputPaths, AreNamedAfterWhatIsPacked) {
 }
 
 TEST_F(OutputPaths, LeaveOutBodiesWhoseNamesSayNothing) {
-  for (const char* body : {"", "SOLID", "Body", "Solid1", "body-1", "COMPOUND", "Part__001",
-                           "Open CASCADE STEP translator 7.6 1", "MANIFOLD_SOLID_BREP #12"})
+  for (const char* body :
+       {"", "SOLID", "Body", "Solid1", "body-1", "COMPOUND", "Part__001",
+        "Open CASCADE STEP translator 7.6 1", "MANIFOLD_SOLID_BREP #12", "FusionComponent"})
     EXPECT_TRUE(is_nameless(body)) << body;
   for (const char* body : {"Brace", "solid wall", "12", "Körper", "body of a lamp"})
     EXPECT_FALSE(is_nameless(body)) << body;

@@ -77,17 +77,17 @@ TEST(ProposalReport, NamesToolsLengthsFlangesAndBends) {
 TEST(ProposalReport, IsARemedyEach) {
   const Report report = infeasible_report();
   const auto remedies = remedies_of(one_of_each(), report);
-  ASSERT_EQ(remedies.size(), 7U);
+  ASSERT_EQ(remedies.size(), 8U);
   EXPECT_EQ(remedies[0],
             (Remedy{"opening", "10.16", "Bend it over a V of 10.16 mm (V10-88, V10-85)"}));
-  EXPECT_EQ(remedies[6], (Remedy{{}, {}, "Bend it as two parts, cut at B2"}));
+  EXPECT_EQ(remedies[7], (Remedy{{}, {}, "Bend it as two parts, cut at B2"}));
 }
 
 TEST(ProposalReport, IsALineEachOnTheTerminal) {
   Report report = infeasible_report();
   report.plan->proposals = one_of_each();
   const std::string text = proposals_text(*report.plan, report);
-  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 7);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 8);
   for (const Proposal& one : report.plan->proposals)
     EXPECT_THAT(text, HasSubstr("  " + proposal_sentence(one, report) + "\n"));
   report.plan->proposals.clear();

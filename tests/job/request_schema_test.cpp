@@ -56,7 +56,7 @@ TEST(RequestSchema, OfOneMakerHasItsOptionsAndArtifactsAlone) {
 
 TEST(RequestSchema, OfBendAndInfoHasTheirs) {
   const Json bend = schema::json_schema(request_schema("bend", built_in()), "", "")["properties"];
-  EXPECT_EQ(bend["artifacts"]["items"]["enum"], Json({"pdf", "svg", "json"}));
+  EXPECT_EQ(bend["artifacts"]["items"]["enum"], Json({"pdf", "svg", "dxf", "json"}));
   EXPECT_TRUE(bend["options"]["properties"].contains("weights"));
   EXPECT_TRUE(bend["options"]["properties"].contains("inside_radius"));
   EXPECT_FALSE(bend["options"]["properties"].contains("profile"));

@@ -42,7 +42,7 @@ TEST(RunBend, PlansWhateverAMakerMakes) {
 
 TEST(RunBend, ShowsOnAPageWhyAPartCannotBeBent) {
   json asked = bending_of(channel_plates(250));
-  asked["artifacts"] = {"svg", "json"};
+  asked["artifacts"] = {"svg", "dxf", "json"};
   const RunResult bent = done_by(asked);
   EXPECT_EQ(bent.status, Status::refused);
   EXPECT_EQ(error_by(asked).code, code::cannot_bend);
@@ -66,7 +66,7 @@ TEST(RunBend, TakesNoOptionsOrArtifactsOfPatterns) {
   asked["options"] = {{"bend_marks", "ticks"}};
   EXPECT_EQ(error_by(asked).where, "/options/bend_marks");
   asked["options"] = json::object();
-  asked["artifacts"] = {"svg", "dxf"};
+  asked["artifacts"] = {"svg", "step"};
   EXPECT_EQ(error_by(asked).where, "/artifacts/1");
   asked["artifacts"] = {"svg"};
   asked["sheets"] = true;

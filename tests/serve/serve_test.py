@@ -74,6 +74,9 @@ class Results(ServeTest):
         self.assertEqual(server.ask("info", {"input": str(part), "sheets": True})["report"], self.json("cli.json"))
         inside = {"name": "bracket.step", "content": part.read_text()}
         self.assertEqual(server.ask("info", {"input": inside, "sheets": True})["report"]["bodies"], self.json("cli.json")["bodies"])
+        self.run_cli("bend", part, "--opening", "20", "--as-made", "made.dxf", "-q")
+        made = server.ask("bend", {"input": str(part), "artifacts": ["dxf"], "options": {"opening": 20}})["artifacts"][0]
+        self.assertEqual((made["name"], made["text"]), ("bracket_as_made.dxf", (self.dir / "made.dxf").read_text()))
         options = {"metal": "stainless", "springback": 2, "fix": "B2"}
         self.run_cli("bend", part, "--material", "stainless", "--springback", "2", "--fix", "B2", "--json", "cli.json", "-q")
         result = server.ask("bend", {"input": str(part), "options": options})
@@ -219,7 +222,7 @@ class Requests(ServeTest):
         error = server.fails("info", {"input": "part.step", "artifacts": ["json"]})
         self.assertEqual((error["code"], error["data"]["where"]), (-32602, "/artifacts/0"))
         self.assertEqual(server.fails("info", {"input": "part.step", "write": {"json": "a"}})["data"]["where"], "/write")
-        self.assertEqual(server.fails("bend", {"input": "part.step", "artifacts": ["dxf"]})["data"]["where"], "/artifacts/0")
+        self.assertEqual(server.fails("bend", {"input": "part.step", "artifacts": ["step"]})["data"]["where"], "/artifacts/0")
 
     def test_methods_that_there_are_not(self):
         server = self.server()

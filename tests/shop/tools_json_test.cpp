@@ -201,6 +201,7 @@ TEST(DefaultTools, AreSetsOfThePromecamKind) {
     std::vector<double> set;
     for (const double length : punch.segments)
       if (length < 415.0) set.push_back(length);
+    if (punch.ears) set.insert(set.end(), {punch.ears->left, punch.ears->right});
     EXPECT_EQ(std::accumulate(set.begin(), set.end(), 0.0), 835.0);
     EXPECT_GE(std::accumulate(punch.segments.begin(), punch.segments.end(), 0.0),
               tools.machine.length);
