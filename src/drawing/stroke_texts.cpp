@@ -85,6 +85,18 @@ std::string gauge_text(const BendDrawing& drawing, const Stroke& stroke) {
                       : "no gauge: mark the line while flat";
 }
 
+void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
+  lines.emplace_back(gauge_text(drawing, stroke), kPlain);
+  if (!stroke.gauge) return;
+  const GaugeStop& stop = *stroke.gauge;
+  if (stop.in_opening) lines.emplace_back("  in the opening, by the nose", kSmall);
+  if (stop.flange)
+    lines.emplace_back(
+        fmt::format("  on F{}, fingers {} {}", index_of(*stop.flange) + 1,
+                    with_unit(drawing, std::abs(stop.height)), stop.height < 0.0 ? "down" : "up"),
+        kSmall);
+}
+
 Lines lines_of(const BendDrawing& drawing, std::size_t s) {
   const Stroke& stroke = strokes_of(drawing)[s];
   Lines lines{
@@ -94,12 +106,7 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
   if (std::string text = handling(drawing, s); !text.empty())
     lines.emplace_back(std::move(text), TextStyle{.size = 3.4, .bold = true, .colour = kPageAlert});
   lines.emplace_back(fmt::format("{} side up", side_up(stroke, drawing.layout)), kPlain);
-  lines.emplace_back(gauge_text(drawing, stroke), kPlain);
-  if (stroke.gauge && stroke.gauge->flange)
-    lines.emplace_back(fmt::format("  on F{}, fingers {} {}", index_of(*stroke.gauge->flange) + 1,
-                                   with_unit(drawing, std::abs(stroke.gauge->height)),
-                                   stroke.gauge->height < 0.0 ? "down" : "up"),
-                       kSmall);
+  add_stop(lines, drawing, stroke);
   if (s < drawing.checks.size() && drawing.checks[s])
     lines.emplace_back(fmt::format("check {}: {} outside", drawing.checks[s]->flange,
                                    with_unit(drawing, drawing.checks[s]->length)),

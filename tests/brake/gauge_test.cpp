@@ -146,6 +146,123 @@ TEST(Gauge, TakesNeighbouringEdgesForOne) {
     EXPECT_TRUE(choice.gauged);
 }
 
+constexpr double kHalfZone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+
+/// A web of 150 by 80 with a rectangular opening, and a flange of 50 to 60; where `slope` is above
+/// 0 no outer edge is parallel to the bend between them. `raised`: a second flange stands on the
+/// far edge of the web.
+struct OpenedPart {
+  double from = 40.0, deep = 30.0, wide = 40.0;  ///< of the opening
+  double slope = 10.0;
+  bool raised = false;
+
+  Sheet sheet() const {
+    SheetBuilder builder(1.5);
+    const Loop opening = reversed(
+        polygon({{20, from}, {20 + wide, from}, {20 + wide, from + deep}, {20, from + deep}}));
+    const FaceId web = builder.flange(
+        Frame{}, {polygon({{0, 0}, {80, 0}, {80, 150}, {0, 150 - slope}}), opening});
+    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+    builder.flange_behind(builder.bend(builder.rim(web, 0), turn),
+                          {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 50}})});
+    if (raised) builder.flange_behind(builder.bend(builder.rim(web, 2), turn), {rectangle(80, 40)});
+    return builder.finish();
+  }
+};
+
+/// Fingers as wide as the web, whose nose dips 6 into the sheet and lies above it behind.
+BrakeTools tools_with_nose() {
+  BrakeTools tools = gauged_tools();
+  tools.machine.gauge->finger_width = 60.0;
+  tools.machine.gauge->nose = GaugeNose{
+      10.0, {{0, 0}, {0, -3}, {6, -3}, {6, 2}, {80, 2}, {80, 20}, {0, 20}}};
+  return tools;
+}
+
+/// The stop of the first bend with the web at the gauge.
+std::optional<GaugeStop> stop_at_web(const OpenedPart& part, const BrakeTools& tools,
+                                     bool openings = true, const std::vector<int>& formed = {}) {
+  PlanOptions options;
+  options.gauge_openings = openings;
+  Room room(part.sheet(), tools, options);
+  for (const StrokeChoice& choice : room.ways(1, formed)) {
+    const Stroke stroke = describe(room.cache(), room.lines(formed), choice);
+    EXPECT_EQ(stroke.gauge.has_value(), choice.gauged);
+    if (stroke.to_gauge == FlangeId(0)) return stroke.gauge;
+  }
+  ADD_FAILURE() << "no way has the web at the gauge";
+  return std::nullopt;
+}
+
+/// The nose touches the border of the opening that is next to the bend, where it is asked for.
+TEST(Gauge, TouchesInAnOpeningOnRequest) {
+  const OpenedPart part;
+  EXPECT_FALSE(stop_at_web(part, tools_with_nose(), false));
+  const auto stop = stop_at_web(part, tools_with_nose());
+  ASSERT_TRUE(stop);
+  EXPECT_TRUE(stop->in_opening);
+  EXPECT_NEAR(stop->distance, part.from + kHalfZone, 1e-9);
+  EXPECT_NEAR((stop->edge.b - stop->edge.a).norm(), part.wide, 1e-9);
+  EXPECT_EQ(stop->height, 0.0);
+  BrakeTools without = tools_with_nose();
+  without.machine.gauge->nose.reset();
+  EXPECT_FALSE(stop_at_web(part, without));
+}
+
+TEST(Gauge, NeedsAnOpeningThatTakesTheNose) {
+  const auto is_gauged = [](const OpenedPart& part, const BrakeTools& tools = tools_with_nose()) {
+    return stop_at_web(part, tools).has_value();
+  };
+  EXPECT_TRUE(is_gauged({.wide = 10.1}));
+  EXPECT_FALSE(is_gauged({.wide = 9.9}));
+  EXPECT_TRUE(is_gauged({.deep = 6.1}));
+  EXPECT_FALSE(is_gauged({.deep = 5.8}));
+  EXPECT_TRUE(is_gauged({.from = 300.0 - kHalfZone - 200.1}));
+  BrakeTools tools = tools_with_nose();
+  tools.machine.gauge->to = 40.0 + kHalfZone + 0.1;
+  EXPECT_TRUE(is_gauged({}, tools));
+  tools.machine.gauge->to -= 0.2;
+  EXPECT_FALSE(is_gauged({}, tools));
+  tools = tools_with_nose();
+  tools.machine.gauge->from = 40.0 + kHalfZone - 0.1;
+  EXPECT_TRUE(is_gauged({}, tools));
+  tools.machine.gauge->from += 0.2;
+  EXPECT_FALSE(is_gauged({}, tools));
+  // A nose that does not rise above the sheet behind hits it.
+  tools = tools_with_nose();
+  tools.machine.gauge->nose->profile[3].y() = -0.2;
+  tools.machine.gauge->nose->profile[4].y() = -0.2;
+  EXPECT_FALSE(is_gauged({}, tools));
+}
+
+/// The inside of a flange on the far edge stands 2 beyond the web's end at 150; the nose is 80
+/// long.
+TEST(Gauge, SweepsTheNoseOverAllParts) {
+  for (const double room : {0.1, -0.2}) {
+    const OpenedPart part{.from = 152.0 - 80.0 - room, .slope = 0.0, .raised = true};
+    const auto stop = stop_at_web(part, tools_with_nose(), true, {2});
+    EXPECT_EQ(stop.has_value(), room > 0.0);
+  }
+}
+
+/// Outer edges come first, then faces of flanges, and openings last.
+TEST(Gauge, PrefersTheOutside) {
+  const auto outer = stop_at_web({.slope = 0.0}, tools_with_nose());
+  ASSERT_TRUE(outer);
+  EXPECT_FALSE(outer->in_opening);
+  EXPECT_NEAR(outer->distance, 150.0 + kHalfZone, 1e-9);
+  const OpenedPart raised{.slope = 0.0, .raised = true};
+  const auto low = stop_at_web(raised, tools_with_nose(), true, {2});
+  ASSERT_TRUE(low);
+  EXPECT_TRUE(low->in_opening);
+  BrakeTools tools = tools_with_nose();
+  tools.machine.gauge->highest = 80.0;
+  const auto face = stop_at_web(raised, tools, true, {2});
+  ASSERT_TRUE(face);
+  EXPECT_FALSE(face->in_opening);
+  EXPECT_NEAR(face->distance, 150.0 + kHalfZone + 2.0 + 1.5, 1e-9);
+}
+
 /// A flap that hangs down beside the edge, and leaves less than a finger's width, takes it away.
 TEST(Gauge, NeedsRoomForAFinger) {
   for (const double free : {29.0, 31.0}) {
