@@ -1,8 +1,8 @@
 // Where the back gauge touches. Straight borders of what lies in the plane of the sheet that face
 // the gauge, neighbours on one line as one, are tried from the longest on, then outer faces of
 // flanges that stand upright, and on request edges of openings by the finger's nose; at each the
-// section of finger or nose is swept over all parts, and it must be clear over its width
-// (math.md#gauging).
+// section of finger or nose is swept over all parts, and it must be clear over its width. Where no
+// finger can touch with all its width, one may stand over an end (math.md#gauging).
 #include "gauge.hpp"
 
 #include "sentences.hpp"
@@ -15,6 +15,7 @@ namespace planish::brake_detail {
 namespace {
 
 constexpr double kParallel = 0.1 * 3.14159265358979 / 180.0;  // edges that a finger touches flat
+constexpr double kLeastTouching = 0.5;                        // of a finger's width
 constexpr double kOneEdge = 1e-3;                             // mm: edges that go on
 
 /// An edge that faces the gauge, in the frame of the line.
@@ -200,15 +201,16 @@ double length(const GaugeEdge& edge) { return edge.along.hi - edge.along.lo; }
 
 /// What touches an edge: a finger or its nose.
 struct Touch {
-  Obstacle shape;  ///< where it touches at the origin
+  const Obstacle& shape;  ///< where it touches at the origin
   double width = 0.0;
+  double least = 0.0;  ///< of the width, that touches; the rest may stand over an end
 };
 
 /// Those that the gauge reaches and that are long enough, the longest first.
 std::vector<GaugeEdge> in_reach(std::vector<GaugeEdge> edges, const BackGauge& gauge,
                                 const Touch& touch) {
   std::erase_if(edges, [&](const GaugeEdge& edge) {
-    return !is_in_range(edge, gauge) || length(edge) < touch.width;
+    return !is_in_range(edge, gauge) || length(edge) < touch.least;
   });
   std::ranges::stable_sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
     return length(a) > length(b) + kOneEdge;
@@ -223,13 +225,15 @@ std::optional<GaugeStop> first_clear(StageCache& cache, const Setting& stroke,
   const PressMotion lying = motion(cache.inputs(), stroke);
   for (const GaugeEdge& edge : in_reach(edges, *cache.inputs().tools.machine.gauge, touch)) {
     const Obstacle here = moved(touch.shape, {edge.away, edge.height}), there = mirrored(here);
+    const double over = touch.width - touch.least;
+    const Interval room{edge.along.lo - over, edge.along.hi + over};
     std::vector<Interval> blocked;
     for (const PlacedPart* part : cache.parts(stroke)) {
       const auto walls = blocked_along(lying, *part, left ? here : there, left ? there : here, 0.0,
-                                       edge.along);
+                                       room);
       blocked.insert(blocked.end(), walls.begin(), walls.end());
     }
-    if (has_room(edge.along, std::move(blocked), touch.width))
+    if (has_room(room, std::move(blocked), touch.width))
       return GaugeStop{edge.away, edge.in_pattern, edge.height, edge.flange};
   }
   return std::nullopt;
@@ -241,8 +245,8 @@ std::optional<GaugeStop> in_opening(StageCache& cache, const Setting& stroke,
   const auto& nose = cache.inputs().tools.machine.gauge->nose;
   if (!nose || !cache.inputs().options.gauge_openings) return std::nullopt;
   std::erase_if(edges, [](const GaugeEdge& edge) { return !edge.in_opening; });
-  auto stop = first_clear(cache, stroke, edges,
-                          {obstacle_of(section_of(nose->profile), kPenetration, 0.0), nose->width});
+  const Obstacle shape = obstacle_of(section_of(nose->profile), kPenetration, 0.0);
+  auto stop = first_clear(cache, stroke, edges, {shape, nose->width, nose->width});
   if (stop) stop->in_opening = true;
   return stop;
 }
@@ -253,11 +257,15 @@ std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
   const StrokeInputs& inputs = cache.inputs();
   if (!inputs.tools.machine.gauge) return std::nullopt;
   const BackGauge& gauge = *inputs.tools.machine.gauge;
-  const Touch finger{cache.tools().finger(), gauge.finger_width};
+  const double width = gauge.finger_width;
+  const Touch whole{cache.tools().finger(), width, width},
+      part{cache.tools().finger(), width, kLeastTouching * width};
   const std::vector<GaugeEdge> edges = edges_facing(cache, stroke);
-  if (const auto stop = first_clear(cache, stroke, edges, finger)) return stop;
+  if (const auto stop = first_clear(cache, stroke, edges, whole)) return stop;
   const std::vector<GaugeEdge> faces = faces_facing(cache, stroke, gauge);
-  if (const auto stop = first_clear(cache, stroke, faces, finger)) return stop;
+  if (const auto stop = first_clear(cache, stroke, faces, whole)) return stop;
+  if (const auto stop = first_clear(cache, stroke, edges, part)) return stop;
+  if (const auto stop = first_clear(cache, stroke, faces, part)) return stop;
   return in_opening(cache, stroke, edges);
 }
 
@@ -277,7 +285,7 @@ Remark why_ungauged(StageCache& cache, const Setting& stroke) {
                                               {"to", gauge.to, unit::mm}});
   std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
   const double longest = length(*std::ranges::max_element(edges, {}, length));
-  if (longest < gauge.finger_width)
+  if (longest < kLeastTouching * gauge.finger_width)
     return remark_of(say::edge_too_short,
                      {{"longest", longest, unit::mm}, {"width", gauge.finger_width, unit::mm}});
   return remark_of(say::finger_blocked);

@@ -18,6 +18,8 @@ BrakeTools gauged_tools() {
   return tools;
 }
 
+constexpr double kHalfZone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+
 /// The gauge reaches the border of the flange at L + BA/2 from the bend line.
 TEST(Gauge, TouchesTheBorderBehindTheBend) {
   const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
@@ -90,11 +92,10 @@ TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
       ways += choice.gauged;
     return ways;
   };
-  EXPECT_EQ(gauged(30.1, 50), 2);
-  EXPECT_EQ(gauged(29.9, 50), 0);
-  const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
-  EXPECT_EQ(gauged(60, 300 - half_zone - 0.1), 2);
-  EXPECT_EQ(gauged(60, 300 - half_zone + 0.1), 1);
+  EXPECT_EQ(gauged(15.1, 50), 2);  // half of a finger
+  EXPECT_EQ(gauged(14.9, 50), 0);
+  EXPECT_EQ(gauged(60, 300 - kHalfZone - 0.1), 2);
+  EXPECT_EQ(gauged(60, 300 - kHalfZone + 0.1), 1);
 }
 
 /// A flange that was bent is no edge in the plane of the sheet any more: the finger finds nothing
@@ -145,8 +146,6 @@ TEST(Gauge, TakesNeighbouringEdgesForOne) {
   for (const StrokeChoice& choice : choices(room.cache(), room.lines({})))
     EXPECT_TRUE(choice.gauged);
 }
-
-constexpr double kHalfZone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
 
 /// A web of 150 by 80 with a rectangular opening, and a flange of 50 to 60; where `slope` is above
 /// 0 no outer edge is parallel to the bend between them. `raised`: a second flange stands on the
@@ -217,7 +216,6 @@ TEST(Gauge, NeedsAnOpeningThatTakesTheNose) {
   EXPECT_FALSE(is_gauged({.wide = 9.9}));
   EXPECT_TRUE(is_gauged({.deep = 6.1}));
   EXPECT_FALSE(is_gauged({.deep = 5.8}));
-  EXPECT_TRUE(is_gauged({.from = 300.0 - kHalfZone - 200.1}));
   BrakeTools tools = tools_with_nose();
   tools.machine.gauge->to = 40.0 + kHalfZone + 0.1;
   EXPECT_TRUE(is_gauged({}, tools));
@@ -263,31 +261,90 @@ TEST(Gauge, PrefersTheOutside) {
   EXPECT_NEAR(face->distance, 150.0 + kHalfZone + 2.0 + 1.5, 1e-9);
 }
 
-/// A flap that hangs down beside the edge, and leaves less than a finger's width, takes it away.
+/// Between flaps that hang down on both sides, 2 away from its ends, an edge of 26 leaves just the
+/// 30 that a finger needs, which stands over both ends.
 TEST(Gauge, NeedsRoomForAFinger) {
-  for (const double free : {29.0, 31.0}) {
+  for (const double edge : {25.7, 26.1}) {
+    const double a = 50.0 - 0.5 * edge, b = 50.0 + 0.5 * edge;
     SheetBuilder builder(1.5);
     const FaceId base = builder.flange(Frame{}, {polygon({{0, 0},
-                                                          {80, 0},
-                                                          {80, 60},
-                                                          {free + 2, 60},
-                                                          {free + 2, 58},
-                                                          {free, 58},
-                                                          {free, 60},
+                                                          {100, 0},
+                                                          {100, 60},
+                                                          {b + 2, 60},
+                                                          {b + 2, 58},
+                                                          {b, 58},
+                                                          {b, 60},
+                                                          {a, 60},
+                                                          {a, 58},
+                                                          {a - 2, 58},
+                                                          {a - 2, 60},
                                                           {0, 60}})});
     builder.flange_behind(
         builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up}),
-        {rectangle(80, 50)});
-    const Rim flap = builder.bend(builder.rim(base, 2),
-                                  {Angle::degrees(90), 2, BendDirection::down});
-    builder.flange_behind(flap, {rectangle(flap.length, 20)});
+        {rectangle(100, 50)});
+    for (const int border : {2, 10}) {
+      const Rim flap = builder.bend(builder.rim(base, border),
+                                    {Angle::degrees(90), 2, BendDirection::down});
+      builder.flange_behind(flap, {rectangle(flap.length, 20)});
+    }
     Room room(builder.finish(), gauged_tools());
     int gauged = 0;
-    for (const StrokeChoice& choice : room.ways(1, {2}))
-      if (choice.gauged && describe(room.cache(), room.lines({2}), choice).gauge->distance > 60.0)
+    for (const StrokeChoice& choice : room.ways(1, {2, 3}))
+      if (choice.gauged &&
+          describe(room.cache(), room.lines({2, 3}), choice).gauge->distance > 60.0)
         ++gauged;
-    EXPECT_EQ(gauged > 0, free > 30.0) << free;
+    EXPECT_EQ(gauged > 0, edge > 26.0) << edge;
   }
+}
+
+/// A base of 60, on whose far side a flange stands beside an edge that rises by `slope`.
+struct SteppedEnd {
+  double flange = 50.0, edge = 28.0, slope = 0.0;
+
+  /// Where the finger, 30 wide, touches the base when the flange is formed.
+  std::optional<GaugeStop> stop(double lift) const {
+    SheetBuilder builder(1.5);
+    const double wide = flange + 2.0 + edge;
+    const FaceId base = builder.flange(Frame{}, {polygon({{0, 0},
+                                                          {wide, 0},
+                                                          {wide, 60 - slope},
+                                                          {flange + 2, 60},
+                                                          {flange + 2, 58},
+                                                          {flange, 58},
+                                                          {flange, 60},
+                                                          {0, 60}})});
+    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+    builder.flange_behind(builder.bend(builder.rim(base, 0), turn), {rectangle(wide, 50)});
+    builder.flange_behind(builder.bend(builder.rim(base, 6), turn), {rectangle(flange, 40)});
+    BrakeTools tools = gauged_tools();
+    tools.machine.gauge->highest = lift;
+    Room room(builder.finish(), tools);
+    for (const StrokeChoice& choice : room.ways(1, {2})) {
+      const Stroke stroke = describe(room.cache(), room.lines({2}), choice);
+      if (stroke.to_gauge == FlangeId(0)) return stroke.gauge;
+    }
+    return std::nullopt;
+  }
+};
+
+/// All of a finger's width on a flange is better than some of it on an edge.
+TEST(Gauge, PrefersToTouchWithAllTheWidth) {
+  const auto on_flange = SteppedEnd{}.stop(80.0);
+  ASSERT_TRUE(on_flange);
+  EXPECT_EQ(on_flange->flange, FlangeId(2));
+  const auto on_edge = SteppedEnd{}.stop(0.0);
+  ASSERT_TRUE(on_edge);
+  EXPECT_FALSE(on_edge->flange);
+  EXPECT_NEAR(on_edge->distance, 60.0 + kHalfZone, 1e-9);
+  EXPECT_NEAR((on_edge->edge.b - on_edge->edge.a).norm(), 28.0, 1e-9);
+}
+
+/// Half of the width is enough, on an edge and on a flange.
+TEST(Gauge, TouchesWithHalfTheWidth) {
+  EXPECT_TRUE((SteppedEnd{.edge = 15.1}.stop(0.0)));
+  EXPECT_FALSE((SteppedEnd{.edge = 14.9}.stop(0.0)));
+  EXPECT_TRUE((SteppedEnd{.flange = 15.1, .slope = 5.0}.stop(80.0)));
+  EXPECT_FALSE((SteppedEnd{.flange = 14.9, .slope = 5.0}.stop(80.0)));
 }
 
 }  // namespace

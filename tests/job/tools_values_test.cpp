@@ -37,7 +37,7 @@ const std::map<std::string, json>& changes() {
       {"/machine/upper_beam", {{-60, 20}, {60, 20}, {60, 400}, {-60, 400}}},
       {"/machine/lower_beam", {{-45, -300}, {45, -300}, {45, -6}, {-45, -6}}},
       {"/machine/gauge/range", {40, 700}},
-      {"/machine/gauge/finger_width", 101},
+      {"/machine/gauge/finger_width", 201},
       {"/machine/gauge/lift", {0, 0}},
       {"/machine/gauge/finger", {{0, 0}, {-30, -1}, {-30, -20}, {80, -20}, {80, 0}}},
       {"/punches/0/id", "Q"},
