@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace planish::brake_detail {
 namespace {
@@ -239,12 +240,11 @@ std::optional<GaugeStop> first_clear(StageCache& cache, const Setting& stroke,
   return std::nullopt;
 }
 
-/// The nose of a finger at the edge of an opening, on request.
+/// The nose of a finger at the edge of an opening.
 std::optional<GaugeStop> in_opening(StageCache& cache, const Setting& stroke,
-                                    std::vector<GaugeEdge> edges) {
+                                    const std::vector<GaugeEdge>& edges) {
   const auto& nose = cache.inputs().tools.machine.gauge->nose;
-  if (!nose || !cache.inputs().options.gauge_openings) return std::nullopt;
-  std::erase_if(edges, [](const GaugeEdge& edge) { return !edge.in_opening; });
+  if (!nose || edges.empty()) return std::nullopt;
   const Obstacle shape = obstacle_of(section_of(nose->profile), kPenetration, 0.0);
   auto stop = first_clear(cache, stroke, edges, {shape, nose->width, nose->width});
   if (stop) stop->in_opening = true;
@@ -260,13 +260,18 @@ std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
   const double width = gauge.finger_width;
   const Touch whole{cache.tools().finger(), width, width},
       part{cache.tools().finger(), width, kLeastTouching * width};
-  const std::vector<GaugeEdge> edges = edges_facing(cache, stroke);
+  std::vector<GaugeEdge> edges = edges_facing(cache, stroke), openings;
+  if (inputs.options.gauge_openings) {  // then they come last
+    std::ranges::copy_if(edges, std::back_inserter(openings), &GaugeEdge::in_opening);
+    std::erase_if(edges, [](const GaugeEdge& edge) { return edge.in_opening; });
+  }
   if (const auto stop = first_clear(cache, stroke, edges, whole)) return stop;
   const std::vector<GaugeEdge> faces = faces_facing(cache, stroke, gauge);
   if (const auto stop = first_clear(cache, stroke, faces, whole)) return stop;
   if (const auto stop = first_clear(cache, stroke, edges, part)) return stop;
   if (const auto stop = first_clear(cache, stroke, faces, part)) return stop;
-  return in_opening(cache, stroke, edges);
+  if (const auto stop = in_opening(cache, stroke, openings)) return stop;
+  return first_clear(cache, stroke, openings, part);
 }
 
 Remark why_ungauged(StageCache& cache, const Setting& stroke) {

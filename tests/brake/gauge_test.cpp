@@ -153,14 +153,16 @@ TEST(Gauge, TakesNeighbouringEdgesForOne) {
 struct OpenedPart {
   double from = 40.0, deep = 30.0, wide = 40.0;  ///< of the opening
   double slope = 10.0;
+  double cut = 0.0;  ///< off the far edge of the web
   bool raised = false;
 
   Sheet sheet() const {
     SheetBuilder builder(1.5);
     const Loop opening = reversed(
         polygon({{20, from}, {20 + wide, from}, {20 + wide, from + deep}, {20, from + deep}}));
-    const FaceId web = builder.flange(
-        Frame{}, {polygon({{0, 0}, {80, 0}, {80, 150}, {0, 150 - slope}}), opening});
+    std::vector<Vec2> outer{{0, 0}, {80, 0}, {80 - cut, 150}, {0, 150 - slope}};
+    if (cut > 0.0) outer.insert(outer.begin() + 2, {80, 140});
+    const FaceId web = builder.flange(Frame{}, {polygon(outer), opening});
     const Turn turn{Angle::degrees(90), 2, BendDirection::up};
     builder.flange_behind(builder.bend(builder.rim(web, 0), turn),
                           {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 50}})});
@@ -259,6 +261,31 @@ TEST(Gauge, PrefersTheOutside) {
   ASSERT_TRUE(face);
   EXPECT_FALSE(face->in_opening);
   EXPECT_NEAR(face->distance, 150.0 + kHalfZone + 2.0 + 1.5, 1e-9);
+}
+
+/// A finger goes into an opening that is large enough for it. Where openings are asked for they
+/// come after a shorter outer edge, and the nose, which reaches farther, is taken for them.
+TEST(Gauge, TouchesInALargeOpeningWithAFinger) {
+  BrakeTools tools = tools_with_nose();
+  tools.machine.gauge->finger_width = 30.0;
+  for (const double deep : {79.8, 80.1}) {
+    const OpenedPart large{.deep = deep, .wide = 50.0};
+    const auto finger = stop_at_web(large, tools, false);
+    ASSERT_EQ(finger.has_value(), deep > 80.0);
+    if (finger) {
+      EXPECT_FALSE(finger->in_opening);
+    }
+    const auto nose = stop_at_web(large, tools);
+    ASSERT_TRUE(nose);
+    EXPECT_TRUE(nose->in_opening);
+  }
+  const OpenedPart both{.deep = 85.0, .wide = 50.0, .slope = 0.0, .cut = 45.0};
+  EXPECT_NEAR(stop_at_web(both, tools, false)->distance, both.from + kHalfZone, 1e-9);
+  EXPECT_NEAR(stop_at_web(both, tools, true)->distance, 150.0 + kHalfZone, 1e-9);
+  tools.machine.gauge->nose->profile = {{0, 0}, {0, -3}, {90, -3}, {90, 20}, {0, 20}};
+  const auto instead = stop_at_web({.deep = 85.0, .wide = 50.0}, tools);
+  ASSERT_TRUE(instead) << "the nose is too deep, the finger is not";
+  EXPECT_FALSE(instead->in_opening);
 }
 
 /// Between flaps that hang down on both sides, 2 away from its ends, an edge of 26 leaves just the
