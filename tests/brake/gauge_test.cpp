@@ -263,8 +263,8 @@ TEST(Gauge, PrefersTheOutside) {
   EXPECT_NEAR(face->distance, 150.0 + kHalfZone + 2.0 + 1.5, 1e-9);
 }
 
-/// A finger goes into an opening that is large enough for it. Where openings are asked for they
-/// come after a shorter outer edge, and the nose, which reaches farther, is taken for them.
+/// A finger goes into an opening that is large enough for it. Where openings are asked for, they
+/// come after shorter outer edges, and the nose touches in them.
 TEST(Gauge, TouchesInALargeOpeningWithAFinger) {
   BrakeTools tools = tools_with_nose();
   tools.machine.gauge->finger_width = 30.0;
