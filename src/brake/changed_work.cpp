@@ -36,11 +36,16 @@ double farthest(const Body& body, const BrakeLine& from, const Vec2& away) {
   return far;
 }
 
+void move(FreeEdge& edge, const Vec2& by) {
+  edge.a += by;
+  edge.b += by;
+}
+
 void move(Body& body, const Vec2& by) {
   for (Convex& piece : body.pieces)
     piece = moved(std::move(piece), by);
   for (FreeEdge& edge : body.edges)
-    edge = {edge.a + by, edge.b + by};
+    move(edge, by);
 }
 
 /// Takes out what lies between two distances from a line and closes the gap.
@@ -93,7 +98,7 @@ void move_beyond(Workpiece& made, const Workpiece& work, int body, int line, con
     if (is_same(work, i, line) || !reached[work.lines[i].bodies[0]]) continue;
     made.lines[i].origin += by;
     for (FreeEdge& edge : made.zones[i].edges)
-      edge = {edge.a + by, edge.b + by};
+      move(edge, by);
   }
 }
 

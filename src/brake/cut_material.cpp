@@ -3,8 +3,6 @@
 // must hold: zones and bodies together are the pattern, each place once (math.md#stages).
 #include "cutting.hpp"
 
-#include <planish/sheet/topology.hpp>
-
 #include <algorithm>
 #include <limits>
 
@@ -89,14 +87,37 @@ void Cutting::add_material() {
     if (line.closes) line.pieces = made_.lines[*line.closes].pieces;
 }
 
+/// Contours with the material on their left run clockwise about openings.
+IdVector<BorderId, bool> Cutting::along_openings(const Topology& topology) const {
+  IdVector<BorderId, bool> found(topology.border_count(), false), seen = found;
+  for (const BorderId id : topology.borders()) {
+    std::vector<BorderId> contour;
+    double area = 0.0;
+    for (BorderId at = id; topology.is_free(at) && !seen[at];) {
+      seen[at] = true;
+      contour.push_back(at);
+      const Curve2& image = layout_.image(topology[at]);
+      at = topology.along_contour(at).border;
+      const Vec2 end = end_of(image), next = start_of(layout_.image(topology[at]));
+      area += green_area(image) + 0.5 * cross(end, next);  // a sharp bend leaves a gap
+    }
+    if (contour.empty() || (area > 0.0) == lies_left(topology[id].face)) continue;
+    for (const BorderId at : contour)
+      found[at] = true;
+  }
+  return found;
+}
+
 /// Straight borders of bends with several lines lie across them and are of no use to a gauge.
 void Cutting::add_edges() {
   const Topology topology(sheet_);
+  const IdVector<BorderId, bool> in_opening = along_openings(topology);
   for (const BorderId id : topology.borders()) {
     const BorderRef& ref = topology[id];
     const auto* image = std::get_if<Segment>(&layout_.image(ref));
     if (!topology.is_free(id) || !image || sheet_[ref].feature) continue;
-    const FreeEdge edge = lies_left(ref.face) ? *image : Segment{image->b, image->a};
+    FreeEdge edge{image->a, image->b, in_opening[id]};
+    if (!lies_left(ref.face)) std::swap(edge.a, edge.b);
     const auto* bend = std::get_if<BendId>(&sheet_[ref.face].part_of);
     if (!bend)
       made_.bodies[body_of(index_of(ref.face))].edges.push_back(edge);

@@ -3,6 +3,7 @@
 #include "workpiece.hpp"
 
 #include <planish/base/union_find.hpp>
+#include <planish/sheet/topology.hpp>
 
 #include <map>
 
@@ -48,6 +49,7 @@ class Cutting {
   void add_material();
   void add_bend_material(BendId id, const Convex& piece);
   void add_to_zone(const Raw& raw, const Convex& piece);
+  IdVector<BorderId, bool> along_openings(const Topology& topology) const;
   void add_edges();
 
   const Sheet& sheet_;

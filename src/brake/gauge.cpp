@@ -1,7 +1,8 @@
 // Where the back gauge touches. Straight borders of what lies in the plane of the sheet that face
 // the gauge, neighbours on one line as one, are tried from the longest on, then outer faces of
-// flanges that stand upright; at each the finger's section is swept over all parts, and it must be
-// clear over a finger's width (math.md#gauging).
+// flanges that stand upright, and on request edges of openings by the finger's nose; at each the
+// section of finger or nose is swept over all parts, and it must be clear over its width. Where no
+// finger can touch with all its width, one may stand over an end (math.md#gauging).
 #include "gauge.hpp"
 
 #include "sentences.hpp"
@@ -9,11 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace planish::brake_detail {
 namespace {
 
 constexpr double kParallel = 0.1 * 3.14159265358979 / 180.0;  // edges that a finger touches flat
+constexpr double kLeastTouching = 0.5;                        // of a finger's width
 constexpr double kOneEdge = 1e-3;                             // mm: edges that go on
 
 /// An edge that faces the gauge, in the frame of the line.
@@ -21,6 +24,7 @@ struct GaugeEdge {
   double away = 0.0;  ///< from the bend line
   Interval along;
   Segment in_pattern;
+  bool in_opening = false;
   double height = 0.0;                  ///< of the finger
   std::optional<FlangeId> flange = {};  ///< of whose outer face it is a level line
 };
@@ -36,7 +40,10 @@ void add_gauge_edges(const std::vector<FreeEdge>& edges, const Eigen::Isometry3d
     if (std::abs(b.y() - a.y()) > std::tan(kParallel) * std::abs(b.x() - a.x())) continue;
     if ((left ? out : -out) <= 0.0) continue;
     const double away = left ? std::max(a.y(), b.y()) : std::max(-a.y(), -b.y());
-    found.push_back({away, {std::min(a.x(), b.x()), std::max(a.x(), b.x())}, edge});
+    found.push_back({away,
+                     {std::min(a.x(), b.x()), std::max(a.x(), b.x())},
+                     Segment{edge.a, edge.b},
+                     edge.in_opening});
   }
 }
 
@@ -178,8 +185,11 @@ std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
       return Vec2((lying.inverse() * Vec3(x, side * face.away, middle)).head<2>());
     };
     for (const Interval& one : joined(std::move(along), kOneEdge))
-      lines.push_back(
-          {face.away, one, Segment{in_pattern(one.lo), in_pattern(one.hi)}, *height, face.flange});
+      lines.push_back({.away = face.away,
+                       .along = one,
+                       .in_pattern = Segment{in_pattern(one.lo), in_pattern(one.hi)},
+                       .height = *height,
+                       .flange = face.flange});
   }
   return lines;
 }
@@ -190,10 +200,18 @@ bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
 
 double length(const GaugeEdge& edge) { return edge.along.hi - edge.along.lo; }
 
+/// What touches an edge: a finger or its nose.
+struct Touch {
+  const Obstacle& shape;  ///< where it touches at the origin
+  double width = 0.0;
+  double least = 0.0;  ///< of the width, that touches; the rest may stand over an end
+};
+
 /// Those that the gauge reaches and that are long enough, the longest first.
-std::vector<GaugeEdge> in_reach(std::vector<GaugeEdge> edges, const BackGauge& gauge) {
+std::vector<GaugeEdge> in_reach(std::vector<GaugeEdge> edges, const BackGauge& gauge,
+                                const Touch& touch) {
   std::erase_if(edges, [&](const GaugeEdge& edge) {
-    return !is_in_range(edge, gauge) || length(edge) < gauge.finger_width;
+    return !is_in_range(edge, gauge) || length(edge) < touch.least;
   });
   std::ranges::stable_sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
     return length(a) > length(b) + kOneEdge;
@@ -201,25 +219,36 @@ std::vector<GaugeEdge> in_reach(std::vector<GaugeEdge> edges, const BackGauge& g
   return edges;
 }
 
-/// The first at which a finger finds room.
+/// The longest at which there is room for what touches it.
 std::optional<GaugeStop> first_clear(StageCache& cache, const Setting& stroke,
-                                     const std::vector<GaugeEdge>& edges) {
+                                     const std::vector<GaugeEdge>& edges, const Touch& touch) {
   const bool left = stroke.direction > 0;
   const PressMotion lying = motion(cache.inputs(), stroke);
-  const double width = cache.inputs().tools.machine.gauge->finger_width;
-  for (const GaugeEdge& edge : edges) {
-    const Obstacle here = moved(cache.tools().finger(), {edge.away, edge.height}),
-                   there = mirrored(here);
+  for (const GaugeEdge& edge : in_reach(edges, *cache.inputs().tools.machine.gauge, touch)) {
+    const Obstacle here = moved(touch.shape, {edge.away, edge.height}), there = mirrored(here);
+    const double over = touch.width - touch.least;
+    const Interval room{edge.along.lo - over, edge.along.hi + over};
     std::vector<Interval> blocked;
     for (const PlacedPart* part : cache.parts(stroke)) {
       const auto walls = blocked_along(lying, *part, left ? here : there, left ? there : here, 0.0,
-                                       edge.along);
+                                       room);
       blocked.insert(blocked.end(), walls.begin(), walls.end());
     }
-    if (has_room(edge.along, std::move(blocked), width))
+    if (has_room(room, std::move(blocked), touch.width))
       return GaugeStop{edge.away, edge.in_pattern, edge.height, edge.flange};
   }
   return std::nullopt;
+}
+
+/// The nose of a finger at the edge of an opening.
+std::optional<GaugeStop> in_opening(StageCache& cache, const Setting& stroke,
+                                    const std::vector<GaugeEdge>& edges) {
+  const auto& nose = cache.inputs().tools.machine.gauge->nose;
+  if (!nose || edges.empty()) return std::nullopt;
+  const Obstacle shape = obstacle_of(section_of(nose->profile), kPenetration, 0.0);
+  auto stop = first_clear(cache, stroke, edges, {shape, nose->width, nose->width});
+  if (stop) stop->in_opening = true;
+  return stop;
 }
 
 }  // namespace
@@ -228,9 +257,21 @@ std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
   const StrokeInputs& inputs = cache.inputs();
   if (!inputs.tools.machine.gauge) return std::nullopt;
   const BackGauge& gauge = *inputs.tools.machine.gauge;
-  if (const auto stop = first_clear(cache, stroke, in_reach(edges_facing(cache, stroke), gauge)))
-    return stop;
-  return first_clear(cache, stroke, in_reach(faces_facing(cache, stroke, gauge), gauge));
+  const double width = gauge.finger_width;
+  const Touch whole{cache.tools().finger(), width, width},
+      part{cache.tools().finger(), width, kLeastTouching * width};
+  std::vector<GaugeEdge> edges = edges_facing(cache, stroke), openings;
+  if (inputs.options.gauge_openings) {  // then they come last
+    std::ranges::copy_if(edges, std::back_inserter(openings), &GaugeEdge::in_opening);
+    std::erase_if(edges, [](const GaugeEdge& edge) { return edge.in_opening; });
+  }
+  if (const auto stop = first_clear(cache, stroke, edges, whole)) return stop;
+  const std::vector<GaugeEdge> faces = faces_facing(cache, stroke, gauge);
+  if (const auto stop = first_clear(cache, stroke, faces, whole)) return stop;
+  if (const auto stop = first_clear(cache, stroke, edges, part)) return stop;
+  if (const auto stop = first_clear(cache, stroke, faces, part)) return stop;
+  if (const auto stop = in_opening(cache, stroke, openings)) return stop;
+  return first_clear(cache, stroke, openings, part);
 }
 
 Remark why_ungauged(StageCache& cache, const Setting& stroke) {
@@ -249,7 +290,7 @@ Remark why_ungauged(StageCache& cache, const Setting& stroke) {
                                               {"to", gauge.to, unit::mm}});
   std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
   const double longest = length(*std::ranges::max_element(edges, {}, length));
-  if (longest < gauge.finger_width)
+  if (longest < kLeastTouching * gauge.finger_width)
     return remark_of(say::edge_too_short,
                      {{"longest", longest, unit::mm}, {"width", gauge.finger_width, unit::mm}});
   return remark_of(say::finger_blocked);

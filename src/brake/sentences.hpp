@@ -59,7 +59,8 @@ constexpr Sentence edge_out_of_range{
     "edge_out_of_range",
     "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};
 constexpr Sentence edge_too_short{
-    "edge_too_short", "the longest edge in its range is {longest}, and a finger is {width} wide"};
+    "edge_too_short",
+    "the longest edge in its range is {longest}, less than half of the finger's width, {width}"};
 constexpr Sentence finger_blocked{"finger_blocked",
                                   "the part is in the way of the fingers at each edge"};
 

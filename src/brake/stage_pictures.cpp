@@ -75,8 +75,9 @@ void add_tools(StrokePicture& picture, const BrakeTools& tools, const Stroke& st
     picture.upper_beam = moved(upper_beam_over(punch, tools.machine).outline, punch_at);
   if (!tools.machine.lower_beam.empty())
     picture.lower_beam = moved(section_of(tools.machine.lower_beam).outline, die_at);
-  if (stroke.gauge && tools.machine.gauge)
-    picture.finger = moved(tools.machine.gauge->finger,
+  const auto& gauge = tools.machine.gauge;
+  if (stroke.gauge && gauge)
+    picture.finger = moved(stroke.gauge->in_opening ? gauge->nose->profile : gauge->finger,
                            {stroke.gauge->distance, stroke.gauge->height});
 }
 

@@ -189,6 +189,11 @@ void check_gauge(ToolCheck& to, const BackGauge& gauge) {
   to.profile("/finger", "finger", gauge.finger);
   if (!to.error() && !on_outline(gauge.finger, Vec2::Zero()))
     to.wrong("/finger", "finger", refuse::not_through_origin);
+  if (!gauge.nose) return;
+  to.above_zero("/nose/width", "width of the nose", gauge.nose->width);
+  to.profile("/nose/profile", "nose", gauge.nose->profile);
+  if (!to.error() && !on_outline(gauge.nose->profile, Vec2::Zero()))
+    to.wrong("/nose/profile", "nose", refuse::not_through_origin);
 }
 
 std::optional<Error> fault_of_machine(const PressBrake& machine) {

@@ -46,8 +46,11 @@ struct BrakeLine {
   double length() const { return total(pieces); }  ///< of material
 };
 
-/// A straight free border in the pattern, the material on its left.
-using FreeEdge = Segment;
+/// A straight free border in the pattern, from a to b, the material on its left.
+struct FreeEdge {
+  Vec2 a, b;
+  bool in_opening = false;  ///< along the contour of an opening
+};
 
 /// A plane part of the sheet that no line divides.
 struct Body {

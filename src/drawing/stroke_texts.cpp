@@ -78,19 +78,22 @@ bool same(const std::vector<SegmentRow>& a, const std::vector<SegmentRow>& b) {
   });
 }
 
-void add_gauge(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
-  const auto& gauge = stroke.gauge;
-  if (!gauge)
+std::string gauge_text(const BendDrawing& drawing, const Stroke& stroke) {
+  if (stroke.flattening) return "no gauge: slide the hem in";
+  return stroke.gauge ? "gauge " + with_unit(drawing, stroke.gauge->distance)
+                      : "no gauge: mark the line while flat";
+}
+
+void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
+  lines.emplace_back(gauge_text(drawing, stroke), kPlain);
+  if (!stroke.gauge) return;
+  const GaugeStop& stop = *stroke.gauge;
+  if (stop.in_opening) lines.emplace_back("  in the opening, by the nose", kSmall);
+  if (stop.flange)
     lines.emplace_back(
-        stroke.flattening ? "no gauge: slide the hem in" : "no gauge: mark the line while flat",
-        kPlain);
-  else
-    lines.emplace_back("gauge " + with_unit(drawing, gauge->distance), kPlain);
-  if (gauge && gauge->flange)
-    lines.emplace_back(fmt::format("  on F{}, fingers {} {}", index_of(*gauge->flange) + 1,
-                                   with_unit(drawing, std::abs(gauge->height)),
-                                   gauge->height < 0.0 ? "down" : "up"),
-                       kSmall);
+        fmt::format("  on F{}, fingers {} {}", index_of(*stop.flange) + 1,
+                    with_unit(drawing, std::abs(stop.height)), stop.height < 0.0 ? "down" : "up"),
+        kSmall);
 }
 
 Lines lines_of(const BendDrawing& drawing, std::size_t s) {
@@ -102,7 +105,7 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
   if (std::string text = handling(drawing, s); !text.empty())
     lines.emplace_back(std::move(text), TextStyle{.size = 3.4, .bold = true, .colour = kPageAlert});
   lines.emplace_back(fmt::format("{} side up", side_up(stroke, drawing.layout)), kPlain);
-  add_gauge(lines, drawing, stroke);
+  add_stop(lines, drawing, stroke);
   if (s < drawing.checks.size() && drawing.checks[s])
     lines.emplace_back(fmt::format("check {}: {} outside", drawing.checks[s]->flange,
                                    with_unit(drawing, drawing.checks[s]->length)),

@@ -103,6 +103,9 @@ Json sections_json(const CheckedOrder& checked, const BrakeTools& tools) {
   const auto& gauge = tools.machine.gauge;
   json["finger"] = gauge ? profile_json(gauge->finger) : Json::array();
   json["finger_width"] = gauge ? number_json(gauge->finger_width) : Json(0.0);
+  const bool has_nose = gauge && gauge->nose;
+  json["nose"] = has_nose ? profile_json(gauge->nose->profile) : Json::array();
+  json["nose_width"] = has_nose ? number_json(gauge->nose->width) : Json(0.0);
   return json;
 }
 

@@ -154,6 +154,10 @@ const std::vector<Option>& bending_options() {
            row::number("chord_error", kAboveZero,
                        "distance of the drawn radius from the pieces between bumps, at most, in mm",
                        stored<&Request::bending, &Bending::plan, &PlanOptions::chord_error>, "0.2"),
+           row::flag("gauge_openings",
+                     "let strokes without another stop touch the back gauge within an opening, by "
+                     "the nose of its fingers",
+                     stored<&Request::bending, &Bending::plan, &PlanOptions::gauge_openings>),
        }},
       {OptionGroup::order,
        {

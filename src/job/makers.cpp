@@ -25,7 +25,7 @@ std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own) {
 std::vector<OptionUse> with_bending_options(std::vector<OptionUse> own) {
   for (const char* name :
        {"shop", "materials", "check_bending", "tools", "metal", "springback", "clearance",
-        "shortfall", "opening", "v", "as_drawn", "large_radii", "chord_error"})
+        "shortfall", "opening", "v", "as_drawn", "large_radii", "chord_error", "gauge_openings"})
     own.push_back({name});
   return with_pattern_options(std::move(own));
 }

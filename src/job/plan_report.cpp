@@ -30,6 +30,7 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   Json json;
   json["distance"] = number_json(units.length(gauge->distance));
   json["edge"] = Json::array({point_json(gauge->edge.a, units), point_json(gauge->edge.b, units)});
+  if (gauge->in_opening) json["opening"] = true;
   if (!gauge->flange) return json;
   json["flange"] = flange_id(*gauge->flange);
   json["height"] = number_json(units.length(gauge->height));
@@ -39,6 +40,7 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
 Schema stroke_schema() {
   const Schema gauge = object({required("distance", measured_length().said("from the bend line")),
                                required("edge", report_line().said("that touches the fingers")),
+                               optional("opening", flag().said("of the sheet: the nose touches")),
                                optional("flange", text().said("formed, whose face does")),
                                optional("height", measured_length().said("of the fingers"))});
   const Schema rows = rows_schema();
@@ -96,7 +98,9 @@ Json remark_json(const Remark& remark, const Units& units) {
 }
 
 std::string gauge_text(const Stroke& stroke, const Units& units) {
-  return stroke.gauge ? units.length_text(stroke.gauge->distance) : "none";
+  if (!stroke.gauge) return "none";
+  return units.length_text(stroke.gauge->distance) +
+         (stroke.gauge->in_opening ? " in the opening" : "");
 }
 
 std::string strokes_text(const Plan& plan, const Report& report, const Units& units) {

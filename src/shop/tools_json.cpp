@@ -70,13 +70,19 @@ Schema die_schema() {
        required("segments", segments_schema()), optional("max_force", force_schema())});
 }
 
+Schema nose_schema() {
+  return object({required("width", length(kAboveZero).said("along the bend line")),
+                 required("profile", outline("the point that touches the sheet is [0, 0]"))});
+}
+
 Schema gauge_schema() {
   return object({required("range", tuple(2, length(kAtLeastZero), "two distances [from, to]")
                                        .said("from the bend line, that the fingers reach")),
                  required("finger_width", length(kAboveZero).said("along the bend line")),
                  required("finger", outline("the point that touches the sheet is [0, 0]")),
                  optional("lift", tuple(2, length(kAnyNumber), "two heights [from, to]")
-                                      .said("of that point above the lying sheet; default 0"))});
+                                      .said("of that point above the lying sheet; default 0")),
+                 optional("nose", nose_schema().said("of a finger, for openings of the sheet"))});
 }
 
 Schema machine_schema() {
@@ -167,6 +173,8 @@ std::optional<BackGauge> gauge_at(const JsonPlace& place, Profiles& profiles) {
   const std::vector<double> range = lengths_at(place["range"]);
   if (range.size() != 2) return std::nullopt;
   BackGauge gauge{range[0], range[1], place["finger_width"].length(), profiles.at(place["finger"])};
+  if (const JsonPlace nose = place["nose"]; nose.given())
+    gauge.nose = GaugeNose{nose["width"].length(), profiles.at(nose["profile"])};
   if (!place["lift"].given()) return gauge;
   const std::vector<double> lift = lengths_at(place["lift"]);
   if (lift.size() != 2) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace planish::test {
 namespace {
@@ -74,6 +75,44 @@ TEST(CutMaterial, HasAllFreeBordersAsEdges) {
                         made.work.lines[line].along});
     EXPECT_NEAR(edges, length(made.flat.pattern.outer.loop), 1e-6);
   }
+}
+
+/// Of a hole shaped like a D, a slot across a bend and a slot into it, and nothing else, whichever
+/// side is up.
+TEST(CutMaterial, KnowsTheEdgesOfOpenings) {
+  SheetBuilder builder(2.0);
+  const Loop shaped_like_d{Segment{{30, 20}, {30, 40}},
+                           Arc{{30, 30}, 10.0, std::numbers::pi / 2, -std::numbers::pi}};
+  const FaceId plate = builder.flange(Frame{}, {rectangle(80, 60), shaped_like_d});
+  builder.flange_behind(
+      builder.bend(builder.rim(plate, 0), {Angle::degrees(90), 2, BendDirection::up}),
+      {rectangle(80, 30)});
+  const double zone = std::numbers::pi / 2 * (4.0 + 0.44 * 2.0);
+  const std::vector<std::pair<Sheet, double>> sheets{
+      {builder.finish(), 20.0},
+      {slot_across_bend(12.0), 2.0 * (12.0 + 8.0 + zone + 8.0)},
+      {slot_into_bend(12.0), 2.0 * (12.0 + 8.0 + 0.5 * zone)},
+      {plate_with_holes(), 2.0 * 12.0},
+      {l_bracket(), 0.0}};
+  for (const auto& [sheet, along] : sheets)
+    for (const UpSide up : {UpSide::reference, UpSide::other}) {
+      FlattenOptions options;
+      options.up = up;
+      const FlatSheet flat = *flat_sheet(sheet, options);
+      double inside = 0.0, outside = 0.0;
+      const auto add = [&](const std::vector<FreeEdge>& edges) {
+        for (const FreeEdge& edge : edges)
+          (edge.in_opening ? inside : outside) += (edge.b - edge.a).norm();
+      };
+      const auto work = workpiece_of(sheet, flat.layout);
+      ASSERT_TRUE(work);
+      for (const Body& body : work->bodies)
+        add(body.edges);
+      for (const Zone& at_line : work->zones)
+        add(at_line.edges);
+      EXPECT_NEAR(inside, along, 1e-6);
+      EXPECT_NEAR(outside, length(flat.pattern.outer.loop), 1e-6);
+    }
 }
 
 }  // namespace

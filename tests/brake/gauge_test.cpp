@@ -18,6 +18,8 @@ BrakeTools gauged_tools() {
   return tools;
 }
 
+constexpr double kHalfZone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
+
 /// The gauge reaches the border of the flange at L + BA/2 from the bend line.
 TEST(Gauge, TouchesTheBorderBehindTheBend) {
   const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
@@ -90,11 +92,10 @@ TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
       ways += choice.gauged;
     return ways;
   };
-  EXPECT_EQ(gauged(30.1, 50), 2);
-  EXPECT_EQ(gauged(29.9, 50), 0);
-  const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
-  EXPECT_EQ(gauged(60, 300 - half_zone - 0.1), 2);
-  EXPECT_EQ(gauged(60, 300 - half_zone + 0.1), 1);
+  EXPECT_EQ(gauged(15.1, 50), 2);  // half of a finger
+  EXPECT_EQ(gauged(14.9, 50), 0);
+  EXPECT_EQ(gauged(60, 300 - kHalfZone - 0.1), 2);
+  EXPECT_EQ(gauged(60, 300 - kHalfZone + 0.1), 1);
 }
 
 /// A flange that was bent is no edge in the plane of the sheet any more: the finger finds nothing
@@ -146,31 +147,231 @@ TEST(Gauge, TakesNeighbouringEdgesForOne) {
     EXPECT_TRUE(choice.gauged);
 }
 
-/// A flap that hangs down beside the edge, and leaves less than a finger's width, takes it away.
+/// A web of 150 by 80 with a rectangular opening, and a flange of 50 to 60; where `slope` is above
+/// 0 no outer edge is parallel to the bend between them. `raised`: a second flange stands on the
+/// far edge of the web.
+struct OpenedPart {
+  double from = 40.0, deep = 30.0, wide = 40.0;  ///< of the opening
+  double slope = 10.0;
+  double cut = 0.0;  ///< off the far edge of the web
+  bool raised = false;
+
+  Sheet sheet() const {
+    SheetBuilder builder(1.5);
+    const Loop opening = reversed(
+        polygon({{20, from}, {20 + wide, from}, {20 + wide, from + deep}, {20, from + deep}}));
+    std::vector<Vec2> outer{{0, 0}, {80, 0}, {80 - cut, 150}, {0, 150 - slope}};
+    if (cut > 0.0) outer.insert(outer.begin() + 2, {80, 140});
+    const FaceId web = builder.flange(Frame{}, {polygon(outer), opening});
+    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+    builder.flange_behind(builder.bend(builder.rim(web, 0), turn),
+                          {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 50}})});
+    if (raised) builder.flange_behind(builder.bend(builder.rim(web, 2), turn), {rectangle(80, 40)});
+    return builder.finish();
+  }
+};
+
+/// Fingers as wide as the web, whose nose dips 6 into the sheet and lies above it behind.
+BrakeTools tools_with_nose() {
+  BrakeTools tools = gauged_tools();
+  tools.machine.gauge->finger_width = 60.0;
+  tools.machine.gauge->nose = GaugeNose{
+      10.0, {{0, 0}, {0, -3}, {6, -3}, {6, 2}, {80, 2}, {80, 20}, {0, 20}}};
+  return tools;
+}
+
+/// The stop of the first bend with the web at the gauge.
+std::optional<GaugeStop> stop_at_web(const OpenedPart& part, const BrakeTools& tools,
+                                     bool openings = true, const std::vector<int>& formed = {}) {
+  PlanOptions options;
+  options.gauge_openings = openings;
+  Room room(part.sheet(), tools, options);
+  for (const StrokeChoice& choice : room.ways(1, formed)) {
+    const Stroke stroke = describe(room.cache(), room.lines(formed), choice);
+    EXPECT_EQ(stroke.gauge.has_value(), choice.gauged);
+    if (stroke.to_gauge == FlangeId(0)) return stroke.gauge;
+  }
+  ADD_FAILURE() << "no way has the web at the gauge";
+  return std::nullopt;
+}
+
+/// The nose touches the border of the opening that is next to the bend, where it is asked for.
+TEST(Gauge, TouchesInAnOpeningOnRequest) {
+  const OpenedPart part;
+  EXPECT_FALSE(stop_at_web(part, tools_with_nose(), false));
+  const auto stop = stop_at_web(part, tools_with_nose());
+  ASSERT_TRUE(stop);
+  EXPECT_TRUE(stop->in_opening);
+  EXPECT_NEAR(stop->distance, part.from + kHalfZone, 1e-9);
+  EXPECT_NEAR((stop->edge.b - stop->edge.a).norm(), part.wide, 1e-9);
+  EXPECT_EQ(stop->height, 0.0);
+  BrakeTools without = tools_with_nose();
+  without.machine.gauge->nose.reset();
+  EXPECT_FALSE(stop_at_web(part, without));
+}
+
+TEST(Gauge, NeedsAnOpeningThatTakesTheNose) {
+  const auto is_gauged = [](const OpenedPart& part, const BrakeTools& tools = tools_with_nose()) {
+    return stop_at_web(part, tools).has_value();
+  };
+  EXPECT_TRUE(is_gauged({.wide = 10.1}));
+  EXPECT_FALSE(is_gauged({.wide = 9.9}));
+  EXPECT_TRUE(is_gauged({.deep = 6.1}));
+  EXPECT_FALSE(is_gauged({.deep = 5.8}));
+  BrakeTools tools = tools_with_nose();
+  tools.machine.gauge->to = 40.0 + kHalfZone + 0.1;
+  EXPECT_TRUE(is_gauged({}, tools));
+  tools.machine.gauge->to -= 0.2;
+  EXPECT_FALSE(is_gauged({}, tools));
+  tools = tools_with_nose();
+  tools.machine.gauge->from = 40.0 + kHalfZone - 0.1;
+  EXPECT_TRUE(is_gauged({}, tools));
+  tools.machine.gauge->from += 0.2;
+  EXPECT_FALSE(is_gauged({}, tools));
+  // A nose that does not rise above the sheet behind hits it.
+  tools = tools_with_nose();
+  tools.machine.gauge->nose->profile[3].y() = -0.2;
+  tools.machine.gauge->nose->profile[4].y() = -0.2;
+  EXPECT_FALSE(is_gauged({}, tools));
+}
+
+/// The inside of a flange on the far edge stands 2 beyond the web's end at 150; the nose is 80
+/// long.
+TEST(Gauge, SweepsTheNoseOverAllParts) {
+  for (const double room : {0.1, -0.2}) {
+    const OpenedPart part{.from = 152.0 - 80.0 - room, .slope = 0.0, .raised = true};
+    const auto stop = stop_at_web(part, tools_with_nose(), true, {2});
+    EXPECT_EQ(stop.has_value(), room > 0.0);
+  }
+}
+
+/// Outer edges come first, then faces of flanges, and openings last.
+TEST(Gauge, PrefersTheOutside) {
+  const auto outer = stop_at_web({.slope = 0.0}, tools_with_nose());
+  ASSERT_TRUE(outer);
+  EXPECT_FALSE(outer->in_opening);
+  EXPECT_NEAR(outer->distance, 150.0 + kHalfZone, 1e-9);
+  const OpenedPart raised{.slope = 0.0, .raised = true};
+  const auto low = stop_at_web(raised, tools_with_nose(), true, {2});
+  ASSERT_TRUE(low);
+  EXPECT_TRUE(low->in_opening);
+  BrakeTools tools = tools_with_nose();
+  tools.machine.gauge->highest = 80.0;
+  const auto face = stop_at_web(raised, tools, true, {2});
+  ASSERT_TRUE(face);
+  EXPECT_FALSE(face->in_opening);
+  EXPECT_NEAR(face->distance, 150.0 + kHalfZone + 2.0 + 1.5, 1e-9);
+}
+
+/// A finger goes into an opening that is large enough for it. Where openings are asked for, they
+/// come after shorter outer edges, and the nose touches in them.
+TEST(Gauge, TouchesInALargeOpeningWithAFinger) {
+  BrakeTools tools = tools_with_nose();
+  tools.machine.gauge->finger_width = 30.0;
+  for (const double deep : {79.8, 80.1}) {
+    const OpenedPart large{.deep = deep, .wide = 50.0};
+    const auto finger = stop_at_web(large, tools, false);
+    ASSERT_EQ(finger.has_value(), deep > 80.0);
+    if (finger) {
+      EXPECT_FALSE(finger->in_opening);
+    }
+    const auto nose = stop_at_web(large, tools);
+    ASSERT_TRUE(nose);
+    EXPECT_TRUE(nose->in_opening);
+  }
+  const OpenedPart both{.deep = 85.0, .wide = 50.0, .slope = 0.0, .cut = 45.0};
+  EXPECT_NEAR(stop_at_web(both, tools, false)->distance, both.from + kHalfZone, 1e-9);
+  EXPECT_NEAR(stop_at_web(both, tools, true)->distance, 150.0 + kHalfZone, 1e-9);
+  tools.machine.gauge->nose->profile = {{0, 0}, {0, -3}, {90, -3}, {90, 20}, {0, 20}};
+  const auto instead = stop_at_web({.deep = 85.0, .wide = 50.0}, tools);
+  ASSERT_TRUE(instead) << "the nose is too deep, the finger is not";
+  EXPECT_FALSE(instead->in_opening);
+}
+
+/// Between flaps that hang down on both sides, 2 away from its ends, an edge of 26 leaves just the
+/// 30 that a finger needs, which stands over both ends.
 TEST(Gauge, NeedsRoomForAFinger) {
-  for (const double free : {29.0, 31.0}) {
+  for (const double edge : {25.7, 26.1}) {
+    const double a = 50.0 - 0.5 * edge, b = 50.0 + 0.5 * edge;
     SheetBuilder builder(1.5);
     const FaceId base = builder.flange(Frame{}, {polygon({{0, 0},
-                                                          {80, 0},
-                                                          {80, 60},
-                                                          {free + 2, 60},
-                                                          {free + 2, 58},
-                                                          {free, 58},
-                                                          {free, 60},
+                                                          {100, 0},
+                                                          {100, 60},
+                                                          {b + 2, 60},
+                                                          {b + 2, 58},
+                                                          {b, 58},
+                                                          {b, 60},
+                                                          {a, 60},
+                                                          {a, 58},
+                                                          {a - 2, 58},
+                                                          {a - 2, 60},
                                                           {0, 60}})});
     builder.flange_behind(
         builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up}),
-        {rectangle(80, 50)});
-    const Rim flap = builder.bend(builder.rim(base, 2),
-                                  {Angle::degrees(90), 2, BendDirection::down});
-    builder.flange_behind(flap, {rectangle(flap.length, 20)});
+        {rectangle(100, 50)});
+    for (const int border : {2, 10}) {
+      const Rim flap = builder.bend(builder.rim(base, border),
+                                    {Angle::degrees(90), 2, BendDirection::down});
+      builder.flange_behind(flap, {rectangle(flap.length, 20)});
+    }
     Room room(builder.finish(), gauged_tools());
     int gauged = 0;
-    for (const StrokeChoice& choice : room.ways(1, {2}))
-      if (choice.gauged && describe(room.cache(), room.lines({2}), choice).gauge->distance > 60.0)
+    for (const StrokeChoice& choice : room.ways(1, {2, 3}))
+      if (choice.gauged &&
+          describe(room.cache(), room.lines({2, 3}), choice).gauge->distance > 60.0)
         ++gauged;
-    EXPECT_EQ(gauged > 0, free > 30.0) << free;
+    EXPECT_EQ(gauged > 0, edge > 26.0) << edge;
   }
+}
+
+/// A base of 60, on whose far side a flange stands beside an edge that rises by `slope`.
+struct SteppedEnd {
+  double flange = 50.0, edge = 28.0, slope = 0.0;
+
+  /// Where the finger, 30 wide, touches the base when the flange is formed.
+  std::optional<GaugeStop> stop(double lift) const {
+    SheetBuilder builder(1.5);
+    const double wide = flange + 2.0 + edge;
+    const FaceId base = builder.flange(Frame{}, {polygon({{0, 0},
+                                                          {wide, 0},
+                                                          {wide, 60 - slope},
+                                                          {flange + 2, 60},
+                                                          {flange + 2, 58},
+                                                          {flange, 58},
+                                                          {flange, 60},
+                                                          {0, 60}})});
+    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+    builder.flange_behind(builder.bend(builder.rim(base, 0), turn), {rectangle(wide, 50)});
+    builder.flange_behind(builder.bend(builder.rim(base, 6), turn), {rectangle(flange, 40)});
+    BrakeTools tools = gauged_tools();
+    tools.machine.gauge->highest = lift;
+    Room room(builder.finish(), tools);
+    for (const StrokeChoice& choice : room.ways(1, {2})) {
+      const Stroke stroke = describe(room.cache(), room.lines({2}), choice);
+      if (stroke.to_gauge == FlangeId(0)) return stroke.gauge;
+    }
+    return std::nullopt;
+  }
+};
+
+/// All of a finger's width on a flange is better than some of it on an edge.
+TEST(Gauge, PrefersToTouchWithAllTheWidth) {
+  const auto on_flange = SteppedEnd{}.stop(80.0);
+  ASSERT_TRUE(on_flange);
+  EXPECT_EQ(on_flange->flange, FlangeId(2));
+  const auto on_edge = SteppedEnd{}.stop(0.0);
+  ASSERT_TRUE(on_edge);
+  EXPECT_FALSE(on_edge->flange);
+  EXPECT_NEAR(on_edge->distance, 60.0 + kHalfZone, 1e-9);
+  EXPECT_NEAR((on_edge->edge.b - on_edge->edge.a).norm(), 28.0, 1e-9);
+}
+
+/// Half of the width is enough, on an edge and on a flange.
+TEST(Gauge, TouchesWithHalfTheWidth) {
+  EXPECT_TRUE((SteppedEnd{.edge = 15.1}.stop(0.0)));
+  EXPECT_FALSE((SteppedEnd{.edge = 14.9}.stop(0.0)));
+  EXPECT_TRUE((SteppedEnd{.flange = 15.1, .slope = 5.0}.stop(80.0)));
+  EXPECT_FALSE((SteppedEnd{.flange = 14.9, .slope = 5.0}.stop(80.0)));
 }
 
 }  // namespace

@@ -51,6 +51,23 @@ TEST(Prepared, RefusesOptionsOutOfTheirRange) {
   EXPECT_TRUE(prepared_with(sheet, tools, right));
 }
 
+TEST(Prepared, RefusesToGaugeInOpeningsWithoutANose) {
+  BrakeTools tools = plain_tools();
+  PlanOptions options;
+  options.gauge_openings = true;
+  const auto refused = [&] {
+    const auto made = prepared_with(l_bracket(), tools, options);
+    return made ? std::string() : made.error().where + ": " + made.error().message;
+  };
+  const std::string without_gauge = refused();
+  EXPECT_NE(without_gauge.find("machine.gauge.nose"), std::string::npos) << without_gauge;
+  EXPECT_EQ(without_gauge.find("gauge_openings: "), 0u);
+  tools.machine.gauge = BackGauge{10, 300, 30, {{0, 0}, {0, -20}, {80, -20}, {80, 0}}};
+  EXPECT_EQ(refused(), without_gauge);
+  tools.machine.gauge->nose = GaugeNose{10, {{0, 0}, {0, -3}, {6, -3}, {6, 20}, {0, 20}}};
+  EXPECT_EQ(refused(), "");
+}
+
 TEST(Prepared, RefusesWrongToolsAndLinesWithoutTools) {
   BrakeTools tools = plain_tools();
   tools.machine.length = -1.0;

@@ -76,5 +76,22 @@ TEST(StrokePictures, LeaveTheDieBelowTheSheet) {
     EXPECT_GE(p.y(), -1e-9);
 }
 
+TEST(StrokePictures, ShowWhatTouchesTheSheet) {
+  Planned made = planned(l_bracket());
+  made.tools.machine.gauge = BackGauge{10, 300, 30, {{0, 0}, {0, -20}, {80, -20}, {80, 0}}};
+  made.tools.machine.gauge->nose = GaugeNose{10, {{0, 0}, {0, -3}, {6, 2}}};
+  Stroke& stroke = made.plan.strokes[0];
+  const auto finger = [&] {
+    return stroke_pictures(made.sheet, made.flat.layout, made.tools, {}, made.plan)[0].finger;
+  };
+  stroke.gauge = GaugeStop{25.0, {}, 4.0};
+  EXPECT_EQ(finger(), (ToolProfile{{25, 4}, {25, -16}, {105, -16}, {105, 4}}));
+  stroke.gauge = GaugeStop{25.0, {}};
+  stroke.gauge->in_opening = true;
+  EXPECT_EQ(finger(), (ToolProfile{{25, 0}, {25, -3}, {31, 2}}));
+  stroke.gauge.reset();
+  EXPECT_TRUE(finger().empty());
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -119,6 +119,18 @@ TEST(CheckTools, FindsAFingerAwayFromWhereItTouches) {
   });
 }
 
+TEST(CheckTools, FindsANoseThatCannotTouch) {
+  const auto nose = [](double width, ToolProfile profile) {
+    return [=](BrakeTools& t) { t.machine.gauge->nose = GaugeNose{width, profile}; };
+  };
+  const ToolProfile hook{{0, 0}, {0, -3}, {6, -3}, {6, 2}, {80, 2}, {80, 20}, {0, 20}};
+  EXPECT_EQ(said_of(nose(10.0, hook)).message, "nothing is wrong");
+  for (const double width : {0.0, -1.0, kNotANumber})
+    expect_wrong("/machine/gauge/nose/width", "width of the nose", nose(width, hook));
+  expect_wrong("/machine/gauge/nose/profile", "nose", nose(10.0, {{0, 0}, {6, 0}}));
+  expect_wrong("/machine/gauge/nose/profile", "(0, 0)", nose(10.0, {{1, 0}, {1, -3}, {6, -3}}));
+}
+
 TEST(CheckTools, FindsProfilesThatCrossThemselves) {
   expect_wrong("/punches/0/profile/2", "crosses", [](BrakeTools& t) {
     t.punches[0].profile = {{0, 0}, {12, 100}, {-12, 100}, {12, 20}};

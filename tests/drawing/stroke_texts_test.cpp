@@ -67,6 +67,15 @@ TEST_F(StrokeTexts, SayWhereFingersTouchAFormedFlange) {
   EXPECT_EQ(times(pages(), "  on F3, fingers 22.0 mm up"), 1);
 }
 
+TEST_F(StrokeTexts, SayThatTheNoseTouchesInTheOpening) {
+  take(l_bracket());
+  plan_.strokes[0].gauge = GaugeStop{75.25, {}};
+  EXPECT_EQ(times(pages(), "  in the opening, by the nose"), 0);
+  plan_.strokes[0].gauge->in_opening = true;
+  EXPECT_EQ(times(pages(), "gauge 75.2 mm"), 1);
+  EXPECT_EQ(times(pages(), "  in the opening, by the nose"), 1);
+}
+
 TEST_F(StrokeTexts, TellWhatIsTurnedSinceTheStrokeBefore) {
   take(u_channel());
   ASSERT_EQ(plan_.strokes.size(), 2U);

@@ -144,6 +144,12 @@ TEST(BendOrderJson, HasTheSectionsOfTheToolsThatAreUsed) {
   EXPECT_TRUE(full["upper_beams"].contains("P88"));
   EXPECT_EQ(full["finger"].size(), 4u);
   EXPECT_EQ(full["finger_width"], 60.0);
+  EXPECT_TRUE(full["nose"].empty());
+  EXPECT_EQ(full["nose_width"], 0.0);
+  tools.machine.gauge->nose = GaugeNose{8, {{0, 0}, {6, -3}, {6, 9}}};
+  const Json nosed = written(one_stroke(), planned_report(), tools)["tools"];
+  EXPECT_EQ(nosed["nose"].size(), 3u);
+  EXPECT_EQ(nosed["nose_width"], 8.0);
 }
 
 TEST(BendOrderJson, SaysWhatBecameOfAPlan) {

@@ -33,6 +33,7 @@ TEST(BendingOptions, SetWhatTheyAreNamedFor) {
                                                         {"opening", "12"},
                                                         {"weights", "turn_over=7,ungauged=0"},
                                                         {"fix", "B3,B1"},
+                                                        {"gauge_openings", "true"},
                                                         {"search_time", "2.5"}})
     EXPECT_TRUE(values.set_text(option(name), text)) << name;
   Request request;
@@ -47,6 +48,7 @@ TEST(BendingOptions, SetWhatTheyAreNamedFor) {
   EXPECT_EQ(plan.weights.ungauged, 0.0);
   EXPECT_EQ(plan.weights.rotate, StrokeWeights{}.rotate);
   EXPECT_EQ(plan.limits.seconds, 2.5);
+  EXPECT_TRUE(plan.gauge_openings);
   EXPECT_THAT(request.bending.begin_with, testing::ElementsAre("B3", "B1"));
 }
 

@@ -16,6 +16,7 @@ using test::infeasible_report;
 using test::planned_report;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 Json plan_of(const Report& report) { return plan_json(*report.plan, report); }
 
@@ -101,6 +102,17 @@ TEST(PlanReport, TellsTheFlangeThatTouchesTheGauge) {
   EXPECT_EQ(mistake_in(plan), "");
   EXPECT_EQ(plan["strokes"][0]["gauge"]["flange"], "F3");
   EXPECT_DOUBLE_EQ(plan["strokes"][0]["gauge"]["height"], -1.0);
+}
+
+TEST(PlanReport, TellsThatTheNoseTouchesInAnOpening) {
+  Report report = planned_report();
+  EXPECT_FALSE(plan_of(report)["strokes"][0]["gauge"].contains("opening"));
+  EXPECT_THAT(plan_text(*report.plan, report), Not(HasSubstr("in the opening")));
+  report.plan->strokes[0].gauge->in_opening = true;
+  const Json plan = plan_of(report);
+  EXPECT_EQ(mistake_in(plan), "");
+  EXPECT_EQ(plan["strokes"][0]["gauge"]["opening"], true);
+  EXPECT_THAT(plan_text(*report.plan, report), HasSubstr("60.000 in the opening"));
 }
 
 TEST(PlanReport, ConvertsLengths) {

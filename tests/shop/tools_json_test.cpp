@@ -64,6 +64,34 @@ TEST(ToolsJson, ReadsTheExampleOfTheFormat) {
   EXPECT_EQ(tools->dies[0].shoulder_radius, 2.0);
 }
 
+TEST(ToolsJson, ReadsANose) {
+  json nosed = example();
+  EXPECT_FALSE(parse_tools(nosed.dump(), "t.json")->machine.gauge->nose);
+  nosed["units"] = "inch";
+  nosed["machine"]["gauge"]["nose"] = {{"width", 10}, {"profile", {{0, 0}, {6, 2}, {6, -3}}}};
+  const auto tools = parse_tools(nosed.dump(), "t.json");
+  ASSERT_TRUE(tools.has_value()) << tools.error().message;
+  ASSERT_TRUE(tools->machine.gauge->nose);
+  EXPECT_NEAR(tools->machine.gauge->nose->width, 254.0, 1e-9);
+  EXPECT_GT(ring_area(tools->machine.gauge->nose->profile), 0.0) << "it runs clockwise in the file";
+  const Error flat = refusal_of([](json& given) {
+    given["machine"]["gauge"]["nose"] = {{"width", 10}, {"profile", {{0, 1}, {6, 1}, {6, -3}}}};
+  });
+  EXPECT_EQ(flat.code, code::bad_tools);
+  EXPECT_THAT(flat.where, HasSubstr("/machine/gauge/nose/profile"));
+}
+
+/// The built-in nose fits openings from 10 by 7 on in sheet of the usual thicknesses.
+TEST(ToolsJson, HasANoseAmongTheBuiltInTools) {
+  const auto& nose = default_tools().machine.gauge->nose;
+  ASSERT_TRUE(nose);
+  EXPECT_EQ(nose->width, 10.0);
+  for (const Vec2& corner : nose->profile) {
+    EXPECT_GE(corner.x(), 0.0);
+    EXPECT_TRUE(corner.x() <= 6.0 || corner.y() > 0.0) << "it lies above the sheet behind";
+  }
+}
+
 TEST(ToolsJson, TurnsProfilesCounterClockwise) {
   json clockwise = example();
   for (const char* kind : {"/punches/0/profile", "/dies/0/profile", "/machine/upper_beam"}) {

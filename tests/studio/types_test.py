@@ -83,7 +83,7 @@ class Types(StudioTest):
     def test_orders_of_strokes_are_of_their_type(self):
         document, spec = self.studio.open_example("connect/a_folded.json")
         brake = {"metal": "stainless", "springback": 2, "clearance": 0.1, "shortfall": 3, "opening": 12,
-                 "v": "wanted", "as_drawn": False, "large_radii": "roll", "chord_error": 0.3, "weights": "turn_over=4", "fix": "B1",
+                 "v": "wanted", "as_drawn": False, "large_radii": "roll", "chord_error": 0.3, "gauge_openings": True, "weights": "turn_over=4", "fix": "B1",
                  "search_time": 3, "tools": {"name": "tools.json", "content": subprocess.run([CLI, "bend", "--print-tools"], capture_output=True, text=True, timeout=60).stdout}}
         self.expect(brake, "Required<BrakeOptions>")
         for more in ({}, {"brake": brake}, {"order": []}):

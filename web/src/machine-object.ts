@@ -113,10 +113,10 @@ export class MachineObject {
 
   private addFingers({ tools, thickness }: OrderAnswer, row: StrokeRow) {
     const edge = gaugeEdge(row.scene),
-      width = tools.finger_width;
-    if (!edge || tools.finger.length < 3) return;
+      [finger, width] = row.gauge?.opening ? [tools.nose, tools.nose_width] : [tools.finger, tools.finger_width];
+    if (!edge || finger.length < 3) return;
     const up = thickness + row.scene.gauge_height,
-      section = tools.finger.map(([y, z]): Vec2 => [y, z + up]);
+      section = finger.map(([y, z]): Vec2 => [y, z + up]);
     const length = edge.to - edge.from,
       room = length - width,
       places = length < 3 * width ? [edge.from + room / 2] : [edge.from + 0.1 * room, edge.from + 0.9 * room];

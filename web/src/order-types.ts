@@ -16,6 +16,7 @@ export type BrakeOptions = Pick<
   | 'as_drawn'
   | 'large_radii'
   | 'chord_error'
+  | 'gauge_openings'
   | 'weights'
   | 'fix'
   | 'search_time'
@@ -72,6 +73,8 @@ export interface ToolTable {
   lower_beam: Vec2[];
   finger: Vec2[];
   finger_width: number;
+  nose: Vec2[]; // of a finger, in openings
+  nose_width: number;
 }
 
 /** The cheapest order, or whether one that was given can be made. */

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { facetTransforms, inverse, place, product, transformsAt } from '../src/folding.ts';
 import { moved, noOrder, orderOf, reduceOrder } from '../src/order-state.ts';
-import { changesBefore } from '../src/panels/bend-order.ts';
+import { changesBefore, inOpening } from '../src/panels/bend-order.ts';
 import { decodeShape } from '../src/shape.ts';
 import { gaugeEdge, phases, Stages, turnAt } from '../src/stage.ts';
 import type { OrderAnswer, StrokeRow } from '../src/types.ts';
@@ -87,7 +87,17 @@ const answer = (strokes: StrokeRow[]): OrderAnswer => ({
   v_away: 0,
   strokes,
   stations: [],
-  tools: { machine: '', punches: {}, upper_beams: {}, dies: {}, lower_beam: [], finger: [], finger_width: 0 },
+  tools: {
+    machine: '',
+    punches: {},
+    upper_beams: {},
+    dies: {},
+    lower_beam: [],
+    finger: [],
+    finger_width: 0,
+    nose: [],
+    nose_width: 0,
+  },
 });
 
 const shape = decodeShape(twoFlangesShape(64));
@@ -107,6 +117,13 @@ test('a facet is held where a matrix has it, and the others hang on it', () => {
   at.forEach((v, i) => near(t[16 * last + i]!, v));
   const seen = (m: Float64Array) => product(inverse(m, 16 * last), 0, m, 0);
   seen(t).forEach((v, i) => near(v, seen(plain)[i]!));
+});
+
+test('a stroke says that it is gauged in an opening', () => {
+  const { gauge } = stroke();
+  assert.equal(inOpening({ gauge }), '');
+  assert.equal(inOpening({ gauge: { ...gauge!, opening: true } }), ' in the opening');
+  assert.equal(inOpening({ gauge: null }), '');
 });
 
 test('before the stroke the sheet lies on the die, its bend line on the axis, its edge at the gauge', () => {

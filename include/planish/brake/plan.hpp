@@ -43,6 +43,7 @@ struct PlanOptions {
   RadiusWanted radius = RadiusWanted::made;
   std::optional<Forming> large_radii = {};  ///< empty: over a V that leaves them, else by bumps
   double chord_error = 0.2;                 ///< of bumps, from the drawn inside radius
+  bool gauge_openings = false;              ///< the gauge's nose may touch within openings
   std::vector<BendId> begin_with = {};      ///< bends that come first, in this order
   StrokeWeights weights;
   StrokeLimits limits;
@@ -56,6 +57,7 @@ struct GaugeStop {
   Segment edge;
   double height = 0.0;                  ///< of the finger's point above the upper skin, mm
   std::optional<FlangeId> flange = {};  ///< formed before, whose outer face touches
+  bool in_opening = false;              ///< of the sheet, by the gauge's nose
 };
 
 /// Segments of a tool that stand side by side.
@@ -177,7 +179,8 @@ struct Plan {
 
 /// Finds the cheapest order of strokes (math.md#press-brake). `layout` is that of the sheet, whose
 /// pattern `Stroke` refers to. Errors: `bad_tools`, `no_straight_bend` (nothing that a brake could
-/// press), `no_tool` (thickness, radius or hem that no tool bears), `bad_option`, `cancelled`.
+/// press), `no_tool` (thickness, radius or hem that no tool bears), `bad_option` (also
+/// `gauge_openings` without a nose), `cancelled`.
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                           const PlanOptions& options = {}, const Progress& progress = {});
 

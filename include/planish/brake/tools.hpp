@@ -45,11 +45,18 @@ struct Die {
   std::optional<double> max_force = {};
 };
 
+/// Of a finger: what touches within an opening that the finger is too large for.
+struct GaugeNose {
+  double width = 0.0;   ///< along the bend line, mm
+  ToolProfile profile;  ///< the point that touches the sheet is the origin
+};
+
 struct BackGauge {
   double from = 0.0, to = 0.0;         ///< distances from the bend line that fingers reach, mm
   double finger_width = 0.0;           ///< along the bend line, mm
   ToolProfile finger;                  ///< the point that touches the sheet is the origin
   double lowest = 0.0, highest = 0.0;  ///< of that point, above the lying sheet's upper skin, mm
+  std::optional<GaugeNose> nose = {};
 };
 
 struct PressBrake {

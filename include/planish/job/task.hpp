@@ -47,9 +47,9 @@ struct Task {
 const std::vector<Task>& tasks();
 
 /// Options of the press brake and of the order of bends, beside those of making the sheet.
-inline constexpr std::array<std::string_view, 12> kPlanOptions{
-    "tools",    "springback",  "clearance",   "shortfall", "opening", "v",
-    "as_drawn", "large_radii", "chord_error", "weights",   "fix",     "first"};
+inline constexpr std::array<std::string_view, 13> kPlanOptions{
+    "tools",       "springback",  "clearance",      "shortfall", "opening", "v",    "as_drawn",
+    "large_radii", "chord_error", "gauge_openings", "weights",   "fix",     "first"};
 
 /// Whether an option says how the sheet is made that is to be bent: how it bends and is laid flat,
 /// not how it is written or checked. Not `material`, whose words may stand for metals.

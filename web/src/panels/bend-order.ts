@@ -246,11 +246,14 @@ function strokeItem(
   </li>`;
 }
 
+/** Where the nose of the gauge touches. */
+export const inOpening = ({ gauge }: Pick<StrokeRow, 'gauge'>) => (gauge?.opening ? ' in the opening' : '');
+
 function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
   const { units } = ui.state,
     length = (v: number | null) => `${lengthText(v, answer.units, units)} ${unitName(units)}`;
   const gauge = row.gauge
-    ? `${plateOf(ui.state, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}`
+    ? `${plateOf(ui.state, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}${inOpening(row)}`
     : row.flattening
       ? ''
       : 'no gauge';

@@ -4,7 +4,7 @@ import { byPlates } from '../said.ts';
 import { isStopped, turnAt } from '../stage.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
-import { changesBefore } from './bend-order.ts';
+import { changesBefore, inOpening } from './bend-order.ts';
 
 /** Below the part in the machine: from one stroke to the next, and what is seen. */
 export function strokeBar(ui: Ui) {
@@ -62,7 +62,7 @@ export function machineLegend(ui: Ui) {
     row = strokes[at];
   if (!row || !order.answer) return nothing;
   const gauge = row.gauge
-    ? `gauge ${lengthText(row.gauge.distance, order.answer.units, units)} ${unitName(units)}`
+    ? `gauge ${lengthText(row.gauge.distance, order.answer.units, units)} ${unitName(units)}${inOpening(row)}`
     : null;
   const hit = isStopped(row, order.time - at) ? row.blocked?.tool : null,
     color = (own: string, ...names: string[]) => (hit && names.includes(hit) ? '--hit' : own);
