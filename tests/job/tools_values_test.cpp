@@ -23,7 +23,7 @@ json tools_of_shop() {
                            "profile": [[0,0],[0,-3],[6,-3],[6,2],[80,2],[80,20],[0,20]] } } },
     "punches": [ { "id": "P", "profile": [[0,0],[6,6.2],[6,120],[-6,120],[-6,6.2]],
       "tip_radius": 1.0, "angle": 88, "segments": [100,50,40,20], "max_force": 1000,
-      "raises_beam": 0 } ],
+      "ears": { "left": 30, "right": 30, "height": 20, "reach": 25 }, "raises_beam": 0 } ],
     "dies": [ { "id": "V", "opening": 12, "angle": 86, "shoulder_radius": 1,
       "profile": [[-6,0],[-10,0],[-10,-100],[10,-100],[10,0],[6,0],[0,-6.5]],
       "segments": [100,50,40,20], "max_force": 600 } ] })");
@@ -50,6 +50,10 @@ const test::ValuesAt& changes() {
       {"/punches/0/angle", 100},
       {"/punches/0/segments", {20}},
       {"/punches/0/max_force", 50},
+      {"/punches/0/ears/left", 0},
+      {"/punches/0/ears/right", 0},
+      {"/punches/0/ears/height", 60},
+      {"/punches/0/ears/reach", 5},
       {"/punches/0/raises_beam", 40},
       {"/dies/0/id", "W"},
       {"/dies/0/opening", 10},
@@ -92,13 +96,39 @@ json opened() {
   return plates;
 }
 
+json plate(const std::string& id, const json& outline) {
+  return {{"id", id}, {"outline", outline}};
+}
+
+/// A flap in front of a base, bent between walls with lips 50 above it.
+json lipped() {
+  json plates;
+  plates["thickness"] = 2;
+  plates["defaults"]["inside_radius"] = 2;
+  plates["plates"] = {
+      plate("base", {{5, 5, 0}, {115, 5, 0}, {115, 80, 0}, {5, 80, 0}}),
+      plate("flap", {{5, 0, 5}, {115, 0, 5}, {115, 0, 25}, {5, 0, 25}}),
+      plate("left", {{0, 5, 5}, {0, 80, 5}, {0, 80, 45}, {0, 5, 45}}),
+      plate("right", {{120, 5, 5}, {120, 80, 5}, {120, 80, 45}, {120, 5, 45}}),
+      plate("left lip", {{5, 5, 50}, {20, 5, 50}, {20, 80, 50}, {5, 80, 50}}),
+      plate("right lip", {{115, 5, 50}, {100, 5, 50}, {100, 80, 50}, {115, 80, 50}})};
+  for (const auto& [one, other] : {std::pair("base", "flap"),
+                                   {"base", "left"},
+                                   {"base", "right"},
+                                   {"left", "left lip"},
+                                   {"right", "right lip"}})
+    plates["bends"].push_back({{"between", {one, other}}});
+  return plates;
+}
+
 /// Channels of legs that are short for the die, of any, and that nearly reach the beam, and a Z
-/// whose second leg hangs beside the die.
+/// whose second leg hangs beside the die; what is gauged in an opening, and what is bent between
+/// lips.
 std::vector<json> parts() {
   json high = test::channel_plates(110), low = test::channel_plates(30), z = low;
   for (json& corner : z["plates"][2]["outline"])
     corner[2] = -corner[2].get<double>();
-  return {test::channel_plates(9.5), low, z, high, opened()};
+  return {test::channel_plates(9.5), low, z, high, opened(), lipped()};
 }
 
 /// What the plans of the parts say, without the words.
@@ -111,6 +141,7 @@ std::string answers(const json& tools) {
                 {{"tools", {{"name", "t.json"}, {"content", tools.dump()}}},
                  {"v", "wanted"},
                  {"gauge_openings", true}}}};
+    if (part == lipped()) asked["options"]["fix"] = "B4,B5,B2,B3,B1";
     const RunResult bent = test::done_by(asked);
     const json report = json::parse(bent.report);
     const bool planned = report.contains("plan") && report["plan"].is_object();

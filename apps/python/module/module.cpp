@@ -180,6 +180,11 @@ PYBIND11_MODULE(_planish, module) {
             return py::bytes(apart([&] { return part.bend_pages(svg); }));
           },
           py::arg("svg"))
+      .def("flats_as_made",
+           [](Part& part) {
+             return mapped(apart([&] { return part.flats_as_made(); }),
+                           [](const std::string& dxf) { return py::bytes(dxf); });
+           })
       .def("artifacts", [](const Part& part) { return part.artifacts(job::built_in()); });
 
   py::class_<PartMesh>(module, "Mesh")

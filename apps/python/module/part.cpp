@@ -112,6 +112,17 @@ Result<std::string> Part::bend_pages(bool svg) {
   return pages_pdf(pages, made_.made->report().body + ", bend plan");
 }
 
+Result<std::vector<std::string>> Part::flats_as_made() {
+  const std::lock_guard working(working_);
+  std::vector<std::string> drawings;
+  for (int piece = 0; piece < pieces(); ++piece) {
+    auto dxf = job::dxf_as_made(made_.made->piece(piece), made_.request);
+    if (!dxf) return tl::unexpected(std::move(dxf.error()));
+    drawings.push_back(std::move(*dxf));
+  }
+  return drawings;
+}
+
 std::vector<std::string> Part::artifacts(const job::Catalogue& catalogue) const {
   return mapped(catalogue.written_by(*made_.maker),
                 [&](const job::Artifact* artifact) { return std::string(artifact->name); });

@@ -64,6 +64,8 @@ class Part {
                                                   const std::string& options);
   /// The pages of its bend plan.
   Result<std::string> bend_pages(bool svg);
+  /// DXF of each piece for the radii that the plan's tools leave.
+  Result<std::vector<std::string>> flats_as_made();
   std::vector<std::string> artifacts(const job::Catalogue& catalogue) const;
 
  private:

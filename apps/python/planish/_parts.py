@@ -194,11 +194,7 @@ class Part(PartKeys):
         written.
         """
         path = pathlib.Path(path)
-        contents = [content for _, content in self._files(format or self._format_of(path), options)]
-        paths = [path] if len(contents) == 1 else [path.with_name(f"{path.stem}-{number}{path.suffix}")
-                                                   for number in range(1, len(contents) + 1)]
-        _write_all(list(zip(paths, contents)))
-        return paths
+        return _write_pieces(path, [content for _, content in self._files(format or self._format_of(path), options)])
 
     def _format_of(self, path: pathlib.Path) -> str:
         suffix = path.suffix.lower().lstrip(".")
@@ -249,8 +245,22 @@ class BendPlan(Part):
             return [(f"plan.{format}", self._made.bend_pages(format == "svg"))]
         return super()._files(format, options)
 
+    def write_as_made(self, path: PathLike) -> list[pathlib.Path]:
+        """Writes the flat pattern for the inside radii that the plan's tools leave, as DXF; several pieces get numbers."""
+        refusal = self._refusal()
+        if refusal is not None:
+            raise refusal
+        return _write_pieces(pathlib.Path(path), self._made.flats_as_made())
+
     def _svg(self, piece: int) -> str:
         return super()._files("svg", {})[piece][1].decode()
+
+
+def _write_pieces(path: pathlib.Path, contents: list[bytes]) -> list[pathlib.Path]:
+    paths = [path] if len(contents) == 1 else [path.with_name(f"{path.stem}-{number}{path.suffix}")
+                                               for number in range(1, len(contents) + 1)]
+    _write_all(list(zip(paths, contents)))
+    return paths
 
 
 def _write_all(files: list[tuple[pathlib.Path, bytes]]) -> None:
