@@ -45,8 +45,8 @@ void add_rows(Json& json, const RowKeys& keys, const std::vector<SegmentRow>& ro
     all.left_ear += row.left_ear;
     all.right_ear += row.right_ear;
   }
-  json[keys.segments] = lengths_json(all.segments, units);
   json[keys.from] = number_json(units.length(all.from));
+  json[keys.segments] = lengths_json(all.segments, units);
   if (Json ears = ears_json(all); !ears.empty()) json[keys.ears] = std::move(ears);
   if (rows.size() < 2) return;
   json[keys.rows] = json_array(rows, [&](const SegmentRow& row) {

@@ -63,6 +63,7 @@ function stroke(more: Partial<StrokeRow> = {}): StrokeRow {
       },
       punch: [[-60, 60]],
       die: [[-60, 60]],
+      feet: [],
       gauge: [
         [78, 0],
         [78, 60],
@@ -90,6 +91,7 @@ const answer = (strokes: StrokeRow[]): OrderAnswer => ({
   tools: {
     machine: '',
     punches: {},
+    feet: {},
     upper_beams: {},
     dies: {},
     lower_beam: [],

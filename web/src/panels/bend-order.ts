@@ -257,7 +257,14 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     : row.flattening
       ? ''
       : 'no gauge';
-  const small = [`${row.punch} / ${row.die}`, `${row.scene.pattern_up ? 'front' : 'back'} side up`, gauge]
+  const check = row.check_dimension;
+  const small = [
+    `${row.punch} / ${row.die}`,
+    `${row.scene.pattern_up ? 'front' : 'back'} side up`,
+    gauge,
+    check ? `check ${plateOf(ui.state, check.flange)} ${length(check.length)}` : '',
+    row.on_ears ? 'slide it off the ears' : '',
+  ]
     .filter(Boolean)
     .join(' · ');
   return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked
