@@ -152,10 +152,17 @@ class Trying {
     }
   }
 
-  bool has(const Punch& punch) const {
-    return std::ranges::any_of(tools_.punches, [&](const Punch& own) {
-      return own.profile == punch.profile && own.tip_radius == punch.tip_radius;
+  /// The shop's own punch of that shape; null if it has none.
+  const Punch* own(const Punch& punch) const {
+    const auto same = std::ranges::find_if(tools_.punches, [&](const Punch& one) {
+      return one.profile == punch.profile && one.tip_radius == punch.tip_radius;
     });
+    return same == tools_.punches.end() ? nullptr : &*same;
+  }
+  /// Also with ears if that has them.
+  bool has(const Punch& punch) const {
+    const Punch* same = own(punch);
+    return same && (same->ears || !punch.ears);
   }
 
   BrakeTools with(const Punch& punch) const {
@@ -172,7 +179,9 @@ class Trying {
     if (more.punches.size() == tools_.punches.size() || !can_bend(more)) return;
     for (const Punch& punch : others_->punches) {
       if (has(punch) || !can_bend(with(punch))) continue;
-      found_.push_back({.kind = Kind::punch, .tools = {punch.id}});
+      const Punch* same = own(punch);
+      found_.push_back(
+          {.kind = Kind::punch, .tools = {same ? same->id : punch.id}, .ears = same != nullptr});
       return;
     }
   }

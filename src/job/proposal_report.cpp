@@ -56,7 +56,8 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
     case Kind::smaller_v:
       return fmt::format("over a V of {} ({})", with_unit(proposal.opening, units), tools);
     case Kind::punch:
-      return fmt::format("with the additional punch {}", tools);
+      return fmt::format("with {} {}", proposal.ears ? "ears for punch" : "the additional punch",
+                         tools);
     case Kind::taller_punches:
       return fmt::format("with punches {} taller and the upper beam higher by the same",
                          with_unit(proposal.by, units));
@@ -97,6 +98,7 @@ Json proposals_json(const Plan& plan, const Report& report) {
     if (proposal.opening > 0.0) json["opening"] = number_json(units.length(proposal.opening));
     if (proposal.by > 0.0) json["by"] = number_json(units.length(proposal.by));
     if (!proposal.tools.empty()) json["tools"] = proposal.tools;
+    if (proposal.ears) json["ears"] = true;
     if (!proposal.flanges.empty()) {
       if (proposal.kind == Kind::shorter_flange)
         json["flange"] = flange_id(proposal.flanges.front());
@@ -110,14 +112,15 @@ Json proposals_json(const Plan& plan, const Report& report) {
 }
 
 Schema proposal_schema() {
-  return object({required("kind", words(kKinds)),
-                 required("sentence", text().said("goes on from \"it can be bent\"")),
-                 optional("opening", measured_length().said("of the V")),
-                 optional("by", measured_length().said(
-                                    "that punches are taller, or flanges shorter or longer")),
-                 optional("tools", list(text()).said("the dies of that V; the punch")),
-                 optional("flange", text()), optional("flanges", list(text())),
-                 optional("bends", list(text()))});
+  return object(
+      {required("kind", words(kKinds)),
+       required("sentence", text().said("goes on from \"it can be bent\"")),
+       optional("opening", measured_length().said("of the V")),
+       optional("by",
+                measured_length().said("that punches are taller, or flanges shorter or longer")),
+       optional("tools", list(text()).said("the dies of that V; the punch")),
+       optional("ears", flag().said("for a punch that the shop has")), optional("flange", text()),
+       optional("flanges", list(text())), optional("bends", list(text()))});
 }
 
 std::string proposals_text(const Plan& plan, const Report& report) {

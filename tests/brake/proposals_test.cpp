@@ -84,6 +84,20 @@ TEST(Proposals, NameAPunchThatWouldDo) {
             nullptr);
 }
 
+/// Between walls with a lip the shop's own punch needs ears.
+TEST(Proposals, NameAPunchThatNeedsEars) {
+  BrakeTools tools = plain_tools({.half_width = 4.0}, {.half_width = 9.0}), others = tools;
+  others.punches[0].id = "other";
+  others.punches[0].ears = Ears{50.0, 50.0, 25.0, 20.0};
+  PlanOptions options;
+  options.begin_with = {BendId(2), BendId(1), BendId(0)};
+  const Tried all = tried(lipped_base(15.0), tools, options, &others);
+  const Proposal* eared = all.of(Kind::punch);
+  ASSERT_NE(eared, nullptr);
+  EXPECT_TRUE(eared->ears);
+  EXPECT_EQ(eared->tools, std::vector<std::string>{"P"});
+}
+
 /// A flange of x takes a V of at most 2 (x − q) with shoulders of q, here of 1.5.
 TEST(Proposals, NameTheWidestVForAShortFlange) {
   BrakeTools tools = plain_tools();

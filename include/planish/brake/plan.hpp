@@ -130,7 +130,7 @@ struct BlockedBend {
 struct Proposal {
   enum class Kind {
     smaller_v,       ///< another wanted opening: `opening`, `tools` its dies
-    punch,           ///< a punch of another catalogue besides: `tools`
+    punch,           ///< a punch of another catalogue besides, or `ears` for one's own: `tools`
     taller_punches,  ///< all punches taller `by`, the upper beam as much higher
     shorter_flange,  ///< the one of `flanges` shorter `by`
     longer_flanges,  ///< each of `flanges` longer `by`
@@ -142,6 +142,7 @@ struct Proposal {
   double opening = 0.0;  ///< mm
   double by = 0.0;       ///< mm
   std::vector<std::string> tools = {};
+  bool ears = false;
   std::vector<FlangeId> flanges = {};
   std::vector<BendId> bends = {};
 };
