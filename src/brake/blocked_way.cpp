@@ -61,9 +61,13 @@ Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die, double 
   Facts facts{{"tool", text_of(tool)}, {"is", lack.is, unit::mm}};
   switch (lack.kind) {
     case Lack::Kind::segments:
+    case Lack::Kind::no_room:
       if (!lack.room) return remark_of(say::no_segments_fit, facts);
       facts.emplace_back("room", *lack.room, unit::mm);
       return remark_of(say::no_segments_in_room, facts);
+    case Lack::Kind::bed:
+      facts.emplace_back("most", lack.needs, unit::mm);
+      return remark_of(say::bed_too_short, facts);
     case Lack::Kind::plane_sides:
       return remark_of(say::shoulders_touch_bend, facts);
     case Lack::Kind::room:
@@ -180,7 +184,7 @@ std::vector<Setting> ways_to_press(const StrokeInputs& inputs, const LineSet& fo
 Setting told_of(StageCache& cache, const Setting& stroke, Obstruction& obstruction) {
   Setting plain = stroke;
   plain.ears = false;
-  if (obstruction.lack.kind != Lack::Kind::segments || obstruction.tool != ToolKind::punch ||
+  if (obstruction.lack.kind != Lack::Kind::no_room || obstruction.tool != ToolKind::punch ||
       !ears_of(cache.inputs(), stroke).any())
     return stroke;
   const auto hits = collisions(cache, plain);

@@ -6,6 +6,7 @@
 
 #include "segments.hpp"
 #include "sentences.hpp"
+#include "tool_shape.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
@@ -220,6 +221,14 @@ class Fitting {
     return std::max(line_.inside_radius, hidden) + kWritten;
   }
 
+  /// Whether the sheet about a tip rounder than drawn still lies with plane sides on the shoulders.
+  bool goes_in(const Punch& punch, const Die& die) const {
+    if (punch.tip_radius <= line_.inside_radius) return true;  // the bend itself is looked at
+    const Shoulder shoulder = shoulder_of(die);
+    const double half = 0.5 * (line_.angle.radians() + options_.springback.radians());
+    return (punch.tip_radius + thickness_ + shoulder.radius) * std::sin(half) <= shoulder.across;
+  }
+
   bool has_radius(const Punch& punch, const Die& die) const {
     const bool insists = line_.is_large || (options_.radius == RadiusWanted::drawn &&
                                             !line_.press_line && !line_.closed_by);
@@ -237,7 +246,7 @@ class Fitting {
   }
 
   bool suits(const Punch& punch, const Die& die) const {
-    return is_sharp(punch) && may_be_taken(die) && has_radius(punch, die);
+    return is_sharp(punch) && may_be_taken(die) && has_radius(punch, die) && goes_in(punch, die);
   }
 
   bool fits(const Punch& punch, const Die& die) const {

@@ -11,6 +11,8 @@ struct Lack {
   enum class Kind {
     nothing,
     segments,     ///< of the tool, to press a line as long as `is`, where there is `room`
+    bed,          ///< for a row that presses a line as long as `is`: it takes rows of `needs`
+    no_room,      ///< for segments of the tool of any length, to press a line as long as `is`
     plane_sides,  ///< where the shoulders of the die touch: the bend is as wide as `is`
     reach,        ///< of a side, which ends so far from the bend line: the die `needs` more
     room,         ///< of the tool, to close a hem

@@ -64,6 +64,9 @@ constexpr Refusal no_ears{code::bad_tools, "{subject} has ears of length 0.",
                           "Give the length of the left or the right one, or leave them out."};
 constexpr Refusal flat_punch_ears{code::bad_tools, "{subject} is flat and has ears.",
                                   "Leave them out: a hem is closed without."};
+constexpr Refusal high_ears{
+    code::bad_tools, "{subject} has ears whose feet are {height:6} high, and it is {top:6} itself.",
+    "Give the height up to which an ear reaches to its end."};
 constexpr Refusal short_ear{
     code::bad_tools, "{subject} has an ear of {length:6} whose body stands back by {reach:6}.",
     "Make the reach no longer than the ear."};

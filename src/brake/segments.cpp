@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kMostSums = 200'000;
 constexpr std::size_t kMostSegments = 64;
+constexpr double kFar = 1e9;  // mm
 
 /// What a row must press, and where it may stand.
 struct Stretch {
@@ -51,7 +52,6 @@ std::vector<Interval> blocked_with(const RowRequest& request, const RowEars& ear
 /// Stretches between what blocks, each with the pieces that lie there; empty if a piece cannot be
 /// pressed.
 std::vector<Stretch> stretches_of(const RowRequest& request, const RowEars& ears) {
-  constexpr double kFar = 1e9;  // mm
   std::vector<Interval> rooms;
   double from = -kFar;
   for (const Interval& blocked : blocked_with(request, ears)) {
@@ -91,37 +91,35 @@ class Filling {
       : stretches_(std::move(stretches)), ears_(ears) {}
 
   std::vector<ToolRow> rows(const SegmentSums& segments) {
-    fill(segments, 0);
+    fill(segments);
     return std::move(rows_);
   }
 
  private:
   /// Fills those from `rows_.size()` on with what is left of the segments.
-  bool fill(const SegmentSums& left, SegmentSums::Chosen used) {
+  bool fill(const SegmentSums& left) {
     const Stretch& stretch = stretches_[rows_.size()];
     const RowEars ears = ears_here();
     const double least = stretch.pressed.hi - stretch.pressed.lo - 0.5 * kSameLength - ears.lo -
                          ears.hi;
     const double most = stretch.room.hi - stretch.room.lo + 0.5 * kSameLength - ears.lo - ears.hi;
-    if (ears.any() && least <= 0.0 && most >= 0.0 && goes_on(left, used, {}, ears)) return true;
+    if (ears.any() && least <= 0.0 && most >= 0.0 && goes_on(left, {}, ears)) return true;
     const auto& sums = left.sums();
     auto at = std::ranges::lower_bound(sums, least, {}, &SegmentSums::Sum::length);
     for (; at != sums.end() && at->length <= most; ++at)
-      if (goes_on(left, used, *at, ears)) return true;
+      if (goes_on(left, *at, ears)) return true;
     return false;
   }
 
   /// Takes a sum of segments for the next stretch, then fills the others.
-  bool goes_on(const SegmentSums& left, SegmentSums::Chosen used, const SegmentSums::Sum& sum,
-               const RowEars& ears) {
+  bool goes_on(const SegmentSums& left, const SegmentSums::Sum& sum, const RowEars& ears) {
     std::vector<double> segments = left.chosen(sum.chosen);
     if (ears.lo > 0.0) segments.insert(segments.begin(), ears.lo);
     if (ears.hi > 0.0) segments.push_back(ears.hi);
     const double length = ears.lo + sum.length + ears.hi;
     rows_.push_back({start_of_row(stretches_[rows_.size()], length), std::move(segments), ears});
     if (rows_.size() == stretches_.size()) return true;
-    const SegmentSums::Chosen taken = used | sum.chosen;
-    if (fill(SegmentSums(left.segments(), taken), taken)) return true;
+    if (fill(SegmentSums(left.segments(), left.used() | sum.chosen))) return true;
     rows_.pop_back();
     return false;
   }
@@ -135,6 +133,23 @@ class Filling {
   RowEars ears_;
   std::vector<ToolRow> rows_;
 };
+
+/// Whether the ears can be taken from below what is above their feet: once the segments between
+/// are out they are pushed together.
+bool come_free(const std::vector<ToolRow>& rows, const RowRequest& request) {
+  const double middle = request.pieces.front().lo + request.pieces.back().hi;
+  Interval free{-kFar, kFar};
+  for (const Interval& wall : request.blocked)
+    if (wall.lo + wall.hi < middle)
+      free.lo = std::max(free.lo, wall.hi);
+    else
+      free.hi = std::min(free.hi, wall.lo);
+  const RowEars first = rows.front().ears, last = rows.back().ears;
+  double caught = 0.0;
+  if (first.lo > 0.0 && free.lo > rows.front().from + kPenetration) caught += first.lo;
+  if (last.hi > 0.0 && free.hi < extent(rows.back()).hi - kPenetration) caught += last.hi;
+  return caught == 0.0 || free.hi - free.lo >= caught - kSameLength;
+}
 
 /// None first, then as few as there can be.
 std::vector<RowEars> choices_of(const RowEars& ears) {
@@ -189,7 +204,8 @@ Interval body(const ToolRow& row) {
 
 double ToolRow::length() const { return std::accumulate(segments.begin(), segments.end(), 0.0); }
 
-SegmentSums::SegmentSums(const std::vector<double>& segments, Chosen used) : segments_(segments) {
+SegmentSums::SegmentSums(const std::vector<double>& segments, Chosen used)
+    : segments_(segments), used_(used) {
   std::ranges::stable_sort(segments_, std::greater<>());
   segments_.resize(std::min(segments_.size(), kMostSegments));
   std::map<long long, Chosen> ways{{0, 0}};  // by rounded length
@@ -213,14 +229,24 @@ std::vector<double> SegmentSums::chosen(Chosen chosen) const {
   return lengths;
 }
 
+bool has_room(const RowRequest& request) {
+  return std::ranges::any_of(choices_of(request.ears), [&](const RowEars& ears) {
+    const std::vector<Stretch> stretches = stretches_of(request, ears);
+    if (stretches.empty()) return false;
+    const Interval &first = stretches.front().room, &last = stretches.back().room;
+    return first.hi - first.lo >= ears.lo + (stretches.size() == 1 ? ears.hi : 0.0) &&
+           last.hi - last.lo >= ears.hi;
+  });
+}
+
 std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request) {
   std::vector<ToolRow> best;
   for (const RowEars& ears : choices_of(request.ears)) {
     std::vector<Stretch> stretches = stretches_of(request, ears);
     if (stretches.empty()) continue;
     std::vector<ToolRow> rows = Filling(std::move(stretches), ears).rows(segments);
-    if (rows.empty() || extent(rows.back()).hi - rows.front().from > request.longest + kSameLength)
-      continue;
+    if (rows.empty() || !come_free(rows, request)) continue;
+    if (extent(rows.back()).hi - rows.front().from > request.longest + kSameLength) continue;
     if (best.empty() || size_of(rows) < size_of(best)) best = std::move(rows);
   }
   return best;

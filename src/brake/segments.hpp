@@ -60,17 +60,23 @@ class SegmentSums {
   /// By length, above 0.
   const std::vector<Sum>& sums() const { return sums_; }
   const std::vector<double>& segments() const { return segments_; }
+  Chosen used() const { return used_; }
   std::vector<double> chosen(Chosen chosen) const;
 
  private:
   std::vector<double> segments_;  ///< longest first
+  Chosen used_ = 0;
   std::vector<Sum> sums_;
 };
 
+/// Whether there is room for rows, had the tool segments of every length besides its ears.
+bool has_room(const RowRequest& request);
+
 /// Rows of segments that together press every piece: one row where nothing is in its way, else one
 /// for each stretch between what blocks. Each row is as short as it can be, in the middle of what
-/// it presses as far as there is room. Ears are segments like others but stand at the outer ends.
-/// Empty: no choice of segments does it.
+/// it presses as far as there is room. Ears are segments like others but stand at the outer ends,
+/// and can be pushed together from below what is above their feet. Empty: no choice of segments
+/// does it.
 std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request);
 
 }  // namespace planish::brake_detail

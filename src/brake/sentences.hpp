@@ -72,6 +72,9 @@ constexpr Sentence no_segments_in_room{
     "no_segments",
     "{tool} has no segments that press the line, {is} long, in the {room} between what is beside "
     "it"};
+constexpr Sentence bed_too_short{
+    "no_segments",
+    "no row of {tool} that presses the line, {is} long, is as short as the machine takes, {most}"};
 constexpr Sentence shoulders_touch_bend{
     "bend_too_wide",
     "the shoulders of {tool} would touch the bend, {is} wide, and not the plane sides"};

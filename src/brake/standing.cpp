@@ -9,6 +9,7 @@
 #include "sweep.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace planish::brake_detail {
 namespace {
@@ -110,17 +111,24 @@ void add_walls(StageCache& cache, const Setting& stroke, ToolKind row, const Pre
 
 std::size_t row_of(ToolKind kind) { return kind == ToolKind::punch ? 0 : 1; }
 
-/// Segments of punch or die that press all pieces between walls; empty if none do.
-std::vector<ToolRow> row_of_segments(const StrokeInputs& inputs, const Setting& stroke,
-                                     ToolKind kind, const std::vector<Interval>& pieces,
-                                     const RowWalls& walls) {
+/// What is asked of segments of punch or die between walls.
+RowRequest request_of(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind,
+                      const std::vector<Interval>& pieces, const RowWalls& walls) {
   RowRequest request{pieces, shortfall(inputs), joined(walls.walls[row_of(kind)], 0.0),
                      inputs.tools.machine.length};
   if (kind == ToolKind::punch) {
     request.ears = ears_of(inputs, stroke);
     request.blocked_foot = walls.foot;
   }
-  return tool_rows(segments_of(inputs, stroke, kind), request);
+  return request;
+}
+
+/// Segments of punch or die that press all pieces between walls; empty if none do.
+std::vector<ToolRow> row_of_segments(const StrokeInputs& inputs, const Setting& stroke,
+                                     ToolKind kind, const std::vector<Interval>& pieces,
+                                     const RowWalls& walls) {
+  return tool_rows(segments_of(inputs, stroke, kind),
+                   request_of(inputs, stroke, kind, pieces, walls));
 }
 
 }  // namespace
@@ -227,11 +235,14 @@ StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces, walls);
   if (!made.empty()) return made;
-  return tl::unexpected(Obstruction{walls.because[row_of(kind)],
-                                    kind,
-                                    -1,
-                                    {Lack::Kind::segments, pieces.back().hi - pieces.front().lo,
-                                     0.0, room_of(pieces, walls.walls[row_of(kind)])}});
+  RowRequest request = request_of(cache.inputs(), stroke, kind, pieces, walls);
+  Lack lack{has_room(request) ? Lack::Kind::segments : Lack::Kind::no_room,
+            pieces.back().hi - pieces.front().lo, request.longest};
+  request.longest = std::numeric_limits<double>::infinity();
+  if (!tool_rows(segments_of(cache.inputs(), stroke, kind), request).empty())
+    lack.kind = Lack::Kind::bed;
+  lack.room = room_of(pieces, request.ears.any() ? request.blocked_foot : request.blocked);
+  return tl::unexpected(Obstruction{walls.because[row_of(kind)], kind, -1, lack});
 }
 
 Standing rows_between(StageCache& cache, const Setting& stroke, const RowWalls& walls) {

@@ -61,8 +61,9 @@ std::vector<Kept> keeping_away(const Rows& rows, const Demand& demand) {
 
 /// A tool may stand in a wall as deep as anything may.
 bool is_clear(const Interval& tool, const Interval& wall, double at) {
-  return tool.hi <= wall.lo + at + kPenetration + kSameLength ||
-         tool.lo >= wall.hi + at - kPenetration - kSameLength;
+  constexpr double kFound = 0.02;  // mm: to which the walls of two strokes are found
+  return tool.hi <= wall.lo + at + kPenetration + kFound ||
+         tool.lo >= wall.hi + at - kPenetration - kFound;
 }
 
 bool is_within(const Interval& pressed, const Interval& tool, double at) {

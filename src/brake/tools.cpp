@@ -124,6 +124,10 @@ void check_ears(ToolCheck& to, const Punch& punch) {
   to.above_zero("/ears/height", "height of the ears", ears.height);
   to.above_zero("/ears/reach", "reach of the ears", ears.reach);
   if (ears.left == 0.0 && ears.right == 0.0) to.wrong("/ears", "", refuse::no_ears);
+  const double top = std::ranges::max(punch.profile, {}, [](const Vec2& p) { return p.y(); }).y();
+  if (ears.height >= top)
+    to.wrong("/ears/height", "", refuse::high_ears,
+             {{"height", ears.height, unit::mm}, {"top", top, unit::mm}});
   for (const auto& [key, length] :
        {std::pair("/ears/left", ears.left), {"/ears/right", ears.right}})
     if (length > 0.0 && length < ears.reach)

@@ -129,7 +129,10 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
   lines.emplace_back(fmt::format("{} kN, {} clear", number_text(stroke.force, 3),
                                  with_unit(drawing, stroke.clearance)),
                      kPlain);
-  if (stroke.on_ears) lines.emplace_back("hangs on the ears: slide it off", kPlain);
+  if (stroke.on_ears) {
+    lines.emplace_back("lips over ears: take what is", kSmall);
+    lines.emplace_back("between them out, push them in", kSmall);
+  }
   return lines;
 }
 

@@ -64,7 +64,7 @@ constexpr Refusal bad_rip_edges{
 constexpr Refusal bad_weights{code::bad_option,
                               "`weights` must be like turn_over=3,rotate=2, each a number of at "
                               "least 0 for one of turn_over, "
-                              "rotate, tool_change, stroke, ungauged, not \"{text}\"."};
+                              "rotate, tool_change, stroke, ungauged, v, not \"{text}\"."};
 constexpr Refusal no_shop_material{
     code::bad_option, "The shop profile has no material \"{material}\": it has {known}."};
 constexpr Refusal no_material_or_file{

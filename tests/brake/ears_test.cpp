@@ -105,5 +105,20 @@ TEST(Ears, PressLikeOtherSegments) {
   EXPECT_TRUE(tool_rows(sums, request).empty());
 }
 
+/// A part with lips at both ends, each over a foot: the ears, 50 each, come free where that much is
+/// between the lips.
+TEST(Ears, CanBePushedTogetherBetweenLips) {
+  const SegmentSums sums({100, 40, 20, 10, 5});
+  for (const double lip : {24.0, 26.0}) {
+    RowRequest request{{{0, 150}}, 0, {{-5, lip}, {150 - lip, 155}}, 1000, {50, 50, 30}};
+    request.blocked_foot = {{-5, 0}, {150, 155}};
+    const auto rows = tool_rows(sums, request);
+    ASSERT_EQ(rows.size(), lip < 25.0 ? 1u : 0u) << lip;
+    if (!rows.empty()) {
+      EXPECT_EQ(rows[0].segments, (std::vector<double>{50, 40, 10, 50}));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

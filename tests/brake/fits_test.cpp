@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 
 namespace planish::test {
@@ -96,6 +97,14 @@ std::vector<ToolPair> by_hand(const BrakeLine& line, const BrakeTools& tools,
                                       made < line.drawn_radius * 4 / 3 + 1e-6
                                 : one.tip_radius <= tip;
       const bool v_taken = taken || (drawn && options.v == VChoice::any);
+      // The shoulder's circle touches the top and the flank; about a tip that is rounder than drawn
+      // the sheet has to touch it with its plane sides.
+      const double q = die.shoulder_radius,
+                   turn = line.angle.radians() + options.springback.radians();
+      const double across = 0.5 * v + q / std::tan(std::numbers::pi / 4 + die.angle.radians() / 4);
+      if (one.tip_radius > line.inside_radius &&
+          (one.tip_radius + t + q) * std::sin(0.5 * turn) > across)
+        continue;
       const double whole = force(v) * line.length() / 1000.0;
       if (!v_taken || !radius || !bears(one, force(v)) || !bears(die, force(v)) ||
           whole > tools.machine.force)

@@ -79,6 +79,15 @@ TEST(Segments, StandBetweenWallsAndBridgeGaps) {
   EXPECT_TRUE(tool_rows(sums, {{{0, 105}, {120, 225}}, 0, {{108, 115}}, 1000}).empty());
 }
 
+/// What stands already is no more there, also for the rows behind a wall.
+TEST(Segments, StandOnceInAllRows) {
+  const std::vector<double> owned{40, 20, 10};
+  const RowRequest request{{{0, 40}, {60, 78}}, 0, {{45, 55}}, 1000};
+  EXPECT_EQ(tool_rows(SegmentSums(owned), request).size(), 2u);
+  EXPECT_TRUE(tool_rows(SegmentSums(owned, 0b010), request).empty()) << "the 20 stands elsewhere";
+  EXPECT_EQ(tool_rows(SegmentSums(owned, 0b100), request).size(), 2u) << "the 10 does";
+}
+
 /// The last wall of a box between two that stand: the row goes between them. The walls' inner faces
 /// lie where their bends have turned, beside a base of length l: r inside each tangent line is
 /// bent, so the faces are l + 2 r apart. A segment of that length fits, with ε at each end. (The

@@ -263,7 +263,7 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     `${row.scene.pattern_up ? 'front' : 'back'} side up`,
     gauge,
     check ? `check ${plateOf(ui.state, check.flange)} ${length(check.length)}` : '',
-    row.on_ears ? 'slide it off the ears' : '',
+    row.on_ears ? 'lips over ears: push them in to take it off' : '',
   ]
     .filter(Boolean)
     .join(' · ');
