@@ -173,11 +173,13 @@ StandingRow standing_row(StageCache& cache, const Setting& stroke, ToolKind row)
     add_walls(cache, stroke, row, motion, within, walls);
     return row_between(cache, stroke, walls, row);
   };
-  // Mostly the shortest row has room, and what is farther away does not matter.
+  // Mostly the shortest row has room, and what is farther away does not matter but to ears, which
+  // have to come free.
   const Interval near = of_shortest_row(cache.inputs(), stroke, row, pieces);
   StandingRow made = row_within(near);
   const bool is_near = made && made->front().from >= near.lo &&
-                       made->back().from + made->back().length() <= near.hi;
+                       made->back().from + made->back().length() <= near.hi &&
+                       !made->front().ears.any() && !made->back().ears.any();
   return is_near ? made : row_within(kEverywhere);
 }
 
