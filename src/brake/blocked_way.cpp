@@ -47,10 +47,9 @@ std::vector<Counting> what_counts(StageCache& cache, const Setting& stroke, Tool
   const std::vector<Interval> pieces = pieces_to_press(cache, stroke);
   const double left_out = shortfall(cache.inputs());
   const Interval row{pieces.front().lo + left_out, pieces.back().hi - left_out};
-  const RowEars ears = kind == ToolKind::punch ? ears_of(cache.inputs(), stroke) : RowEars{};
+  const RowEars ears = ears_of(cache.inputs(), stroke, kind);
   if (!ears.any()) return {{CrossSection::whole, row}};
-  const Interval body{row.lo + (ears.lo > 0.0 ? ears.reach : 0.0),
-                      row.hi - (ears.hi > 0.0 ? ears.reach : 0.0)};
+  const Interval body = stood_back(row, ears);
   std::vector<Counting> counting{{CrossSection::foot, row}};
   if (body.lo < body.hi) counting.push_back({CrossSection::whole, body});
   return counting;
@@ -184,8 +183,8 @@ std::vector<Setting> ways_to_press(const StrokeInputs& inputs, const LineSet& fo
 Setting told_of(StageCache& cache, const Setting& stroke, Obstruction& obstruction) {
   Setting plain = stroke;
   plain.ears = false;
-  if (obstruction.lack.kind != Lack::Kind::no_room || obstruction.tool != ToolKind::punch ||
-      !ears_of(cache.inputs(), stroke).any())
+  if (obstruction.lack.kind != Lack::Kind::no_room ||
+      !ears_of(cache.inputs(), stroke, obstruction.tool).any())
     return stroke;
   const auto hits = collisions(cache, plain);
   if (hits.empty()) return stroke;

@@ -27,13 +27,12 @@ std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interv
 /// Whether something that the body of the punch would hit is above the foot of an ear.
 bool reaches_over_feet(StageCache& cache, const Setting& stroke,
                        const std::vector<ToolRow>& punch) {
-  const auto over = [&](const ToolRow& row, const std::vector<Interval>& walls) {
-    return std::ranges::any_of(walls, [&](const Interval& wall) {
-      return wall.hi > row.from + kPenetration && wall.lo < extent(row).hi - kPenetration;
-    });
-  };
+  if (!punch.front().ears.any() && !punch.back().ears.any()) return false;
+  const Surroundings around = surroundings(cache, stroke);
   return std::ranges::any_of(punch, [&](const ToolRow& row) {
-    return row.ears.any() && over(row, surroundings(cache, stroke).walls.walls[0]);
+    return row.ears.any() && std::ranges::any_of(around.walls.walls[0], [&](const Interval& wall) {
+             return wall.hi > row.from + kPenetration && wall.lo < extent(row).hi - kPenetration;
+           });
   });
 }
 

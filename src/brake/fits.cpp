@@ -40,21 +40,23 @@ double pressed_span(const BrakeLine& line, double shortfall) {
   return covered(line.pieces.back(), shortfall).hi - covered(line.pieces.front(), shortfall).lo;
 }
 
-std::vector<double> segments_of(const Die& die) { return die.segments; }
-std::vector<double> segments_of(const Punch& punch) {
-  std::vector<double> all = punch.segments;
-  if (punch.ears) all.insert(all.end(), {punch.ears->left, punch.ears->right});
-  return all;
+/// Of all segments of a tool.
+double length_of(const Die& die) {
+  return std::accumulate(die.segments.begin(), die.segments.end(), 0.0);
+}
+double length_of(const Punch& punch) {
+  const double ears = punch.ears ? punch.ears->left + punch.ears->right : 0.0;
+  return std::accumulate(punch.segments.begin(), punch.segments.end(), ears);
 }
 
 /// Whether all segments of a tool together press the pieces of a line.
-bool has_segments(const std::vector<double>& segments, const BrakeLine& line, double shortfall) {
+bool has_segments(double length, const BrakeLine& line, double shortfall) {
   double needed = 0.0;
   for (const Interval& piece : line.pieces) {
     const Interval pressed = covered(piece, shortfall);
     needed += pressed.hi - pressed.lo;
   }
-  return std::accumulate(segments.begin(), segments.end(), 0.0) >= needed - kWritten;
+  return length >= needed - kWritten;
 }
 
 }  // namespace
@@ -241,8 +243,8 @@ class Fitting {
   }
 
   bool pressed_by(const Punch& punch, const Die& die) const {
-    return has_segments(segments_of(punch), line_, shortfall_) &&
-           has_segments(segments_of(die), line_, shortfall_);
+    return has_segments(length_of(punch), line_, shortfall_) &&
+           has_segments(length_of(die), line_, shortfall_);
   }
 
   bool suits(const Punch& punch, const Die& die) const {

@@ -245,8 +245,7 @@ std::optional<GaugeStop> in_opening(StageCache& cache, const Setting& stroke,
                                     const std::vector<GaugeEdge>& edges) {
   const auto& nose = cache.inputs().tools.machine.gauge->nose;
   if (!nose || edges.empty()) return std::nullopt;
-  const Obstacle shape = obstacle_of(section_of(nose->profile), kPenetration, 0.0);
-  auto stop = first_clear(cache, stroke, edges, {shape, nose->width, nose->width});
+  auto stop = first_clear(cache, stroke, edges, {cache.tools().nose(), nose->width, nose->width});
   if (stop) stop->in_opening = true;
   return stop;
 }

@@ -196,11 +196,12 @@ SegmentRow row_of(const ToolRow& row, double from) {
 
 Interval extent(const ToolRow& row) { return {row.from, row.from + row.length()}; }
 
-Interval body(const ToolRow& row) {
-  const auto [lo, hi] = extent(row);
-  const auto& [at_lo, at_hi, reach] = row.ears;
-  return {at_lo > 0.0 ? lo + reach : lo, at_hi > 0.0 ? hi - reach : hi};
+Interval stood_back(const Interval& feet, const RowEars& ears) {
+  return {ears.lo > 0.0 ? feet.lo + ears.reach : feet.lo,
+          ears.hi > 0.0 ? feet.hi - ears.reach : feet.hi};
 }
+
+Interval body(const ToolRow& row) { return stood_back(extent(row), row.ears); }
 
 double ToolRow::length() const { return std::accumulate(segments.begin(), segments.end(), 0.0); }
 
@@ -253,3 +254,19 @@ std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& re
 }
 
 }  // namespace planish::brake_detail
+
+namespace planish {
+
+std::string text_of(const SegmentRow& row, const std::function<std::string(double)>& length) {
+  std::string text;
+  for (std::size_t i = 0; i < row.segments.size(); ++i) {
+    const bool left = i == 0 && row.left_ear > 0.0,
+               right = i + 1 == row.segments.size() && row.right_ear > 0.0;
+    text += i == 0 ? "" : " + ";
+    text += left ? "left ear " : right ? "right ear " : "";
+    text += length(row.segments[i]);
+  }
+  return text;
+}
+
+}  // namespace planish

@@ -17,6 +17,9 @@ struct RowEars {
   RowEars turned() const { return {hi, lo, reach}; }
 };
 
+/// Where the body stands of what stands there with its feet; may end before it begins.
+Interval stood_back(const Interval& feet, const RowEars& ears);
+
 /// Segments of a tool standing side by side.
 struct ToolRow {
   double from = 0.0;             ///< along the bend line, mm

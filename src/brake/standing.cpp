@@ -31,10 +31,9 @@ std::vector<Needed> needed_by(const StrokeInputs& inputs, const Setting& stroke,
                return Interval{std::min(pressed.lo + kPenetration, middle),
                                std::max(pressed.hi - kPenetration, middle)};
              })};
-  const RowEars ears = kind == ToolKind::punch ? ears_of(inputs, stroke) : RowEars{};
+  const RowEars ears = ears_of(inputs, stroke, kind);
   if (!ears.any()) return {std::move(row)};
-  const double lo = row.along.front().lo + (ears.lo > 0.0 ? ears.reach : 0.0),
-               hi = row.along.back().hi - (ears.hi > 0.0 ? ears.reach : 0.0);
+  const auto [lo, hi] = stood_back({row.along.front().lo, row.along.back().hi}, ears);
   Needed body;
   for (const Interval& along : row.along)
     if (std::max(along.lo, lo) <= std::min(along.hi, hi))
@@ -97,7 +96,7 @@ Interval of_shortest_row(const StrokeInputs& inputs, const Setting& stroke, Tool
 void add_walls(StageCache& cache, const Setting& stroke, ToolKind row, const PressMotion& motion,
                const Interval& within, RowWalls& walls) {
   const PartTree& tree = cache.tree(stroke.line);
-  const bool on_feet = row == ToolKind::punch && ears_of(cache.inputs(), stroke).any();
+  const bool on_feet = ears_of(cache.inputs(), stroke, row).any();
   for (int part = 0; part < std::ssize(tree.parts()); ++part) {
     const std::vector<Interval>& blocked = blocked_by(cache, stroke, part, row, CrossSection::whole,
                                                       motion, within);
@@ -114,13 +113,12 @@ std::size_t row_of(ToolKind kind) { return kind == ToolKind::punch ? 0 : 1; }
 /// What is asked of segments of punch or die between walls.
 RowRequest request_of(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind,
                       const std::vector<Interval>& pieces, const RowWalls& walls) {
-  RowRequest request{pieces, shortfall(inputs), joined(walls.walls[row_of(kind)], 0.0),
-                     inputs.tools.machine.length};
-  if (kind == ToolKind::punch) {
-    request.ears = ears_of(inputs, stroke);
-    request.blocked_foot = walls.foot;
-  }
-  return request;
+  return {pieces,
+          shortfall(inputs),
+          joined(walls.walls[row_of(kind)], 0.0),
+          inputs.tools.machine.length,
+          ears_of(inputs, stroke, kind),
+          kind == ToolKind::punch ? walls.foot : std::vector<Interval>()};
 }
 
 /// Segments of punch or die that press all pieces between walls; empty if none do.
@@ -238,11 +236,12 @@ StandingRow row_between(StageCache& cache, const Setting& stroke, const RowWalls
   std::vector<ToolRow> made = row_of_segments(cache.inputs(), stroke, kind, pieces, walls);
   if (!made.empty()) return made;
   RowRequest request = request_of(cache.inputs(), stroke, kind, pieces, walls);
-  Lack lack{has_room(request) ? Lack::Kind::segments : Lack::Kind::no_room,
-            pieces.back().hi - pieces.front().lo, request.longest};
-  request.longest = std::numeric_limits<double>::infinity();
-  if (!tool_rows(segments_of(cache.inputs(), stroke, kind), request).empty())
-    lack.kind = Lack::Kind::bed;
+  Lack lack{Lack::Kind::no_room, pieces.back().hi - pieces.front().lo, request.longest};
+  if (has_room(request)) {
+    request.longest = std::numeric_limits<double>::infinity();
+    const bool none = tool_rows(segments_of(cache.inputs(), stroke, kind), request).empty();
+    lack.kind = none ? Lack::Kind::segments : Lack::Kind::bed;
+  }
   lack.room = room_of(pieces, request.ears.any() ? request.blocked_foot : request.blocked);
   return tl::unexpected(Obstruction{walls.because[row_of(kind)], kind, -1, lack});
 }

@@ -76,8 +76,8 @@ RowEars ears_of(const Punch& punch) {
   return {punch.ears->left, punch.ears->right, punch.ears->reach};
 }
 
-RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke) {
-  if (!stroke.ears) return {};
+RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind) {
+  if (kind != ToolKind::punch || !stroke.ears) return {};
   const RowEars ears = ears_of(inputs.tools.punches[stroke.punch]);
   return stroke.direction > 0 ? ears : ears.turned();
 }

@@ -51,8 +51,8 @@ Setting setting(const StrokeInputs& inputs, const LineSet& formed, const StrokeC
 
 /// The ears of a punch as the operator sees them, from the left; none if it has none.
 RowEars ears_of(const Punch& punch);
-/// Those of a stroke's punch along its line.
-RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke);
+/// Those of a stroke's punch along its line; dies and beams have none.
+RowEars ears_of(const StrokeInputs& inputs, const Setting& stroke, ToolKind kind);
 
 /// How the sheet moves in a stroke.
 PressMotion motion(const StrokeInputs& inputs, const Setting& stroke);

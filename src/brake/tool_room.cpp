@@ -15,8 +15,10 @@ constexpr double kBody = 1.0;  // mm: any clearance above 0 keeps the tool whole
 
 ToolRoom::ToolRoom(const BrakeTools& tools, double clearance)
     : tools_(tools), clearance_(clearance) {
-  if (tools_.machine.gauge)
-    finger_ = obstacle_of(section_of(tools_.machine.gauge->finger), kPenetration, 0.0);
+  const auto& gauge = tools_.machine.gauge;
+  if (!gauge) return;
+  finger_ = obstacle_of(section_of(gauge->finger), kPenetration, 0.0);
+  if (gauge->nose) nose_ = obstacle_of(section_of(gauge->nose->profile), kPenetration, 0.0);
 }
 
 /// What a part has to keep away from. The tip's wedge may be touched; what stands out beyond it

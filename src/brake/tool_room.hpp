@@ -43,6 +43,8 @@ class ToolRoom {
                          CrossSection of = CrossSection::whole);
   /// Of the back gauge, where it touches at the origin.
   const Obstacle& finger() const { return finger_; }
+  /// Of its nose; empty if it has none.
+  const Obstacle& nose() const { return nose_; }
   ToolName name(ToolKind kind, int tool) const;
 
  private:
@@ -66,7 +68,7 @@ class ToolRoom {
   const BrakeTools& tools_;
   double clearance_;
   int keys_ = 0;
-  Obstacle finger_;
+  Obstacle finger_, nose_;
   std::map<std::tuple<ToolKind, int, double, CrossSection>, Obstacle> deeper_;
   Table obstacles_, bodies_;
 };

@@ -3,7 +3,6 @@
 
 #include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
-#include <planish/brake/plan.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <algorithm>
@@ -245,18 +244,6 @@ std::string_view kind_name(ToolKind kind) {
 std::string text_of(const ToolName& tool) {
   std::string text(kind_name(tool.kind));
   return tool.id.empty() ? text : text + " " + tool.id;
-}
-
-std::string text_of(const SegmentRow& row, const std::function<std::string(double)>& length) {
-  std::string text;
-  for (std::size_t i = 0; i < row.segments.size(); ++i) {
-    const bool left = i == 0 && row.left_ear > 0.0,
-               right = i + 1 == row.segments.size() && row.right_ear > 0.0;
-    text += i == 0 ? "" : " + ";
-    text += left ? "left ear " : right ? "right ear " : "";
-    text += length(row.segments[i]);
-  }
-  return text;
 }
 
 bool flattens(Angle angle) {
