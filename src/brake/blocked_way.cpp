@@ -8,6 +8,7 @@
 #include "gauge.hpp"
 #include "one_line.hpp"
 #include "plane_side.hpp"
+#include "prepared.hpp"
 #include "sentences.hpp"
 #include "standing.hpp"
 #include "sweep.hpp"
@@ -55,8 +56,9 @@ std::vector<Counting> what_counts(StageCache& cache, const Setting& stroke, Tool
   return counting;
 }
 
-/// What a stroke lacks, with what would help if that is known.
-Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die, double thickness) {
+/// What a stroke lacks on a side, with what would help if that is known.
+Remark remark_on(const Lack& lack, const Place& side, const ToolName& tool, const Die& die,
+                 double thickness) {
   Facts facts{{"tool", text_of(tool)}, {"is", lack.is, unit::mm}};
   switch (lack.kind) {
     case Lack::Kind::segments:
@@ -74,6 +76,7 @@ Remark remark_on(const Lack& lack, const ToolName& tool, const Die& die, double 
     default:
       break;
   }
+  facts.emplace_back("side", side);
   facts.emplace_back("needed", lack.needs, unit::mm);
   const double opening = 2.0 * (lack.is - die.shoulder_radius);
   if (opening <= 0.0) return remark_of(say::short_of_any, facts);
@@ -94,7 +97,9 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
   BlockedBend blocked{inputs.work.lines[stroke.line].bends.front()};
   if (obstruction.part >= 0) blocked.with = flange_of(cache, stroke.line, obstruction.part);
   if (obstruction.lack.kind != Lack::Kind::nothing) {
-    blocked.why = remark_on(obstruction.lack, name, inputs.tools.dies[stroke.die],
+    const Place side = blocked.with ? place::flange(index_of(*blocked.with) + 1)
+                                    : place::bend(name_of(blocked.bend));
+    blocked.why = remark_on(obstruction.lack, side, name, inputs.tools.dies[stroke.die],
                             inputs.work.thickness);
     if (obstruction.lack.kind == Lack::Kind::reach) {
       blocked.reach = obstruction.lack.is;

@@ -2,6 +2,7 @@
 // the time; the least that does is found by doubling and halving, which takes for granted that
 // more of a change helps no less, until it does harm elsewhere. Each is told only if it was
 // planned again (bend.md#proposals).
+#include "blocked_way.hpp"
 #include "changed_work.hpp"
 #include "obstruction.hpp"
 #include "plan_search.hpp"
@@ -87,12 +88,15 @@ class Trying {
                         workpiece_options(sheet_.thickness, tools_, options, plan_.large));
   }
 
-  /// Whether an order is found in what is left of the share.
-  bool can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options) {
+  /// Whether an order is found in what is left of the share; if not, `reasons` gets what is in the
+  /// way of bends.
+  bool can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options,
+                std::vector<BlockedBend>* reasons = nullptr) {
+    if (reasons) reasons->clear();
     const std::chrono::duration<double> time = until_ - Clock::now();
     if (share_ <= 0 || time.count() <= 0.0 || progress_.should_stop()) return false;
     options.limits.first = true;
-    options.limits.reasons = false;
+    options.limits.reasons = reasons != nullptr;
     options.limits.seconds = std::min(options.limits.seconds, time.count());
     options.limits.checks = share_;
     share_ -= kLeastChecks;
@@ -100,9 +104,15 @@ class Trying {
     if (line_without_tool(inputs)) return false;
     StageCache cache(inputs, &tools == &tools_ ? obstacles_ : nullptr);
     const auto search = search_plan(cache, progress_);
+    const bool found = search && (search->status == PlanStatus::optimal ||
+                                  search->status == PlanStatus::feasible);
+    if (search && !found && reasons) {
+      for (int line = 0; line < inputs.lines(); ++line)
+        if (std::ranges::count(search->blocked, line))
+          reasons->push_back(brake_detail::blocked(cache, search->furthest, line, until_));
+    }
     share_ -= cache.checks();
-    return search &&
-           (search->status == PlanStatus::optimal || search->status == PlanStatus::feasible);
+    return found;
   }
   bool can_bend(const BrakeTools& tools) { return can_bend(work_, tools, options_); }
 
@@ -281,26 +291,48 @@ class Trying {
     return true;
   }
 
-  /// All that end too near to a bend for its die, by what the shortest of them lacks.
+  /// A body that ends too near to a line for its die, seen from there.
+  struct ShortSide {
+    int line = 0;
+    double reach = 0.0, lacks = 0.0;
+  };
+
+  /// All that end too near to a bend for its die, each by what the shortest of them lacks. Behind a
+  /// side that is long enough another may show that is not.
   void try_longer() {
-    std::map<Changed, double> reach;
+    constexpr int kMostRounds = 4;
+    std::map<int, ShortSide> sides;  // by body
     double by = 0.0;
-    for (const BlockedBend& one : blocked()) {
-      if (one.needed <= one.reach || !one.with) continue;
-      const Changed changed{body_of(*one.with), line_of(one.bend)};
-      if (changed.body < 0 || changed.near < 0) return;
-      reach[changed] = one.reach;
-      by = std::max(by, kFinest * std::ceil((one.needed - one.reach) / kFinest));
-    }
-    Workpiece work = work_;
-    Proposal proposal{.kind = Kind::longer_flanges, .by = by};
-    for (const auto& [changed, at] : reach) {
-      if (!can_lengthen(work, changed.body, changed.near)) return;
-      work = lengthened(work, changed.body, changed.near, at, by);
-      proposal.flanges.push_back(*work_.bodies[changed.body].flange);
-    }
-    if (!reach.empty() && can_bend(std::move(work), tools_, options_))
+    std::vector<BlockedBend> blocked = this->blocked();
+    for (int round = 0; round < kMostRounds && add_short_sides(blocked, by, sides); ++round) {
+      for (const auto& [body, side] : sides)
+        by = std::max(by, side.lacks);
+      Workpiece work = work_;
+      Proposal proposal{.kind = Kind::longer_flanges, .by = by};
+      for (const auto& [body, side] : sides) {
+        if (!can_lengthen(work, body, side.line)) return;
+        work = lengthened(work, body, side.line, side.reach, by);
+        proposal.flanges.push_back(*work_.bodies[body].flange);
+      }
+      if (!can_bend(std::move(work), tools_, options_, &blocked)) continue;
       found_.push_back(std::move(proposal));
+      return;
+    }
+  }
+
+  /// Those that are in the way when each told before is longer `by`; false if there are none.
+  bool add_short_sides(const std::vector<BlockedBend>& blocked, double by,
+                       std::map<int, ShortSide>& sides) {
+    bool any = false;
+    for (const BlockedBend& one : blocked) {
+      const int body = one.with ? body_of(*one.with) : -1, line = line_of(one.bend);
+      if (one.needed <= one.reach || body < 0 || line < 0) continue;
+      const double lacks = kFinest * std::ceil((one.needed - one.reach) / kFinest);
+      const bool is_new = sides.try_emplace(body, ShortSide{line, one.reach, 0.0}).second;
+      sides[body].lacks = std::max(sides[body].lacks, is_new ? lacks : by + lacks);
+      any = true;
+    }
+    return any;
   }
 
   void try_split() {

@@ -80,15 +80,15 @@ constexpr Sentence shoulders_touch_bend{
     "the shoulders of {tool} would touch the bend, {is} wide, and not the plane sides"};
 constexpr Sentence short_side{
     "short_side",
-    "a side ends {is} from the bend line, and {tool} needs {needed}; a V of {opening} or less "
-    "would take it"};
+    "the bend line is {is} from the end of {@side}, and {tool} needs {needed}; a V of {opening} or "
+    "less would take it"};
 constexpr Sentence short_of_usual{
     "short_side",
-    "a side ends {is} from the bend line, and {tool} needs {needed}; only a V of {opening} would "
-    "take it, narrower than 4 T"};
+    "the bend line is {is} from the end of {@side}, and {tool} needs {needed}; only a V of "
+    "{opening} would take it, narrower than 4 T"};
 constexpr Sentence short_of_any{
     "short_side",
-    "a side ends {is} from the bend line, and {tool} needs {needed}; no V would take it"};
+    "the bend line is {is} from the end of {@side}, and {tool} needs {needed}; no V would take it"};
 constexpr Sentence beam_at_hem{"beam_at_hem", "the {tool} is in the way of closing the hem"};
 constexpr Sentence hem_not_bent{"hem_not_bent", "a hem is bent before it is closed"};
 

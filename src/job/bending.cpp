@@ -206,6 +206,9 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   PlanOptions options = bending.plan;
   auto begin = bends_named(report, bending.begin_with);
   if (!begin) return begin.error();
+  for (const BendId bend : *begin)
+    if (std::ranges::count(*begin, bend) > 1)
+      return error_of(refuse::bend_named_twice, {{"bend", part_place(report.flat, bend)}}, "fix");
   options.begin_with = std::move(*begin);
   const BrakeTools& tools = tools_of(bending);
   const auto until = options.limits.end(std::chrono::steady_clock::now());

@@ -141,6 +141,7 @@ constexpr Refusal not_on_skin{
     "Set `up` to other to make the opposite skin face up.", "up", "other"};
 constexpr Refusal no_bends{code::bad_option, "There is no {@bend}: the sheet has no bends."};
 constexpr Refusal no_such_bend{code::bad_option, "There is no {@bend}; the bends are {known}."};
+constexpr Refusal bend_named_twice{code::bad_option, "`fix` names {@bend} twice."};
 constexpr Refusal no_such_piece{code::bad_option, "`piece` is {piece}; the last piece is {last}."};
 constexpr Refusal not_made{code::bad_option, "{what} cannot be made from this part."};
 constexpr Refusal long_order{code::invalid_input,

@@ -139,6 +139,25 @@ TEST(Proposals, TellByHowMuchFlangesAreTooShort) {
   }
 }
 
+/// Both sides of a bend, of which the first to be told hides the other.
+TEST(Proposals, TellOfShortSidesBehindShortSides) {
+  BrakeTools tools = plain_tools();
+  tools.dies = plain_dies({12.0});
+  const double half_zone = 0.25 * std::numbers::pi * (1.0 + 0.44 * 2.0);
+  const auto side = [&](double lacks) { return Straight{6.0 + 1.5 - lacks - half_zone}; };
+  const Turn up{Angle::degrees(90), 1.0, BendDirection::up};
+  const auto expect = [&](const Sheet& sheet, const std::vector<FlangeId>& flanges, double by) {
+    const Tried all = tried(sheet, tools);
+    const Proposal* longer = all.of(Kind::longer_flanges);
+    ASSERT_NE(longer, nullptr);
+    EXPECT_EQ(longer->flanges, flanges);
+    EXPECT_GT(longer->by, by - 0.01);
+    EXPECT_LT(longer->by, by + 0.11);
+  };
+  expect(strip({side(1.15), up, side(2.25)}, 50, 2.0), {FlangeId(0), FlangeId(1)}, 2.25);
+  expect(strip({side(2.25), up, side(1.15)}, 50, 2.0), {FlangeId(0), FlangeId(1)}, 2.25);
+}
+
 /// check_test.cpp: a beam at Z above the tip takes legs up to
 /// (Z + ε − r (1 − s)) / s − (web + r + T) − r; for legs 25 longer it has to be 25 s higher.
 TEST(Proposals, TellHowMuchTallerPunchesAre) {

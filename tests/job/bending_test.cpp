@@ -88,6 +88,17 @@ TEST(Bending, RefusesABeginningWithABendThatIsNotThere) {
   EXPECT_THAT(made.error().message, HasSubstr("B1, B2"));
 }
 
+TEST(Bending, RefusesABeginningThatNamesABendTwice) {
+  Request request;
+  request.bending.ask = Bending::Ask::plan;
+  request.bending.begin_with = {"B1", "B2", "B1"};
+  const auto work = built_in().maker("connect")->open({"c.json", channel(30), {}}, {});
+  const auto made = (*work)->make(request, {});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().where, "fix");
+  EXPECT_THAT(made.error().message, HasSubstr("B1 twice"));
+}
+
 TEST(Bending, RefusesAChannelTooDeepForItsTools) {
   // Whichever leg is bent first stands 250 mm high and must pass the beam 120 mm above the tip,
   // 60 mm to either side of it: over a web of 60 mm it cannot.

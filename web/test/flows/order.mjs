@@ -51,6 +51,25 @@ export async function order({ page }) {
   await page.waitForSelector('[data-testid=order-old]'); // of other options
   await plan(page);
   assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
+  // the wanted V alone: both strokes go over it
+  await page.fill('[data-testid=opening]', '16');
+  await page.keyboard.press('Enter');
+  await page.selectOption('[data-testid=v]', 'wanted');
+  for (const [field, chosen] of [
+    ['as-drawn', 'made'],
+    ['large-radii', 'bump'],
+    ['gauge-openings', 'openings'],
+  ])
+    await page.selectOption(`[data-testid=${field}]`, chosen);
+  await plan(page);
+  assert.deepEqual(await state(page, 's.order.brake'), {
+    ...(await state(page, 's.order.ofBrake')),
+    opening: 16,
+    v: 'wanted',
+    large_radii: 'bump',
+    gauge_openings: true,
+  });
+  for (const stroke of await state(page, 's.order.answer.strokes')) assert.match(stroke.die, /^V16-/);
 }
 
 /** A stroke is dragged, and moved by keys: what collides is red in the list and in the picture. */
