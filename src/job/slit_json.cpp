@@ -31,6 +31,8 @@ constexpr schema::Range kDraft{"an angle above 0 and at most 85", 0.0, 85.0, fal
 const Words<StripEdge> kSides{{"left", StripEdge::left}, {"right", StripEdge::right}};
 const Words<EndAngle> kEndAngles{
     {"right_angle", EndAngle::right_angle}, {"level", EndAngle::level}, {"free", EndAngle::free}};
+const Words<SlitObjective> kObjectives{{"energy", SlitObjective::energy},
+                                       {"smooth", SlitObjective::smooth}};
 const Words<MouldForm> kForms{{"ribs", MouldForm::ribs}, {"body", MouldForm::body}};
 const Words<MouldSide> kMouldSides{
     {"ground", MouldSide::ground}, {"back", MouldSide::back}, {"front", MouldSide::front}};
@@ -162,6 +164,10 @@ Schema make_slits_schema() {
   add(optional(
       "end_angle",
       words(kEndAngles).defaulting("right_angle").said("how strips meet the symmetry plane")));
+  add(optional("objective", words(kObjectives)
+                                .defaulting("smooth")
+                                .said("what a strip's shape has least of: bending energy, or "
+                                      "changes of its folds")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));
   add(optional("ends", list(end_schema()).said("of the strips of a sheet that is not symmetric")));
@@ -293,6 +299,7 @@ SlitDesign design_at(const JsonPlace& place) {
   if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
   design.ridges = place["ridges"].whole();
   design.end_angle = place["end_angle"].choice(kEndAngles);
+  design.objective = place["objective"].choice(kObjectives);
   for (const auto& [name, weight] : kWeights)
     design.weights.*weight = place["weights"][std::string(name)].number();
   for (const JsonPlace& anchor : place["anchors"].items())

@@ -37,6 +37,7 @@ Json strip_json(const StripState& state, const FoldedStrip& strip, Ridges ridges
   json["gap"] = number_json(units.length(state.gap));
   json["shortfall"] = number_json(units.length(state.shortfall));
   json["min_radius"] = number_json(units.length(state.min_radius));
+  json["energy"] = number_json(state.energy);
   json["iterations"] = state.iterations;
   json["seat_distance"] = number_json(units.length(state.seat_distance));
   json["anchor_distance"] = number_json(units.length(state.anchor_distance));
@@ -97,10 +98,11 @@ ReportDetails slit_report_details() {
   const Schema strip = object(
       {required("status", words({"open", "solved", "out_of_reach"})),
        required("gap", measured_length()), required("shortfall", measured_length()),
-       required("min_radius", measured_length()), required("iterations", whole()),
-       required("seat_distance", measured_length()), required("anchor_distance", measured_length()),
-       required("scan_distance", measured_length()), required("crosses", list(whole())),
-       required("crosses_plane", flag()), required("ridges", list(ridge))});
+       required("min_radius", measured_length()), required("energy", number(kAnyNumber)),
+       required("iterations", whole()), required("seat_distance", measured_length()),
+       required("anchor_distance", measured_length()), required("scan_distance", measured_length()),
+       required("crosses", list(whole())), required("crosses_plane", flag()),
+       required("ridges", list(ridge))});
   const Schema slit = object(
       {required("gap", measured_length()), required("flat_deviation", measured_length()),
        required("leg_scales", list(number(kAnyNumber))), required("strips", list(strip))});

@@ -1,5 +1,7 @@
 #include "descend.hpp"
 
+#include "bend_energy.hpp"
+#include "newton.hpp"
 #include "reach.hpp"
 
 #include <Eigen/Cholesky>
@@ -115,8 +117,17 @@ double descend_in_chart(const StripProblem& problem, const DescentOptions& optio
 
 }  // namespace
 
+double whole_objective(const StripProblem& problem, const StripParameters& p) {
+  Eigen::VectorXd residuals(problem.residuals());
+  if (!evaluate(problem, p, residuals, nullptr)) return std::numeric_limits<double>::infinity();
+  const double wishes = 0.5 * residuals.squaredNorm();
+  if (problem.objective == SlitObjective::smooth) return wishes;
+  return wishes + energy_scale(problem.base) * bend_energy(problem, p);
+}
+
 Descent descend(const StripProblem& problem, const StripParameters& from,
                 const DescentOptions& options) {
+  if (problem.objective == SlitObjective::energy) return descend_by_newton(problem, from, options);
   // Far from their centre the coordinates may reach a limit, so a descent that ends there continues
   // about a new shape.
   constexpr double kFar = 0.5;

@@ -24,8 +24,12 @@ struct Descent {
   bool converged = false;
 };
 
+/// What a descent lowers; infinite where there is no shape.
+double whole_objective(const StripProblem& problem, const StripParameters& p);
+
 /// Lowers the objective from a shape that meets the end conditions, among shapes that meet them:
-/// Levenberg–Marquardt steps (Ceres) on the manifold of those shapes.
+/// the energy by Newton's method (newton.hpp), smoothness by Levenberg–Marquardt steps (Ceres) on
+/// the manifold of those shapes.
 Descent descend(const StripProblem& problem, const StripParameters& from,
                 const DescentOptions& options);
 

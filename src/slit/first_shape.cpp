@@ -1,5 +1,7 @@
 #include "first_shape.hpp"
 
+#include "bend_energy.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -121,12 +123,44 @@ std::optional<Wanted> wanted_of(const StripProblem& problem) {
   return up_to_point(problem);
 }
 
-/// Squares of second differences and of misses, as the objective weighs them.
+constexpr int kPieces = 10;
+using Folds = std::array<double, kPieces>;
+
+/// The energy of folds as the objective has it (bend_energy.hpp). `far`: the fold into a panel.
+double energy_of(const Folds& folds, std::optional<double> far, const Wanted& wanted,
+                 const StripProblem& problem) {
+  const double last_share = wanted.end_angle && !far ? 1.5 : 1.0;
+  double squares = 2.0 * folds[0] * folds[0] + folds[kPieces - 1] * folds[kPieces - 1] / last_share;
+  for (std::size_t i = 1; i + 1 < folds.size(); ++i)
+    squares += folds[i] * folds[i];
+  if (far) squares += 2.0 * *far * *far;
+  const StripBase& base = problem.base;
+  return energy_scale(base) * 0.5 * squares * kPieces * base.width() / base.unit();
+}
+
+/// Second differences of folds, as the objective weighs them. Curls whose angles grow evenly are
+/// smooth too; of equally smooth curves the one that bends least is wanted.
+double unsmoothness_of(const Folds& folds, std::optional<double> far, const StripProblem& problem) {
+  constexpr double kBending = 0.01;
+  constexpr double kLeastWeight = 1e-6;  // so that it decides if smoothness has no weight
+  const double last = folds[kPieces - 1] - folds[kPieces - 2];
+  double unsmooth = 0.0;
+  for (std::size_t i = 1; i + 1 < folds.size(); ++i) {
+    const double second = 2.0 * folds[i] - folds[i - 1] - folds[i + 1];
+    unsmooth += second * second;
+  }
+  if (problem.mirrored) unsmooth += last * last;
+  if (far) unsmooth += (last + folds[kPieces - 1] - *far) * (last + folds[kPieces - 1] - *far);
+  for (const double fold : folds)
+    unsmooth += kBending * fold * fold;
+  return std::max(problem.weights.smooth, kLeastWeight) * unsmooth;
+}
+
+/// What the objective would be, and squares of misses.
 double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem) {
-  constexpr int kPieces = 10;
-  double away = 0.0, along = 0.0, unsmooth = 0.0;
-  std::array<double, kPieces> folds{};
-  double angle = wanted.panel_angle;
+  constexpr double kMissed = 100.0;
+  double away = 0.0, along = 0.0, angle = wanted.panel_angle;
+  Folds folds{};
   for (int i = 0; i < kPieces; ++i) {
     const double next = bow.at((i + 0.5) / kPieces);
     folds[i] = next - angle;
@@ -135,26 +169,9 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
     away += std::sin(angle) / kPieces;
     along += std::cos(angle) / kPieces;
   }
-  for (std::size_t i = 1; i + 1 < folds.size(); ++i) {
-    const double second = 2.0 * folds[i] - folds[i - 1] - folds[i + 1];
-    unsmooth += second * second;
-  }
-  if (problem.mirrored)
-    unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) *
-                (folds[kPieces - 1] - folds[kPieces - 2]);
-  if (wanted.far_angle) {
-    const double second = 2.0 * folds[kPieces - 1] - folds[kPieces - 2] -
-                          (*wanted.far_angle - angle);
-    unsmooth += second * second;
-  }
-  constexpr double kMissed = 100.0;
-  // Curls whose angles grow evenly are smooth too; of equally smooth curves the one that bends
-  // least is wanted.
-  constexpr double kBending = 0.01;
-  constexpr double kLeastWeight = 1e-6;  // so that it decides if smoothness has no weight
-  for (const double fold : folds)
-    unsmooth += kBending * fold * fold;
-  double cost = std::max(problem.weights.smooth, kLeastWeight) * unsmooth;
+  const auto far = wanted.far_angle ? std::optional(*wanted.far_angle - angle) : std::nullopt;
+  double cost = problem.objective == SlitObjective::energy ? energy_of(folds, far, wanted, problem)
+                                                           : unsmoothness_of(folds, far, problem);
   if (wanted.away) cost += kMissed * (away - *wanted.away) * (away - *wanted.away);
   if (wanted.along)
     cost += kMissed * wanted.along_weight * (along - *wanted.along) * (along - *wanted.along);
@@ -197,18 +214,39 @@ Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wan
   return best;
 }
 
-/// Several curves reach as far as they must; which is smoothest shows only when each does so
-/// exactly.
+bool are_alike(const Bow& a, const Bow& b) {
+  constexpr double kAlike = 0.15;  // radians
+  return std::abs(a.start - b.start) + std::abs(a.end - b.end) + std::abs(a.bow - b.bow) < kAlike;
+}
+
+/// Those that lead to another shape than any before.
+std::vector<Candidate> different_ones(const std::vector<Candidate>& candidates, std::size_t most) {
+  std::vector<Candidate> different;
+  for (const Candidate& candidate : candidates) {
+    const bool known = std::ranges::any_of(
+        different, [&](const Candidate& other) { return are_alike(candidate.bow, other.bow); });
+    if (!known && different.size() < most) different.push_back(candidate);
+  }
+  return different;
+}
+
+/// Several curves reach as far as they must; which is best shows only when each does so exactly.
+/// For smoothness one after another of the best is tried until one does; of least energy is the
+/// least of all, so that they are to differ.
 std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& wanted) {
-  constexpr std::size_t kRefined = 8;
+  constexpr std::size_t kTried = 8, kRefined = 24;
+  const bool of_all = problem.objective == SlitObjective::energy;
+  const std::size_t refined_ones = of_all ? kRefined : kTried;
   std::vector<Candidate> candidates = coarse_bows(problem, wanted);
   const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
-  std::partial_sort(candidates.begin(), candidates.begin() + kRefined, candidates.end(), cheaper);
-  candidates.resize(kRefined);
+  std::partial_sort(candidates.begin(),
+                    candidates.begin() + static_cast<std::ptrdiff_t>(refined_ones),
+                    candidates.end(), cheaper);
+  candidates.resize(refined_ones);
   for (Candidate& candidate : candidates)
     candidate = refined(candidate, problem, wanted);
   std::ranges::sort(candidates, cheaper);
-  return candidates;
+  return of_all ? different_ones(candidates, kTried) : candidates;
 }
 
 StripParameters bent(const StripBase& base, const Bow& bow, const Wanted& wanted) {

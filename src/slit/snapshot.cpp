@@ -116,6 +116,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
                                         : at_free_end(end_of(now, strip));
   if (const PanelFacet* facet = far_facet_of(now, strip)) problem.far_facet = facet->frame;
   problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
+  problem.objective = design.objective;
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
     if (anchor.strip == strip)

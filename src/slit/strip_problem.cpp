@@ -17,26 +17,9 @@ namespace {
 
 constexpr double kReferenceQuads = 10.0;  // as in the paper (bibliography.md#slits) for the same
                                           // weights
+constexpr double kEvenMiddles = 1.0;      // a thousand times as firm as the energy
+constexpr double kOfSpacing = 0.1;        // as firm as the energy, so that ridges do not meet
 constexpr double kThirtieths = 30.0;      // lengths count in thirtieths of the strip's length
-
-Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
-  const Frame& last = fold.quad(quads - 1);
-  switch (of) {
-    case EndCondition::Of::left_end:
-      return fold.end(0, quads);
-    case EndCondition::Of::right_end:
-      return fold.end(1, quads);
-    case EndCondition::Of::middle:
-      return 0.5 * (fold.end(0, quads) + fold.end(1, quads));
-    case EndCondition::Of::along:
-      return last.x;
-    case EndCondition::Of::across:
-      return last.y;
-    case EndCondition::Of::normal:
-      return last.z;
-  }
-  return Vec3::Zero();
-}
 
 /// The terms of a radius limit: 2 R tan(|θ|/2) l/w ≤ Δ, both sides in mean spacings, with
 /// derivatives.
@@ -97,7 +80,10 @@ class Rows {
   }
 
   void fill() {
-    add_smoothness();
+    if (problem_.objective == SlitObjective::smooth)
+      add_smoothness();
+    else
+      add_middles();
     add_spacing();
     for (const StripAnchor& anchor : problem_.anchors)
       add_place(anchor.side, anchor.ridge, anchor.at, position_scale(problem_.weights.anchors));
@@ -155,8 +141,25 @@ class Rows {
     ++row_;
   }
 
+  /// Where ridges lie along a strip does not matter to its energy but for the error of replacing an
+  /// arc by folds, which would be least in few large folds. So their middles are held evenly
+  /// spaced, and only their directions are sought.
+  void add_middles() {
+    const double scale = std::sqrt(kEvenMiddles * base_.quads);
+    const double start = 0.5 * (base_.start[0] + base_.start[1]) / base_.unit(),
+                 end = base_.end / base_.unit();
+    for (int ridge = 1; ridge < base_.quads; ++ridge) {
+      const int left = abscissa_index(base_.quads, ridge, 0);
+      const double even = start + ridge * (end - start) / base_.quads;
+      residuals_[row_] = scale * (0.5 * (p_[left] + p_[left + 1]) - even);
+      if (jacobian_) (*jacobian_)(row_, left) = (*jacobian_)(row_, left + 1) = 0.5 * scale;
+      ++row_;
+    }
+  }
+
   void add_spacing() {
-    const double scale = std::sqrt(problem_.weights.spacing / base_.quads);
+    const double share_of_weight = problem_.objective == SlitObjective::energy ? kOfSpacing : 1.0;
+    const double scale = std::sqrt(share_of_weight * problem_.weights.spacing / base_.quads);
     for (int side = 0; side < 2; ++side) {
       const double mean = (base_.end - base_.start[side]) / base_.quads;
       for (int quad = 0; quad < base_.quads; ++quad) {
@@ -251,28 +254,54 @@ class Rows {
   Eigen::Index row_ = 0;
 };
 
-/// Calls f(side, neighbouring quad, its abscissa difference) at both sides of a ridge.
-template <typename F>
-void for_neighbours(const StripBase& base, const StripParameters& p, int ridge, const F& f) {
-  for (int side = 0; side < 2; ++side)
-    for (int quad = std::max(0, ridge - 1); quad <= ridge; ++quad)
-      f(side, quad, abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side));
-}
-
-double fold_radius(const StripBase& base, const StripParameters& p, int ridge, double spacing) {
-  const double length = std::hypot(abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0),
-                                   base.width());
-  const double tangent = std::tan(0.5 * std::abs(p[ridge]));
-  return tangent > 0.0 ? 0.5 * spacing * base.width() / length / tangent
-                       : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
 
 int StripProblem::residuals() const {
   const int places = static_cast<int>(anchors.size()) + (scan ? 2 * base.quads : 0);
-  return base.quads - 2 + (mirrored ? 1 : 0) + (far_facet ? 1 : 0) + 2 * base.quads + 3 * places +
-         (seat ? 8 : 0) + static_cast<int>(inequalities.size());
+  const int smooth = objective == SlitObjective::energy
+                         ? base.quads - 1
+                         : base.quads - 2 + (mirrored ? 1 : 0) + (far_facet ? 1 : 0);
+  return smooth + 2 * base.quads + 3 * places + (seat ? 8 : 0) +
+         static_cast<int>(inequalities.size());
+}
+
+std::vector<Pull> pulls(const StripProblem& problem, const StripFold& fold) {
+  const StripBase& base = problem.base;
+  const auto stiffness = [&](double weight) {
+    return weight * kThirtieths * kThirtieths / (base.unit() * base.unit());
+  };
+  std::vector<Pull> all;
+  for (const StripAnchor& anchor : problem.anchors)
+    all.push_back(
+        {anchor.ridge, anchor.side,
+         stiffness(problem.weights.anchors) * (fold.end(anchor.side, anchor.ridge) - anchor.at)});
+  for (int side = 0; problem.seat && side < 2; ++side) {
+    const Vec2 section = fold.end(side, base.quads).tail<2>();
+    const Vec2 pull = stiffness(problem.weights.seat) *
+                          (section - problem.seat->nearest(section).point) +
+                      stiffness(problem.weights.spread) * (section - problem.seat_places[side]);
+    all.push_back({base.quads, side, {0.0, pull.x(), pull.y()}});
+  }
+  for (int side = 0; problem.scan && side < 2; ++side)
+    for (int ridge = 1; ridge <= base.quads; ++ridge) {
+      const Vec3& at = fold.end(side, ridge);
+      const ScannedSurface::Foot foot = problem.scan->nearest(at);
+      all.push_back({ridge, side,
+                     stiffness(problem.weights.scan * kReferenceQuads / base.quads) *
+                         (Eigen::Matrix3d::Identity() - foot.derivative).transpose() *
+                         (at - foot.point)});
+    }
+  for (const Inequality& inequality : problem.inequalities) {
+    const auto* space = std::get_if<HalfSpace>(&inequality.what);
+    if (!space) continue;
+    const double broken = (space->offset - space->normal.dot(fold.end(space->side, space->ridge))) /
+                              base.unit() +
+                          inequality.multiplier / problem.penalty;
+    if (broken > 0.0)
+      all.push_back(
+          {space->ridge, space->side, -problem.penalty * broken / base.unit() * space->normal});
+  }
+  return all;
 }
 
 bool is_shape(const StripBase& base, const StripParameters& p) {
@@ -291,35 +320,6 @@ bool evaluate(const StripProblem& problem, const StripParameters& p,
   return true;
 }
 
-Eigen::VectorXd end_violation(const StripProblem& problem, const StripFold& fold) {
-  Eigen::VectorXd violation(static_cast<Eigen::Index>(problem.ends.size()));
-  for (std::size_t i = 0; i < problem.ends.size(); ++i) {
-    const EndCondition& condition = problem.ends[i];
-    const double missed = condition.gradient.dot(
-                              end_vector(condition.of, fold, problem.base.quads)) -
-                          condition.value;
-    violation[static_cast<Eigen::Index>(i)] = condition.is_length() ? missed / problem.base.unit()
-                                                                    : missed;
-  }
-  return violation;
-}
-
-RowMatrix end_derivative(const StripProblem& problem, const StripFold& fold) {
-  const std::vector<Twist> all = twists(problem.base, fold);
-  RowMatrix derivative(static_cast<Eigen::Index>(problem.ends.size()), problem.parameters());
-  for (std::size_t i = 0; i < problem.ends.size(); ++i) {
-    const EndCondition& condition = problem.ends[i];
-    const Vec3 v = end_vector(condition.of, fold, problem.base.quads);
-    const double scale = condition.is_length() ? 1.0 / problem.base.unit() : 1.0;
-    for (std::size_t q = 0; q < all.size(); ++q) {
-      const Vec3 velocity = condition.is_length() ? all[q].velocity(v) : Vec3(all[q].axis.cross(v));
-      derivative(static_cast<Eigen::Index>(i),
-                 static_cast<Eigen::Index>(q)) = scale * condition.gradient.dot(velocity);
-    }
-  }
-  return derivative;
-}
-
 Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParameters& p) {
   const StripFold fold = folded(problem.base, p);
   Eigen::VectorXd values(static_cast<Eigen::Index>(problem.inequalities.size()));
@@ -332,59 +332,6 @@ Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParame
                     : RadiusTerm(problem, p, std::get<RadiusLimit>(what)).value();
   }
   return values;
-}
-
-double end_gap(const StripProblem& problem, const StripFold& fold) {
-  const Eigen::VectorXd violation = end_violation(problem, fold);
-  double largest = 0.0, middle = 0.0;
-  for (std::size_t i = 0; i < problem.ends.size(); ++i) {
-    const double missed = violation[static_cast<Eigen::Index>(i)] * problem.base.unit();
-    if (problem.ends[i].of == EndCondition::Of::middle)
-      middle += missed * missed;
-    else if (problem.ends[i].is_length())
-      largest = std::max(largest, std::abs(missed));
-  }
-  return std::max(largest, std::sqrt(middle));
-}
-
-Angle fold_into(const Frame& last, const Frame& facet) {
-  return Angle::radians(std::atan2(-facet.x.dot(last.z), facet.x.dot(last.x)));
-}
-
-Tightest far_fold(const StripProblem& problem, const StripParameters& p) {
-  Tightest fold{std::numeric_limits<double>::infinity(), problem.base.quads};
-  if (!problem.far_facet) return fold;
-  const StripBase& base = problem.base;
-  const int last = base.quads - 1;
-  const double angle = fold_into(folded(base, p).quad(last), *problem.far_facet).radians();
-  const double tangent = std::tan(0.5 * std::abs(angle));
-  for (int side = 0; side < 2; ++side)
-    if (tangent > 0.0)
-      fold.radius = std::min(fold.radius,
-                             0.5 * (base.end - abscissa(base, p, last, side)) / tangent);
-  return fold;
-}
-
-Tightest tightest_fold(const StripBase& base, const StripParameters& p) {
-  Tightest tightest{std::numeric_limits<double>::infinity(), 0};
-  for (int ridge = 0; ridge < base.quads; ++ridge)
-    for_neighbours(base, p, ridge, [&](int, int, double spacing) {
-      const double radius = fold_radius(base, p, ridge, spacing);
-      if (radius < tightest.radius) tightest = {radius, ridge};
-    });
-  return tightest;
-}
-
-std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p,
-                                       double min_radius) {
-  constexpr double kNear = 2.0;
-  std::vector<RadiusLimit> limits;
-  for (int ridge = 0; ridge < base.quads; ++ridge)
-    for_neighbours(base, p, ridge, [&](int side, int quad, double spacing) {
-      if (fold_radius(base, p, ridge, spacing) < kNear * min_radius)
-        limits.push_back({ridge, side, quad});
-    });
-  return limits;
 }
 
 }  // namespace planish::slit_detail

@@ -63,6 +63,7 @@ struct StripProblem {
   bool mirrored = false;           ///< the strip continues smoothly in its mirror image
   std::optional<Frame> far_facet;  ///< of the panel at the strip's end; the fold there counts for
                                    ///< smoothness
+  SlitObjective objective = SlitObjective::smooth;
   SlitWeights weights;
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;
@@ -79,12 +80,25 @@ struct StripProblem {
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// False if ridges of a quad cross or a fold reaches half a turn: there is no shape. A null
-/// Jacobian is not computed. The objective is half the sum of squares.
+/// Jacobian is not computed. The objective is half the sum of squares and, with
+/// `SlitObjective::energy`, the scaled bending energy (bend_energy.hpp).
 bool evaluate(const StripProblem& problem, const StripParameters& p,
               Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian);
 
+/// By which a wish or an inequality draws at the end of a ridge: the derivative of the objective by
+/// that place.
+struct Pull {
+  int ridge = 0;
+  int side = 0;
+  Vec3 gradient = Vec3::Zero();
+};
+std::vector<Pull> pulls(const StripProblem& problem, const StripFold& fold);
+
 /// Ridges in order on both sides, no fold of half a turn.
 bool is_shape(const StripBase& base, const StripParameters& p);
+
+/// What a condition is about, in space.
+Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads);
 
 /// By how much end conditions are missed, in units of the strip's length or of a unit vector, and
 /// the derivative.

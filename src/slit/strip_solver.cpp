@@ -1,7 +1,7 @@
 #include "strip_solver.hpp"
 
 #include "first_shape.hpp"
-#include "reach.hpp"
+#include "strip_start.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -45,39 +45,6 @@ void add(std::vector<Inequality>& list, const Limit& limit) {
   list.push_back({limit, 0.0});
 }
 
-/// Whether every other ridge was just inserted by subdivision, without a fold.
-bool just_divided(const StripBase& base, const StripParameters& p) {
-  if (base.quads % 2 != 0) return false;
-  bool any = false;
-  for (int ridge = 0; ridge < base.quads; ridge += 2) {
-    any |= p[ridge] != 0.0;
-    if (p[ridge + 1] != 0.0) return false;
-  }
-  return any;
-}
-
-/// New ridges take a quarter of each neighbour's fold: the shape stays nearly the same, and as
-/// smooth as it was.
-StripParameters shared_out(const StripBase& base, const StripParameters& p) {
-  StripParameters shared = p;
-  shared[0] = 0.75 * p[0];
-  for (int ridge = 2; ridge < base.quads; ridge += 2)
-    shared[ridge] = 0.5 * p[ridge];
-  for (int ridge = 1; ridge < base.quads; ridge += 2)
-    shared[ridge] = 0.25 * (p[ridge - 1] + (ridge + 1 < base.quads ? p[ridge + 1] : 0.0));
-  return shared;
-}
-
-/// Folds averaged between neighbours; their sum is kept.
-StripParameters smoothed(const StripBase& base, const StripParameters& p) {
-  StripParameters even = p;
-  for (int ridge = 0; ridge < base.quads; ++ridge) {
-    const double before = p[std::max(ridge - 1, 0)], after = p[std::min(ridge + 1, base.quads - 1)];
-    even[ridge] = 0.25 * (before + 2.0 * p[ridge] + after);
-  }
-  return even;
-}
-
 /// The data for solving one strip.
 struct Task {
   const DescentOptions& options;
@@ -86,60 +53,6 @@ struct Task {
 
   bool stopped() const { return options.stop && options.stop(); }
 };
-
-/// The objective without the terms of inequalities.
-double objective(const StripProblem& problem, const StripParameters& p) {
-  StripProblem plain = problem;
-  plain.inequalities.clear();
-  Eigen::VectorXd residuals(plain.residuals());
-  return evaluate(plain, p, residuals, nullptr) ? 0.5 * residuals.squaredNorm()
-                                                : std::numeric_limits<double>::infinity();
-}
-
-/// The shape that comes nearest to the end conditions, and by how much it misses them.
-struct Found {
-  StripSolution solution;
-  double violation = std::numeric_limits<double>::infinity();
-  bool met() const { return violation <= kEndsMet; }
-};
-
-/// The result of meeting the end conditions from a shape, if nearer than `best`.
-Found met_from(const StripProblem& problem, const StripParameters& from, Found best) {
-  if (!is_shape(problem.base, from)) return best;
-  const Reach reach = meet_ends(problem, from);
-  best.solution.iterations += reach.iterations;
-  if (reach.violation < best.violation) {
-    best.solution.p = reach.p;
-    best.solution.reached = reach.met();
-    best.violation = reach.violation;
-  }
-  return best;
-}
-
-/// The subdivided shape is smoothed more and more, and the one of least objective taken: in fine
-/// strips the slightest unevenness outweighs everything else, and removing it step by step would
-/// crease them.
-Found met_from_divided(const StripProblem& problem, StripParameters from) {
-  Found last;
-  std::optional<Found> best;
-  constexpr int kPasses = 6;
-  for (int pass = 0; pass < kPasses; ++pass, from = smoothed(problem.base, from)) {
-    last.violation = std::numeric_limits<double>::infinity();
-    last = met_from(problem, from, std::move(last));
-    if (!last.met()) continue;
-    last.solution.objective = objective(problem, last.solution.p);
-    if (!best || last.solution.objective < best->solution.objective) best = last;
-  }
-  return best ? *best : last;
-}
-
-Found met_from_before(const StripProblem& problem, const StripParameters& from) {
-  if (from.size() != problem.parameters()) return {};
-  Found found;
-  if (just_divided(problem.base, from))
-    found = met_from_divided(problem, shared_out(problem.base, from));
-  return found.met() ? found : met_from(problem, from, std::move(found));
-}
 
 /// A strip during its descent.
 struct Course {
@@ -184,11 +97,37 @@ Course softly_descended(const Task& task, Course course) {
   return course;
 }
 
+/// The course from a first shape that has the least objective when it is roughly at rest: the
+/// conditions have many solutions, and which is least shows only there.
+Course least_of(const Task& task, const StripProblem& problem,
+                const std::vector<StripParameters>& shapes) {
+  std::vector<Course> courses;
+  Found nearest;
+  for (const StripParameters& shape : shapes) {
+    if (task.stopped()) break;
+    Found found = met_from(problem, shape, {});
+    if (!found.met()) {
+      if (found.violation < nearest.violation) nearest = std::move(found);
+      continue;
+    }
+    Course course = softly_descended(task, {problem, std::move(found.solution)});
+    course = descended(task, std::move(course), kStepsOfRound, kRoughly);
+    courses.push_back(std::move(course));
+  }
+  if (courses.empty()) return {problem, std::move(nearest.solution)};
+  std::ranges::sort(courses, {}, [](const Course& course) { return course.solution.objective; });
+  for (Course& course : courses)
+    course.descended = 0;
+  return std::move(courses.front());
+}
+
 /// From the strip's present shape, or from the first of the first shapes that leads to its end.
 Course begun(const Task& task, StripProblem problem, const StripParameters& from) {
   Found found = met_from_before(problem, from);
   if (found.met()) return {std::move(problem), std::move(found.solution)};
-  for (const StripParameters& shape : first_shapes(problem)) {
+  const std::vector<StripParameters> shapes = first_shapes(problem);
+  if (problem.objective == SlitObjective::energy) return least_of(task, problem, shapes);
+  for (const StripParameters& shape : shapes) {
     found = met_from(problem, shape, std::move(found));
     if (found.met()) return softly_descended(task, {std::move(problem), std::move(found.solution)});
   }

@@ -1,5 +1,6 @@
 #include "strip_work.hpp"
 
+#include "bend_energy.hpp"
 #include "crossing.hpp"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
     state.crosses_plane = depth_behind_mirror(shape, half_sign(now)) >
                           kReported * problem.base.unit();
   state.objective = solution.objective;
+  state.energy = bend_energy(problem, solution.p);
   if (problem.seat)
     for (const Vec3& end : shape.ridges.back().folded)
       state.seat_distance = std::max(

@@ -57,6 +57,15 @@ class Forms(SlitTest):
         self.assertLess(report["slit"]["gap"], 1e-9 * length)
         self.assertLess(report["slit"]["flat_deviation"], 1e-9 * length)
 
+    def test_the_objective_energy_bends_strips_less(self):
+        def energy(name, objective):
+            report = self.report(dict(json.loads((EXAMPLES / name).read_text()), objective=objective))
+            self.check_strips(report, 6800)
+            return sum(strip["energy"] for strip in report["slit"]["strips"])
+
+        for name in ("chair.json", "arch.json", "monument.json", "plume.json", "bridge.json"):
+            self.assertLess(energy(name, "energy"), 0.9 * energy(name, "smooth"), name)
+
     def test_the_chair_meets_its_mirror_image(self):
         report = self.report(chair(subdivisions=1), "-o", "chair.stl", "--flat", "chair.dxf")
         self.check_strips(report, 464)

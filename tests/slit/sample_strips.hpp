@@ -34,6 +34,14 @@ inline StripParameters random_parameters(const StripBase& base, unsigned seed,
   return p;
 }
 
+/// A problem of nothing, to which a test adds what it measures.
+inline StripProblem bare_problem(int quads) {
+  StripProblem problem;
+  problem.base = some_base(quads);
+  problem.weights = {.smooth = 0, .spacing = 0, .anchors = 0, .seat = 0, .spread = 0, .scan = 0};
+  return problem;
+}
+
 inline StripProblem problem_with_everything(int quads) {
   StripProblem problem;
   problem.base = some_base(quads);

@@ -18,18 +18,6 @@ TEST(StripDerivatives, OfTheObjectiveAreDifferences) {
   }
 }
 
-TEST(StripDerivatives, OfEndConditionsAreDifferences) {
-  const StripProblem problem = problem_with_everything(6);
-  for (unsigned seed = 0; seed < 10; ++seed) {
-    const StripParameters p = random_parameters(problem.base, seed, 1.0);
-    const auto expected = differences(
-        [&](const StripParameters& x) { return end_violation(problem, folded(problem.base, x)); },
-        p);
-    EXPECT_LE((end_derivative(problem, folded(problem.base, p)) - expected).cwiseAbs().maxCoeff(),
-              1e-7);
-  }
-}
-
 TEST(StripObjective, KeepsItsSmoothnessUnderSubdivision) {
   // Of κ(s) = a s² the sum of squared second differences tends to ∫ κ″² ds.
   StripProblem problem;
@@ -73,14 +61,6 @@ double objective_of(const StripProblem& problem, const StripParameters& p) {
   Eigen::VectorXd residuals(problem.residuals());
   EXPECT_TRUE(evaluate(problem, p, residuals, nullptr));
   return residuals.squaredNorm();
-}
-
-/// A problem of nothing, to which a test adds what it measures.
-StripProblem bare_problem(int quads) {
-  StripProblem problem;
-  problem.base = some_base(quads);
-  problem.weights = {.smooth = 0, .spacing = 0, .anchors = 0, .seat = 0, .spread = 0, .scan = 0};
-  return problem;
 }
 
 /// Lengths count in thirtieths of the strip's length.
@@ -193,76 +173,6 @@ TEST(StripObjective, PaysForInequalitiesThatAreBroken) {
     EXPECT_NEAR(objective_of(problem, p), 4.0 * std::pow(std::max(0.0, value + 0.7 / 4.0), 2),
                 1e-12);
   }
-}
-
-TEST(StripEnds, MissTheirConditionsByWhatTheyAreOff) {
-  StripProblem problem = bare_problem(5);
-  const StripFold fold = folded(problem.base, random_parameters(problem.base, 2, 0.5));
-  const double unit = problem.base.unit();
-  using Of = EndCondition::Of;
-  const Vec3 middle = 0.5 * (fold.end(0, 5) + fold.end(1, 5));
-  problem.ends = {{Of::left_end, Vec3::UnitY(), fold.end(0, 5).y() - 3.0},
-                  {Of::right_end, Vec3::UnitX(), fold.end(1, 5).x() + 5.0},
-                  {Of::along, Vec3::UnitX(), fold.quad(4).x.x() - 0.1},
-                  {Of::across, Vec3::UnitY(), fold.quad(4).y.y() + 0.2},
-                  {Of::normal, Vec3::UnitZ(), fold.quad(4).z.z()}};
-  const Eigen::VectorXd missed = end_violation(problem, fold);
-  const double expected[] = {3.0 / unit, -5.0 / unit, 0.1, -0.2, 0.0};
-  for (int i = 0; i < 5; ++i)
-    EXPECT_NEAR(missed[i], expected[i], 1e-12) << i;
-  EXPECT_NEAR(end_gap(problem, fold), 5.0, 1e-9) << "directions are no distance";
-  problem.ends = {{Of::middle, Vec3::UnitX(), middle.x() - 3.0},
-                  {Of::middle, Vec3::UnitY(), middle.y() + 4.0},
-                  {Of::middle, Vec3::UnitZ(), middle.z() + 12.0}};
-  EXPECT_NEAR(end_gap(problem, fold), 13.0, 1e-9);
-  problem.ends.push_back({Of::left_end, Vec3::UnitY(), fold.end(0, 5).y() - 14.0});
-  EXPECT_NEAR(end_gap(problem, fold), 14.0, 1e-9);
-}
-
-TEST(StripRadii, AreThoseOfArcsThatUseHalfOfAQuad) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    const StripBase base = some_base(6);
-    const StripParameters p = random_parameters(base, seed, 0.5);
-    double least = 1e300;
-    int where = -1;
-    std::vector<std::array<int, 3>> near;
-    for (int ridge = 0; ridge < 6; ++ridge)
-      for (int side = 0; side < 2; ++side)
-        for (int quad = ridge - 1; quad <= ridge; ++quad) {
-          if (quad < 0) continue;
-          const double skew = abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0);
-          const double spacing = abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side);
-          const double radius = 0.5 * spacing * base.width() / std::hypot(skew, base.width()) /
-                                std::tan(0.5 * std::abs(p[ridge]));
-          if (radius < least) least = radius, where = ridge;
-          if (radius < 2.0 * 100.0) near.push_back({ridge, side, quad});
-        }
-    EXPECT_NEAR(tightest_fold(base, p).radius, least, 1e-9 * least) << seed;
-    EXPECT_EQ(tightest_fold(base, p).ridge, where) << seed;
-    std::vector<std::array<int, 3>> found;
-    for (const RadiusLimit& limit : radius_limits(base, p, 100.0))
-      found.push_back({limit.ridge, limit.side, limit.quad});
-    EXPECT_EQ(found, near) << seed;
-  }
-  const StripBase base = some_base(6);
-  EXPECT_TRUE(std::isinf(tightest_fold(base, flat_parameters(base)).radius));
-}
-
-TEST(StripRadii, CountTheFoldIntoAPanelAtItsEnd) {
-  StripProblem problem = bare_problem(6);
-  const StripParameters p = random_parameters(problem.base, 4, 0.5);
-  EXPECT_TRUE(std::isinf(far_fold(problem, p).radius)) << "no panel";
-  const Frame last = folded(problem.base, p).quad(5);
-  Frame facet = last;
-  problem.far_facet = facet;
-  EXPECT_TRUE(far_fold(problem, p).radius > 1e9) << "no fold";
-  facet.x = Eigen::AngleAxisd(0.4, last.y) * last.x;
-  facet.z = Eigen::AngleAxisd(0.4, last.y) * last.z;
-  problem.far_facet = facet;
-  const double rest = problem.base.end -
-                      std::max(abscissa(problem.base, p, 5, 0), abscissa(problem.base, p, 5, 1));
-  EXPECT_NEAR(far_fold(problem, p).radius, 0.5 * rest / std::tan(0.2), 1e-9);
-  EXPECT_EQ(far_fold(problem, p).ridge, 6);
 }
 
 TEST(StripShape, HasItsRidgesInOrderAndNoFoldOfHalfATurn) {

@@ -38,6 +38,7 @@ struct StripState {
   std::vector<int> crosses;    ///< strips of higher number that it crosses
   bool crosses_plane = false;  ///< runs through the symmetry plane, and so through its mirror image
   double objective = 0.0;
+  double energy = 0.0;         ///< of bending, N mm, for a flexural rigidity D of 1 N mm
   double seat_distance = 0.0;  ///< largest distance of the end's corners from the seat curve, mm; 0
                                ///< without one
   double anchor_distance = 0.0;  ///< largest distance from its anchors, mm

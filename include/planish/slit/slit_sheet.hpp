@@ -99,6 +99,12 @@ struct SlitScan {
 /// halves may meet in a fold.
 enum class EndAngle { right_angle, level, free };
 
+/// What a strip minimises besides its wishes.
+enum class SlitObjective {
+  energy,  ///< its bending energy: the shape that a sheet takes by itself (math.md#bending-energy)
+  smooth,  ///< second differences of the fold angles [slits 3]
+};
+
 /// The weights of the objective (math.md#strip-conditions). Lengths count in thirtieths of the
 /// strip's length, angles in radians, so a form does not depend on unit or size; sums over ridges
 /// are weighted so that subdivision preserves them.
@@ -127,6 +133,7 @@ struct SlitDesign {
   std::optional<BezierCurve> seat_curve;    ///< (y, z): section wanted in the symmetry plane
   int ridges = 10;                          ///< of each strip at the start; there are as many quads
   EndAngle end_angle = EndAngle::right_angle;
+  SlitObjective objective = SlitObjective::smooth;
   SlitWeights weights;
   std::vector<SlitAnchor> anchors;
   std::vector<StripEnd> ends;  ///< by strip; missing ones are free. Not in symmetric sheets

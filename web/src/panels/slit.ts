@@ -256,6 +256,16 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
         ] as const,
         (v) => set({ end_angle: v }),
       )}
+  ${choice(
+    'Strips have least',
+    'objective',
+    spec.objective ?? 'smooth',
+    [
+      ['smooth', 'change of their folds'],
+      ['energy', 'bending energy'],
+    ] as const,
+    (v) => set({ objective: v }),
+  )}
   ${lengthField(ui, {
     label: 'Least inside radius',
     testid: 'min-radius',

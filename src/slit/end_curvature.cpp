@@ -1,0 +1,145 @@
+// How what is fixed to the last quad moves to second order: the curvature of the manifold of shapes
+// that meet the end conditions (newton.cpp), and of the fold into a panel at the end. What must
+// hold: a strip is a product of turns, each about a line of the flat sheet, so a number of one
+// ridge does not change another's turn (math.md#strip-folding).
+#include "end_curvature.hpp"
+
+#include "second_jet.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace planish::slit_detail {
+namespace {
+
+constexpr int kOfRidge = 3;  // its fold, and where its ends are
+using Second = SecondJet<kOfRidge>;
+
+template <typename T>
+using Three = std::array<T, 3>;
+
+/// Of a vector in the coordinates of the quad behind a ridge, in those of the quad before it:
+/// turned about the line from (left, side 0) to (right, side 1).
+template <typename T>
+Three<T> turned(const T& fold, const T& left, const T& right, const std::array<double, 2>& sides,
+                bool is_point, const Vec3& v) {
+  using std::cos, std::sin, std::sqrt;
+  const T width = constant<T>(sides[1] - sides[0]), z = constant<T>(v.z());
+  const T y = constant<T>(is_point ? v.y() - sides[0] : v.y());
+  const T x = is_point ? constant<T>(v.x()) - left : constant<T>(v.x());
+  const T skew = right - left, length = sqrt(skew * skew + width * width);
+  const T ax = skew / length, ay = width / length, c = cos(fold), s = sin(fold);
+  const T dot = (constant<T>(1.0) - c) * (ax * x + ay * y);
+  Three<T> result{c * x + s * ay * z + dot * ax, c * y - s * ax * z + dot * ay,
+                  c * z + s * (ax * y - ay * x)};
+  if (is_point) {
+    result[0] += left;
+    result[1] += constant<T>(sides[0]);
+  }
+  return result;
+}
+
+/// Those of one ridge's own numbers, fold first.
+Eigen::Matrix3d of_ridge(const StripBase& base, const StripParameters& p, const StripFold& fold,
+                         int ridge, const std::vector<WeighedVector>& sum) {
+  const Second angle = variable<kOfRidge>(p[ridge], 0),
+               left = variable<kOfRidge>(abscissa(base, p, ridge, 0), 1),
+               right = variable<kOfRidge>(abscissa(base, p, ridge, 1), 2);
+  const Frame &before = fold.frames[static_cast<std::size_t>(ridge)], &behind = fold.quad(ridge);
+  Eigen::Matrix3d all = Eigen::Matrix3d::Zero();
+  for (const WeighedVector& one : sum) {
+    if (one.ridge <= ridge) continue;
+    const Vec3 from = one.is_point ? Vec3(one.at - behind.origin) : one.at;
+    const Vec3 local(from.dot(behind.x), from.dot(behind.y), from.dot(behind.z));
+    const Three<Second> v = turned(angle, left, right, base.sides, one.is_point, local);
+    const Vec3 weight(one.weight.dot(before.x), one.weight.dot(before.y), one.weight.dot(before.z));
+    for (int i = 0; i < kOfRidge; ++i)
+      for (int j = 0; j < kOfRidge; ++j)
+        for (int k = 0; k < 3; ++k)
+          all(i, j) += weight[k] * v[static_cast<std::size_t>(k)].v[i].v[j];
+  }
+  return all;
+}
+
+/// The earlier of two turns carries along what the later one does.
+Eigen::MatrixXd of_different_ridges(const std::vector<Twist>& all,
+                                    const std::vector<WeighedVector>& sum) {
+  const auto count = static_cast<Eigen::Index>(all.size());
+  const auto twist = [&](Eigen::Index q) -> const Twist& {
+    return all[static_cast<std::size_t>(q)];
+  };
+  Eigen::Matrix3Xd carried = Eigen::Matrix3Xd::Zero(3, count);
+  for (Eigen::Index q = 0; q < count; ++q)
+    for (const WeighedVector& one : sum) {
+      if (one.ridge <= twist(q).ridge) continue;
+      const Vec3 moved = one.is_point ? twist(q).velocity(one.at)
+                                      : Vec3(twist(q).axis.cross(one.at));
+      carried.col(q) += moved.cross(one.weight);
+    }
+  Eigen::MatrixXd second(count, count);
+  for (Eigen::Index a = 0; a < count; ++a)
+    for (Eigen::Index b = 0; b <= a; ++b) {
+      const bool a_first = twist(a).ridge < twist(b).ridge;
+      second(a, b) = second(b, a) = a_first ? twist(a).axis.dot(carried.col(b))
+                                            : twist(b).axis.dot(carried.col(a));
+    }
+  return second;
+}
+
+/// A ridge's end that slides along its quad's edge is carried by the turns before.
+void add_sliding(Eigen::MatrixXd& second, const StripBase& base, const StripFold& fold,
+                 const std::vector<Twist>& all, const WeighedVector& end) {
+  const Vec3 along = base.unit() * fold.frames[static_cast<std::size_t>(end.ridge)].x;
+  const int own = abscissa_index(base.quads, end.ridge, end.side);
+  for (std::size_t q = 0; q < all.size(); ++q) {
+    if (all[q].ridge >= end.ridge) continue;
+    const double mixed = all[q].axis.cross(along).dot(end.weight);
+    second(own, static_cast<Eigen::Index>(q)) += mixed;
+    second(static_cast<Eigen::Index>(q), own) += mixed;
+  }
+}
+
+/// Where a ridge's numbers stand, in the order of `of_ridge`, and how many it has.
+struct Numbers {
+  std::array<int, kOfRidge> at{};
+  int count = 1;
+};
+Numbers numbers_of(const StripBase& base, int ridge) {
+  if (ridge == 0) return {{0, 0, 0}, 1};
+  return {{ridge, abscissa_index(base.quads, ridge, 0), abscissa_index(base.quads, ridge, 1)}, 3};
+}
+
+}  // namespace
+
+Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
+                                   const StripFold& fold, const std::vector<WeighedVector>& sum) {
+  const std::vector<Twist> all = twists(base, fold);
+  Eigen::MatrixXd second = of_different_ridges(all, sum);
+  for (int ridge = 0; ridge < base.quads; ++ridge) {
+    const Eigen::Matrix3d own = of_ridge(base, p, fold, ridge, sum);
+    const Numbers numbers = numbers_of(base, ridge);
+    for (int i = 0; i < numbers.count; ++i)
+      for (int j = 0; j < numbers.count; ++j)
+        second(numbers.at[static_cast<std::size_t>(i)],
+               numbers.at[static_cast<std::size_t>(j)]) = own(i, j) * (i ? base.unit() : 1.0) *
+                                                          (j ? base.unit() : 1.0);
+  }
+  for (const WeighedVector& one : sum)
+    if (one.side >= 0 && one.ridge < base.quads) add_sliding(second, base, fold, all, one);
+  return second;
+}
+
+std::vector<WeighedVector> weighed_conditions(const StripProblem& problem, const StripFold& fold,
+                                              const Eigen::VectorXd& multipliers) {
+  std::vector<WeighedVector> sum;
+  for (std::size_t i = 0; i < problem.ends.size(); ++i) {
+    const EndCondition& condition = problem.ends[i];
+    const bool is_point = condition.is_length();
+    const double scale = is_point ? 1.0 / problem.base.unit() : 1.0;
+    sum.push_back({problem.base.quads, is_point, end_vector(condition.of, fold, problem.base.quads),
+                   scale * multipliers[static_cast<Eigen::Index>(i)] * condition.gradient});
+  }
+  return sum;
+}
+
+}  // namespace planish::slit_detail
