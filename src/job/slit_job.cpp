@@ -115,6 +115,8 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
   return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
 }
 
+constexpr double kFarOff = 0.1;  // from a scan, of a strip's length
+
 /// Findings about strips that end where they must. They count from 1, as all messages do.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
@@ -136,9 +138,7 @@ void add_findings(SlitReport& report) {
           fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i + 1,
                       other + 1),
           i, last / 2);
-    constexpr double kFarOff = 0.1;  // of the strip's length
-    if (const double reach = length_of(report.design.sheet, i);
-        strip.scan_distance > kFarOff * reach)
+    if (strip.scan_distance > kFarOff * length_of(report.design.sheet, i))
       add("scan_far",
           fmt::format("strip {} stays {} mm from its scanned points on average: check their "
                       "units, their position and the strip that they belong to",
@@ -146,6 +146,11 @@ void add_findings(SlitReport& report) {
           i, last);
     if (strip.crosses_plane)
       add("strips_cross", fmt::format("strip {} runs through its mirror image", i + 1), i, last);
+    if (strip.below_ground > 0.0)
+      add("below_ground",
+          fmt::format("strip {} goes {} mm below the ground; no shape above it was found", i + 1,
+                      number_text(strip.below_ground)),
+          i, last / 2);
     if (strip.status == StripStatus::open)
       add("not_converged",
           fmt::format("strip {} ends where it must, but is not finished and could be smoother",

@@ -168,6 +168,7 @@ Schema make_slits_schema() {
                                 .defaulting("smooth")
                                 .said("what a strip's shape has least of: bending energy, or "
                                       "changes of its folds")));
+  add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));
   add(optional("ends", list(end_schema()).said("of the strips of a sheet that is not symmetric")));
@@ -299,6 +300,7 @@ SlitDesign design_at(const JsonPlace& place) {
   if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
   design.ridges = place["ridges"].whole();
   design.end_angle = place["end_angle"].choice(kEndAngles);
+  design.ground = place["ground"].yes();
   design.objective = place["objective"].choice(kObjectives);
   for (const auto& [name, weight] : kWeights)
     design.weights.*weight = place["weights"][std::string(name)].number();

@@ -38,12 +38,14 @@ Json strip_json(const StripState& state, const FoldedStrip& strip, Ridges ridges
   json["shortfall"] = number_json(units.length(state.shortfall));
   json["min_radius"] = number_json(units.length(state.min_radius));
   json["energy"] = number_json(state.energy);
+  json["runner_up_energy"] = number_json(state.runner_up_energy);
   json["iterations"] = state.iterations;
   json["seat_distance"] = number_json(units.length(state.seat_distance));
   json["anchor_distance"] = number_json(units.length(state.anchor_distance));
   json["scan_distance"] = number_json(units.length(state.scan_distance));
   json["crosses"] = state.crosses;
   json["crosses_plane"] = state.crosses_plane;
+  json["below_ground"] = number_json(units.length(state.below_ground));
   json["ridges"] = Json::array();
   if (ridges == Ridges::left_out) return json;
   for (const SlitRidge& ridge : strip.ridges)
@@ -99,9 +101,10 @@ ReportDetails slit_report_details() {
       {required("status", words({"open", "solved", "out_of_reach"})),
        required("gap", measured_length()), required("shortfall", measured_length()),
        required("min_radius", measured_length()), required("energy", number(kAnyNumber)),
-       required("iterations", whole()), required("seat_distance", measured_length()),
-       required("anchor_distance", measured_length()), required("scan_distance", measured_length()),
-       required("crosses", list(whole())), required("crosses_plane", flag()),
+       required("runner_up_energy", number(kAnyNumber).or_null()), required("iterations", whole()),
+       required("seat_distance", measured_length()), required("anchor_distance", measured_length()),
+       required("scan_distance", measured_length()), required("crosses", list(whole())),
+       required("crosses_plane", flag()), required("below_ground", measured_length()),
        required("ridges", list(ridge))});
   const Schema slit = object(
       {required("gap", measured_length()), required("flat_deviation", measured_length()),

@@ -77,7 +77,7 @@ Fold fold_at(const StripProblem& problem, const StripParameters& p, int ridge) {
   for (int near = 0; near < 3; ++near)
     for (int side = 0; side < 2; ++side) {
       const int at = std::clamp(ridge - 1 + near, 0, base.quads);
-      fold.places[static_cast<std::size_t>(2 * near + side)] = abscissa(base, p, at, side);
+      fold.places[2 * near + side] = abscissa(base, p, at, side);
     }
   if (ridge == 0) fold.shares.before = 0.0;
   if (ridge == base.quads) fold.shares.after = 0.0;
@@ -93,8 +93,7 @@ double energy_of(const Fold& fold, double angle, double width) {
 Second derivatives_of(const Fold& fold, double angle, double width) {
   std::array<Second, 6> places;
   for (int i = 0; i < 6; ++i)
-    places[static_cast<std::size_t>(i)] = variable<kOfFold>(
-        fold.places[static_cast<std::size_t>(i)], i + 1);
+    places[i] = variable<kOfFold>(fold.places[i], i + 1);
   return energy_of_fold<Second>(variable<kOfFold>(angle, 0), places, width, fold.shares);
 }
 
@@ -105,10 +104,9 @@ std::array<int, kOfFold> numbers_of(const StripBase& base, int ridge) {
   for (int near = 0; near < 3; ++near)
     for (int side = 0; side < 2; ++side) {
       const int at = ridge - 1 + near;
-      numbers[static_cast<std::size_t>(1 + 2 * near + side)] = at > 0 && at < base.quads
-                                                                   ? abscissa_index(base.quads, at,
-                                                                                    side)
-                                                                   : -1;
+      numbers[1 + 2 * near + side] = at > 0 && at < base.quads
+                                         ? abscissa_index(base.quads, at, side)
+                                         : -1;
     }
   return numbers;
 }

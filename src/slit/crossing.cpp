@@ -117,6 +117,22 @@ std::vector<HalfSpace> planes_before_mirror(int quads, double sign) {
   return planes;
 }
 
+std::vector<HalfSpace> planes_above(int quads, double height) {
+  std::vector<HalfSpace> planes;
+  for (int ridge = 1; ridge <= quads; ++ridge)
+    for (int side = 0; side < 2; ++side)
+      planes.push_back({ridge, side, Vec3::UnitY(), height, true});
+  return planes;
+}
+
+double depth_below(const FoldedStrip& strip, double height) {
+  double depth = 0.0;
+  for (const SlitRidge& ridge : strip.ridges)
+    for (const Vec3& end : ridge.folded)
+      depth = std::max(depth, height - end.y());
+  return depth;
+}
+
 double depth_behind_mirror(const FoldedStrip& strip, double sign) {
   double depth = 0.0;
   for (const SlitRidge& ridge : strip.ridges)

@@ -18,6 +18,9 @@ std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip
 
 /// Planes that keep a strip on its side of x = 0, `sign` being that of x there.
 std::vector<HalfSpace> planes_before_mirror(int quads, double sign);
+/// Planes that keep a strip above a height, and how far below it some of it goes, mm.
+std::vector<HalfSpace> planes_above(int quads, double height);
+double depth_below(const FoldedStrip& strip, double height);
 /// How far the strip reaches through x = 0, mm.
 double depth_behind_mirror(const FoldedStrip& strip, double sign);
 

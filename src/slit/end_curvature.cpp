@@ -45,7 +45,7 @@ Eigen::Matrix3d of_ridge(const StripBase& base, const StripParameters& p, const 
   const Second angle = variable<kOfRidge>(p[ridge], 0),
                left = variable<kOfRidge>(abscissa(base, p, ridge, 0), 1),
                right = variable<kOfRidge>(abscissa(base, p, ridge, 1), 2);
-  const Frame &before = fold.frames[static_cast<std::size_t>(ridge)], &behind = fold.quad(ridge);
+  const Frame &before = fold.frames[ridge], &behind = fold.quad(ridge);
   Eigen::Matrix3d all = Eigen::Matrix3d::Zero();
   for (const WeighedVector& one : sum) {
     if (one.ridge <= ridge) continue;
@@ -56,7 +56,7 @@ Eigen::Matrix3d of_ridge(const StripBase& base, const StripParameters& p, const 
     for (int i = 0; i < kOfRidge; ++i)
       for (int j = 0; j < kOfRidge; ++j)
         for (int k = 0; k < 3; ++k)
-          all(i, j) += weight[k] * v[static_cast<std::size_t>(k)].v[i].v[j];
+          all(i, j) += weight[k] * v[k].v[i].v[j];
   }
   return all;
 }
@@ -65,9 +65,7 @@ Eigen::Matrix3d of_ridge(const StripBase& base, const StripParameters& p, const 
 Eigen::MatrixXd of_different_ridges(const std::vector<Twist>& all,
                                     const std::vector<WeighedVector>& sum) {
   const auto count = static_cast<Eigen::Index>(all.size());
-  const auto twist = [&](Eigen::Index q) -> const Twist& {
-    return all[static_cast<std::size_t>(q)];
-  };
+  const auto twist = [&](Eigen::Index q) -> const Twist& { return all[q]; };
   Eigen::Matrix3Xd carried = Eigen::Matrix3Xd::Zero(3, count);
   for (Eigen::Index q = 0; q < count; ++q)
     for (const WeighedVector& one : sum) {
@@ -89,7 +87,7 @@ Eigen::MatrixXd of_different_ridges(const std::vector<Twist>& all,
 /// A ridge's end that slides along its quad's edge is carried by the turns before.
 void add_sliding(Eigen::MatrixXd& second, const StripBase& base, const StripFold& fold,
                  const std::vector<Twist>& all, const WeighedVector& end) {
-  const Vec3 along = base.unit() * fold.frames[static_cast<std::size_t>(end.ridge)].x;
+  const Vec3 along = base.unit() * fold.frames[end.ridge].x;
   const int own = abscissa_index(base.quads, end.ridge, end.side);
   for (std::size_t q = 0; q < all.size(); ++q) {
     if (all[q].ridge >= end.ridge) continue;
@@ -120,9 +118,8 @@ Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters&
     const Numbers numbers = numbers_of(base, ridge);
     for (int i = 0; i < numbers.count; ++i)
       for (int j = 0; j < numbers.count; ++j)
-        second(numbers.at[static_cast<std::size_t>(i)],
-               numbers.at[static_cast<std::size_t>(j)]) = own(i, j) * (i ? base.unit() : 1.0) *
-                                                          (j ? base.unit() : 1.0);
+        second(numbers.at[i], numbers.at[j]) = own(i, j) * (i ? base.unit() : 1.0) *
+                                               (j ? base.unit() : 1.0);
   }
   for (const WeighedVector& one : sum)
     if (one.side >= 0 && one.ridge < base.quads) add_sliding(second, base, fold, all, one);

@@ -73,7 +73,7 @@ Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   Snapshot next = now;
   design.ends.resize(design.sheet.strips.size());
   bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle ||
-             design.objective != now.design->objective;
+             design.objective != now.design->objective || design.ground != now.design->ground;
   auto panels = checked_panels(design);
   if (!panels) return pass_on(panels);
   if (auto sound = check_all(design, *panels); !sound) return pass_on(sound);

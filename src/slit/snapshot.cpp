@@ -108,6 +108,18 @@ double half_sign(const Snapshot& now) {
   return now.panel->front().frame.point(now.panel->front().corners[0]).x() < 0.0 ? -1.0 : 1.0;
 }
 
+std::optional<double> least_height(const Snapshot& now, int strip) {
+  if (!now.design->ground) return std::nullopt;
+  const StripBase base = base_of(now, strip);
+  double height = 0.5 * now.design->sheet.thickness;
+  for (std::size_t side = 0; side < 2; ++side) {
+    height = std::min(height, base.facet.point({base.start[side], base.sides[side]}).y());
+    if (const PanelFacet* far = far_facet_of(now, strip))
+      height = std::min(height, far->frame.point(far->corners[1 + side]).y());
+  }
+  return height;
+}
+
 StripProblem problem_of(const Snapshot& now, int strip) {
   const SlitDesign& design = *now.design;
   StripProblem problem;

@@ -6,6 +6,7 @@
 #include <planish/slit/session.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace planish::slit_detail {
@@ -47,6 +48,10 @@ StripEnd end_of(const Snapshot& now, int strip);
 
 /// Sign of x on the modelled half.
 double half_sign(const Snapshot& now);
+
+/// Height above which a strip's middle surface must stay: half the thickness, or that of its panel
+/// where this lies level with the ground; empty if it may go anywhere.
+std::optional<double> least_height(const Snapshot& now, int strip);
 
 /// The problem to be solved for a strip.
 StripProblem problem_of(const Snapshot& now, int strip);

@@ -20,12 +20,14 @@ struct EndCondition {
   bool is_length() const { return of == Of::left_end || of == Of::right_end || of == Of::middle; }
 };
 
-/// A ridge's end must stay on one side of a plane: normal · v ≥ offset.
+/// A ridge's end must stay on one side of a plane: normal · v ≥ offset. `firm`: to `kHolds`, by a
+/// multiplier; others only lead the strip away.
 struct HalfSpace {
   int ridge = 0;
   int side = 0;
   Vec3 normal = Vec3::Zero();
   double offset = 0.0;
+  bool firm = false;
 };
 /// The arc that touches the quads on both sides of a ridge, using half of one of them, must have at
 /// least the smallest radius.
@@ -40,6 +42,10 @@ constexpr double kHolds = 1e-7;
 struct Inequality {
   std::variant<HalfSpace, RadiusLimit> what;
   double multiplier = 0.0;
+  bool is_firm() const {
+    const auto* space = std::get_if<HalfSpace>(&what);
+    return !space || space->firm;
+  }
 };
 
 struct StripAnchor {

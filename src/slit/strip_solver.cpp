@@ -1,9 +1,11 @@
 #include "strip_solver.hpp"
 
+#include "bend_energy.hpp"
 #include "first_shape.hpp"
 #include "strip_start.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -98,9 +100,11 @@ Course softly_descended(const Task& task, Course course) {
 }
 
 /// The course from a first shape that has the least objective when it is roughly at rest: the
-/// conditions have many solutions, and which is least shows only there.
+/// conditions have many solutions, and which is least shows only there. The next best that is
+/// another shape is the runner-up.
 Course least_of(const Task& task, const StripProblem& problem,
                 const std::vector<StripParameters>& shapes) {
+  constexpr double kAnother = 0.02;  // of the energy: shapes roughly at rest differ less
   std::vector<Course> courses;
   Found nearest;
   for (const StripParameters& shape : shapes) {
@@ -116,9 +120,16 @@ Course least_of(const Task& task, const StripProblem& problem,
   }
   if (courses.empty()) return {problem, std::move(nearest.solution)};
   std::ranges::sort(courses, {}, [](const Course& course) { return course.solution.objective; });
-  for (Course& course : courses)
-    course.descended = 0;
-  return std::move(courses.front());
+  Course& best = courses.front();
+  best.descended = 0;
+  const double least = bend_energy(problem, best.solution.p);
+  for (const Course& course : courses) {
+    const double energy = bend_energy(problem, course.solution.p);
+    if (std::abs(energy - least) <= kAnother * least) continue;
+    best.solution.runner_up = energy;
+    break;
+  }
+  return std::move(best);
 }
 
 /// From the strip's present shape, or from the first of the first shapes that leads to its end.
@@ -157,20 +168,18 @@ std::vector<Inequality> with_broken(const Task& task, const Course& course,
   return inequalities;
 }
 
-bool radii_hold(const std::vector<Inequality>& inequalities, const Eigen::VectorXd& values) {
+bool firm_ones_hold(const std::vector<Inequality>& inequalities, const Eigen::VectorXd& values) {
   for (std::size_t i = 0; i < inequalities.size(); ++i)
-    if (std::holds_alternative<RadiusLimit>(inequalities[i].what) &&
-        values[static_cast<Eigen::Index>(i)] > kHolds)
-      return false;
+    if (inequalities[i].is_firm() && values[static_cast<Eigen::Index>(i)] > kHolds) return false;
   return true;
 }
 
-/// Planes only lead the strip out of its neighbours: a penalty suffices, and a multiplier would
-/// throw it into another shape.
+/// Planes that only lead the strip out of its neighbours: a penalty suffices, and a multiplier
+/// would throw it into another shape.
 std::vector<Inequality> with_new_multipliers(std::vector<Inequality> inequalities,
                                              const Eigen::VectorXd& values, double penalty) {
   for (std::size_t i = 0; i < inequalities.size(); ++i)
-    if (Inequality& one = inequalities[i]; std::holds_alternative<RadiusLimit>(one.what))
+    if (Inequality& one = inequalities[i]; one.is_firm())
       one.multiplier = std::max(0.0,
                                 one.multiplier + penalty * values[static_cast<Eigen::Index>(i)]);
   return inequalities;
@@ -198,7 +207,7 @@ Course held(
     if (inequalities.empty()) return course;
     const Eigen::VectorXd values = inequality_values(course.problem, course.solution.p);
     const bool unbroken = planes.empty() && !is_too_tight(task, course);
-    if (unbroken && radii_hold(inequalities, values)) return course;
+    if (unbroken && firm_ones_hold(inequalities, values)) return course;
     if (round > 0) {
       course.problem.penalty *= kPenaltyGrowth;
       inequalities = with_new_multipliers(std::move(inequalities), values, course.problem.penalty);

@@ -3,6 +3,7 @@
 #include "descend.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace planish::slit_detail {
@@ -15,6 +16,7 @@ struct StripSolution {
   StripParameters p;
   std::vector<Inequality> inequalities;  ///< that were needed
   double objective = 0.0;
+  std::optional<double> runner_up = {};  ///< energy of the next best of several first shapes
   int iterations = 0;
   bool reached = false;  ///< the end conditions are met
   bool converged = false;

@@ -47,6 +47,13 @@ double gap_to_panel(const PanelFacet* facet, const FoldedStrip& strip) {
   return gap;
 }
 
+/// 0 where it is less than is reported.
+double depth_in_ground(const Snapshot& now, int strip, const FoldedStrip& shape) {
+  const auto height = least_height(now, strip);
+  const double depth = height ? depth_below(shape, *height) : 0.0;
+  return depth > kReported * base_of(now, strip).unit() ? depth : 0.0;
+}
+
 /// The report on a strip, measured on its shape.
 StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
                     const StripSolution& solution) {
@@ -68,6 +75,7 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
   if (now.design->sheet.symmetric)
     state.crosses_plane = depth_behind_mirror(shape, half_sign(now)) >
                           kReported * problem.base.unit();
+  state.below_ground = depth_in_ground(now, strip, shape);
   state.objective = solution.objective;
   state.energy = bend_energy(problem, solution.p);
   if (problem.seat)
@@ -103,11 +111,18 @@ PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   }
   const bool symmetric = now.design->sheet.symmetric;
   const double sign = half_sign(now);
-  return [neighbours = std::move(neighbours), symmetric, sign](const FoldedStrip& shape) {
+  const auto height = least_height(now, strip);
+  return [neighbours = std::move(neighbours), symmetric, sign, height](const FoldedStrip& shape) {
     std::vector<HalfSpace> planes;
-    if (symmetric && depth_behind_mirror(shape, sign) > kHolds * (shape.ridges.back().flat[0].x() -
-                                                                  shape.ridges.front().flat[0].x()))
-      planes = planes_before_mirror(static_cast<int>(shape.quads.size()), sign);
+    const int quads = static_cast<int>(shape.quads.size());
+    const double unseen = kHolds *
+                          (shape.ridges.back().flat[0].x() - shape.ridges.front().flat[0].x());
+    if (symmetric && depth_behind_mirror(shape, sign) > unseen)
+      planes = planes_before_mirror(quads, sign);
+    if (height && depth_below(shape, *height) > unseen) {
+      const auto above = planes_above(quads, *height);
+      planes.insert(planes.end(), above.begin(), above.end());
+    }
     for (const auto& [side, neighbour] : neighbours)
       if (cross(shape, neighbour)) {
         const auto beside = planes_beside(shape, neighbour, side);
@@ -125,7 +140,9 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
                                        planes_broken(now, strip, clear));
   Slot slot = now.slot(strip);
   slot.p = solution.p;
+  const auto runner_up = solution.runner_up ? solution.runner_up : slot.state.runner_up_energy;
   slot.state = measured(now, strip, problem, solution);
+  slot.state.runner_up_energy = runner_up;
   slot.inequalities = solution.inequalities;
   slot.box = box_of(problem.base, solution.p);
   std::erase_if(slot.inequalities, [](const Inequality& known) {

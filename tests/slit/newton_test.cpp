@@ -106,6 +106,15 @@ TEST_P(LeastEnergy, StaysAboveTheGround) {
       EXPECT_GE(end.y(), 420.0 - 1e-6);
 }
 
+/// Near the plane a strip may also turn once more; far from it there is one shape.
+TEST(RunnerUp, IsToldWhereAnotherShapeIsKnown) {
+  const StripState near = solved(up_to_plane(0.1, 20)).state(0),
+                   far = solved(up_to_plane(0.6, 20)).state(0);
+  ASSERT_TRUE(near.runner_up_energy);
+  EXPECT_GT(*near.runner_up_energy, 1.5 * near.energy);
+  EXPECT_FALSE(far.runner_up_energy);
+}
+
 INSTANTIATE_TEST_SUITE_P(NineDistances, LeastEnergy,
                          testing::Values(0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9));
 
@@ -233,6 +242,42 @@ TEST(LeastEnergyOfATwistedStrip, IsThatOfWunderlichsFunctional) {
   ASSERT_TRUE(session);
   EXPECT_EQ(session->state(0).status, StripStatus::solved);
   EXPECT_NEAR(session->state(0).energy, least, 1e-3 * least);
+}
+
+/// From an upright panel to an end that points up as well, as low as the panel: it swings below.
+SlitDesign hanging(SlitObjective objective, bool ground) {
+  SlitDesign design;
+  design.sheet.thickness = 2.0;
+  design.sheet.panel_height = 20.0;
+  design.sheet.half_length = 600.0;
+  design.sheet.symmetric = false;
+  design.sheet.strips = equal_strips(1, 40.0);
+  design.leg_curve = {{{0, 0}, {0, 40}}};
+  design.ends = {
+      {.position = Vec3(-150, 20, 20), .direction = Vec3::UnitY(), .across = Vec3::UnitZ()}};
+  design.ridges = 40;
+  design.objective = objective;
+  design.ground = ground;
+  return design;
+}
+
+TEST(Ground, IsNotGoneBelow) {
+  const auto lowest = [](const SlitSession& session) {
+    const FoldedSlitSheet folded = session.folded();
+    double y = std::numeric_limits<double>::infinity();
+    for (const SlitRidge& ridge : folded.strips[0].ridges)
+      for (const Vec3& end : ridge.folded)
+        y = std::min(y, end.y());
+    return y;
+  };
+  const SlitSession free = solved(hanging(SlitObjective::energy, false));
+  ASSERT_EQ(free.state(0).status, StripStatus::solved);
+  ASSERT_LT(lowest(free), -20.0);
+  const SlitSession held = solved(hanging(SlitObjective::energy, true));
+  EXPECT_EQ(held.state(0).status, StripStatus::solved);
+  EXPECT_GE(lowest(held), 1.0 - 1e-4);  // half the thickness, within 1e-7 of the length
+  EXPECT_EQ(held.state(0).below_ground, 0.0);
+  EXPECT_GT(held.state(0).energy, free.state(0).energy);
 }
 
 TEST(DescendByNewton, TakesFewStepsNearTheMinimum) {

@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace planish {
@@ -34,8 +35,12 @@ struct StripState {
   /// each. Infinite for a flat strip.
   double min_radius = 0.0;
   int tightest_ridge = 0;
-  bool too_tight = false;      ///< min_radius could not be kept above what the material allows
-  std::vector<int> crosses;    ///< strips of higher number that it crosses
+  bool too_tight = false;    ///< min_radius could not be kept above what the material allows
+  std::vector<int> crosses;  ///< strips of higher number that it crosses
+  /// Energy of the next best shape of those that were tried at first, roughly; empty if there was
+  /// no other, or smoothness is wanted.
+  std::optional<double> runner_up_energy = {};
+  double below_ground = 0.0;   ///< how deep its middle surface goes below where it must stay, mm
   bool crosses_plane = false;  ///< runs through the symmetry plane, and so through its mirror image
   double objective = 0.0;
   double energy = 0.0;         ///< of bending, N mm, for a flexural rigidity D of 1 N mm

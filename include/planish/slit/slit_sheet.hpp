@@ -135,6 +135,8 @@ struct SlitDesign {
   EndAngle end_angle = EndAngle::right_angle;
   SlitObjective objective = SlitObjective::smooth;
   SlitWeights weights;
+  bool ground = false;  ///< nothing goes below y = 0, the middle surface stays half a thickness
+                        ///< above
   std::vector<SlitAnchor> anchors;
   std::vector<StripEnd> ends;  ///< by strip; missing ones are free. Not in symmetric sheets
   std::vector<SlitScan> scans;

@@ -184,6 +184,7 @@ const stateOf = (s: StripRow) =>
     s.status,
     ...(s.crosses?.length ? [`runs through ${s.crosses.map((other) => other + 1).join(', ')}`] : []),
     ...(s.crosses_plane ? ['runs through its mirror image'] : []),
+    ...(s.below_ground ? ['goes below the ground'] : []),
   ].join(', ');
 
 const weights: [keyof SlitWeights, string, number][] = [
