@@ -47,6 +47,11 @@ double gap_to_panel(const PanelFacet* facet, const FoldedStrip& strip) {
   return gap;
 }
 
+bool is_behind_mirror(const Snapshot& now, int strip, const FoldedStrip& shape) {
+  return now.design->sheet.symmetric &&
+         depth_behind_mirror(shape, half_sign(now)) > kReported * base_of(now, strip).unit();
+}
+
 /// 0 where it is less than is reported.
 double depth_in_ground(const Snapshot& now, int strip, const FoldedStrip& shape) {
   const auto height = least_height(now, strip);
@@ -72,9 +77,7 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
   state.min_radius = tightest.radius;
   state.tightest_ridge = tightest.ridge;
   state.too_tight = tightest.radius < problem.min_radius * (1.0 - kReported);
-  if (now.design->sheet.symmetric)
-    state.crosses_plane = depth_behind_mirror(shape, half_sign(now)) >
-                          kReported * problem.base.unit();
+  state.crosses_plane = is_behind_mirror(now, strip, shape);
   state.below_ground = depth_in_ground(now, strip, shape);
   state.objective = solution.objective;
   state.energy = bend_energy(problem, solution.p);
