@@ -1,6 +1,7 @@
 #include "close_loops.hpp"
 
 #include "fit_check.hpp"
+#include "interrupted_bends.hpp"
 #include "loops.hpp"
 #include "taken_edges.hpp"
 
@@ -34,6 +35,7 @@ std::optional<Parts> with_bend(const PlateStructure& structure, const SharedEdge
   fit->report.plates = rows;
   const int number = static_cast<int>(parts.fits.size());
   parts.fits.push_back(std::move(*fit));
+  measure_joint(structure, parts.plates, taken_by(parts), parts.fits.back());
   if (!check_on_plates(parts, number)) return std::nullopt;
   const auto made = assembled(parts);
   if (!made || !check_loops(parts, *made, options.k_factor)) return std::nullopt;

@@ -94,8 +94,10 @@ std::optional<double> apart_along(const BendFit& fit, const std::vector<PlacedPl
   return std::max(0.0, -common);
 }
 
-void measure(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
-             const TakenEdges& taken, BendFit& fit) {
+}  // namespace
+
+void measure_joint(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+                   const TakenEdges& taken, BendFit& fit) {
   const auto width = [](const Boundaries& b) {
     return 0.5 * (b.high.v[0] + b.high.v[1] - b.low.v[0] - b.low.v[1]);
   };
@@ -106,8 +108,6 @@ void measure(const PlateStructure& structure, const std::vector<PlacedPlate>& pl
   fit.report.unused = unused_edges(
       fit, task_of(structure, plates, taken, fit.report.plates, fit.report.request));
 }
-
-}  // namespace
 
 void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
                    TakenEdges& taken, std::vector<BendFit>& fits) {
@@ -123,7 +123,7 @@ void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlat
     }
   }
   for (BendFit& fit : fits)
-    measure(structure, plates, taken, fit);
+    measure_joint(structure, plates, taken, fit);
 }
 
 void append_stretches(Parts& parts) {

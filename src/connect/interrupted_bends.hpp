@@ -10,6 +10,10 @@ namespace planish::connect_detail {
 void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
                    TakenEdges& taken, std::vector<BendFit>& fits);
 
+/// Measures how wide a bend joins its plates, and what it leaves of the edges on its tangent lines.
+void measure_joint(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+                   const TakenEdges& taken, BendFit& fit);
+
 /// Makes the stretches and further joints of bends fits of their own, after all others.
 void append_stretches(Parts& parts);
 

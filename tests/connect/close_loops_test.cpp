@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace planish::test {
 namespace {
 
@@ -19,6 +21,10 @@ TEST(CloseLoops, JoinsWhatLiesFlat) {
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_EQ(made->bends.size(), 4u);
   EXPECT_TRUE(made->left_open.empty());
+  for (const FittedBend& bend : made->bends) {
+    EXPECT_NEAR(bend.joined, 90.0, 1e-9);
+    EXPECT_NEAR(std::min(bend.unused[0], bend.unused[1]), 0.0, 1e-9);
+  }
 }
 
 }  // namespace
