@@ -21,27 +21,81 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Whether a file may name one of the materials. Names that a STEP file writes otherwise than they
-/// are spelled may be anywhere.
-bool may_name(const Input& input, const std::vector<shop::ShopMaterial>& materials) {
+/// What a file may have in it: letters, or a whole name in quotes.
+struct SoughtName {
+  std::string letters;
+  bool is_whole = false;
+};
+
+/// Whether a file may have one of them. What a STEP file writes otherwise than it is spelled may be
+/// anywhere.
+bool may_name(const Input& input, const std::vector<SoughtName>& wanted) {
   if (step_files_in(input.file)) return true;  // what is packed is not looked into
   const auto read = job::read_input_file(input.file, "input file");
   if (!read) return false;
-  const std::string lower = lower_case(read->content);
-  return std::ranges::any_of(materials, [&](const shop::ShopMaterial& material) {
+  const std::string content = lower_case(read->content);
+  return std::ranges::any_of(wanted, [&](const SoughtName& one) {
     constexpr unsigned char kLastOfAscii = 0x7e;
-    const bool plain = std::ranges::all_of(material.name, [](unsigned char c) {
+    const bool plain = std::ranges::all_of(one.letters, [](unsigned char c) {
       return c >= ' ' && c <= kLastOfAscii && c != '\'' && c != '\\';
     });
-    return !plain || lower.find(lower_case(material.name)) != std::string::npos;
+    const std::string letters = lower_case(one.letters);
+    return !plain ||
+           content.find(one.is_whole ? "'" + letters + "'" : letters) != std::string::npos;
   });
 }
 
+std::vector<SoughtName> names_of(const shop::Shop& shop) {
+  std::vector<SoughtName> names;
+  for (const shop::ShopMaterial& material : shop.materials)
+    names.push_back({material.name});
+  return names;
+}
+
+/// The longest part of a pattern without * and ?.
+std::string longest_letters(const std::string& pattern) {
+  std::string longest;
+  for (std::size_t at = 0; at <= pattern.size();) {
+    const std::size_t end = std::min(pattern.find_first_of("*?", at), pattern.size());
+    if (end - at > longest.size()) longest = pattern.substr(at, end - at);
+    at = end + 1;
+  }
+  return longest;
+}
+
+/// Whether a row of the list fits a file, or may fit a body in it.
+bool may_be_listed(const Input& input, const shop::PartMaterials& list) {
+  std::vector<SoughtName> names;
+  for (const shop::PartMaterial& row : list.rows()) {
+    if (row.pattern.empty() || shop::fits(row.pattern, input.file.stem().string())) return true;
+    const bool is_whole = row.pattern.find_first_of("*?") == std::string::npos;
+    names.push_back({longest_letters(row.pattern), is_whole});
+  }
+  return may_name(input, names);
+}
+
+/// The list says nothing of some parts, and they name no material themselves.
+std::optional<Error> not_listed(const std::vector<Input>& inputs, const job::Request& request) {
+  constexpr std::size_t kMostNamed = 5;
+  const std::vector<SoughtName> known = names_of(request.shop->shop);
+  Facts facts{{"list", request.materials->name()}};
+  std::size_t count = 0;
+  for (const Input& input : inputs)
+    if (!may_be_listed(input, *request.materials) && !may_name(input, known) &&
+        ++count <= kMostNamed)
+      facts.emplace_back("files", input.file.filename().string());
+  if (count == 0) return std::nullopt;
+  if (count > kMostNamed) facts.emplace_back("files", "others");
+  facts.emplace_back("count", count);
+  return error_of(refuse::not_in_list, facts, "materials");
+}
+
 std::optional<Error> nobody_chooses(const std::vector<Input>& inputs, const job::Request& request) {
-  if (!request.shop || request.shop->material || request.materials) return std::nullopt;
+  if (!request.shop || request.shop->material) return std::nullopt;
+  if (request.materials) return not_listed(inputs, request);
   const shop::Shop& shop = request.shop->shop;
   const bool chosen = std::ranges::any_of(
-      inputs, [&](const Input& input) { return may_name(input, shop.materials); });
+      inputs, [&](const Input& input) { return may_name(input, names_of(shop)); });
   if (chosen) return std::nullopt;
   return error_of(refuse::no_input_says, {{"known", shop::material_names(shop)}}, "material");
 }

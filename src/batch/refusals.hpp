@@ -39,6 +39,10 @@ constexpr Refusal quantities_twice{
 constexpr Refusal no_input_says{
     code::bad_option, "The shop profile has the materials {known}, and no input names one of them.",
     "Choose one with `material`, or that of each part with `materials`."};
+constexpr Refusal not_in_list{
+    code::bad_option,
+    "{list} has no row for {count:input}, {files}, and no material of the shop is named there.",
+    "Add rows for them or one for *, or choose a material with `material`."};
 constexpr Refusal list_in_itself{code::cannot_read, "The list {file} names itself."};
 constexpr Refusal output_in_input{
     code::bad_option, "The results would go into {output}, which is in the input folder {folder}.",

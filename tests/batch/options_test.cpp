@@ -15,9 +15,12 @@ class BatchOptionsOf : public test::BatchFolder {
     write("two.json", std::string(R"({"name": "S", "materials": [{"name": "Steel", )") + kGauges +
                           R"(}, {"name": "brass", )" + kGauges + "}]}");
     write("list.csv", "part,material,quantity\na,Steel,3\n");
-    write("no-quantity.csv", "part,material\na,Steel\n");
+    write("no-quantity.csv", "part,material\nleg*,Steel\n");
+    write("exact.csv", "part,material\na,Steel\n");
     write("oak.csv", "part,material\na,oak\n");
     write("plain.step", "ISO-10303-21; DATA; ENDSEC;");
+    write("leg_2.step", "ISO-10303-21; DATA; ENDSEC;");
+    write("body.step", "#1 = MANIFOLD_SOLID_BREP('Leg',#2);");
     write("named.step", "#1 = DESCRIPTIVE_REPRESENTATION_ITEM('STEEL','');");
   }
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
@@ -40,7 +43,12 @@ TEST_F(BatchOptionsOf, ChooseAmongTheMaterialsOfAShop) {
   EXPECT_EQ(wrong({input("plain.step")}, chosen), "");
   chosen = shop;
   chosen["materials"] = at("no-quantity.csv");
-  EXPECT_EQ(wrong({input("plain.step")}, chosen), "");
+  EXPECT_EQ(wrong({input("leg_2.step")}, chosen), "") << "the list does";
+  EXPECT_EQ(wrong({input("leg_2.step"), input("plain.step")}, chosen), "materials") << "not of all";
+  EXPECT_EQ(wrong({input("leg_2.step"), input("named.step")}, chosen), "");
+  EXPECT_EQ(wrong({input("body.step")}, chosen), "") << "a body in it may be meant";
+  chosen["materials"] = at("exact.csv");
+  EXPECT_EQ(wrong({input("plain.step")}, chosen), "materials") << "no body has that name";
   chosen["materials"] = at("oak.csv");
   EXPECT_EQ(wrong({input("plain.step")}, chosen), "materials") << "the shop has no oak";
   EXPECT_EQ(wrong({input("plain.step")}, {{"k", 0.4}}), "");
