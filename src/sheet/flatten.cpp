@@ -38,6 +38,29 @@ bool is_smaller(const FormedOpening& opening) {
   return area(opening.pilot) < kSmaller * area(opening.through);
 }
 
+/// Whether a line goes on as another one, as files write them.
+bool goes_on(const Segment& line, const Segment& next) {
+  constexpr double kSame = tolerance::kWrittenDigits;
+  const Vec2 along = next.b - line.a;
+  return (next.a - line.b).norm() <= kSame && along.dot(next.b - next.a) > 0.0 &&
+         along.dot(line.b - line.a) > 0.0 &&
+         std::abs(cross(along, next.a - line.a)) <= kSame * along.norm();
+}
+
+/// A chain of curves whose lines that go on straight are one: a cutter pierces once for each.
+Loop with_lines_joined(const Loop& chain) {
+  Loop joined;
+  for (const Curve2& curve : chain) {
+    const auto* next = std::get_if<Segment>(&curve);
+    auto* last = joined.empty() ? nullptr : std::get_if<Segment>(&joined.back());
+    if (next && last && goes_on(*last, *next))
+      last->b = next->b;
+    else
+      joined.push_back(curve);
+  }
+  return joined;
+}
+
 /// What is cut within a feature, entered in the pattern.
 void cut_feature(FlatPattern& pattern, FlatFeature& flat, const FormedFeature& feature,
                  const Isometry2& placement, const FlattenOptions& options) {
@@ -63,7 +86,7 @@ void cut_feature(FlatPattern& pattern, FlatFeature& flat, const FormedFeature& f
     }
   }
   for (const BorderLoop& slit : feature.slits) {
-    const Loop chain = placed(slit, placement);
+    const Loop chain = with_lines_joined(placed(slit, placement));
     if (options.extruded == ExtrudedHoles::outline)
       ++flat.uncut_openings;
     else

@@ -263,6 +263,22 @@ TEST(FlattenFormedFeature, IsDrawnAndNotCut) {
   EXPECT_EQ(pattern.features.front().outlines.size(), 1u);
 }
 
+/// A free edge that was read in pieces is cut in one line as far as it is straight.
+TEST(FlattenFormedFeature, CutsAStraightSlitAsOneLine) {
+  Sheet sheet = plate_with_holes();
+  FormedFeature louvre{"formed", FormSide::up, FaceId{0}, {}, {}, {}};
+  louvre.slits = {{{Segment{{1, 2}, {1.3, 2}}},
+                   {Segment{{1.3, 2}, {4, 2}}},
+                   {Segment{{4, 2}, {5, 2 + 1e-8}}},
+                   {Segment{{5, 2 + 1e-8}, {5, 4}}}},
+                  {{Segment{{6, 2}, {7, 2}}}, {Segment{{7, 2}, {6.5, 2}}}}};
+  sheet.features.push_back(louvre);
+  const FlatPattern pattern = flat(sheet);
+  ASSERT_EQ(pattern.slits.size(), 4u) << "a corner, and one that goes back";
+  EXPECT_NEAR(length(pattern.slits[0]), 4.0, 1e-9);
+  EXPECT_NEAR(length(pattern.slits[1]), 2.0, 1e-7);
+}
+
 TEST(FlattenFormedFeature, IsOnTheOtherSideOnceTheSheetIsTurnedOver) {
   Sheet sheet = plate_with_holes();
   for (const FormSide side : {FormSide::up, FormSide::down, FormSide::both})
