@@ -117,6 +117,23 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
 
 constexpr double kFarOff = 0.1;  // from a scan, of a strip's length
 
+template <typename Add>
+void add_tight(const Add& add, const StripState& strip, std::size_t i, const SlitSheet& sheet) {
+  const double inside = std::max(0.0, strip.min_radius - 0.5 * sheet.thickness);
+  if (strip.too_tight)
+    add("min_radius",
+        fmt::format("strip {} is bent to a radius of {} mm at ridge {}; the material allows {} mm",
+                    i + 1, number_text(strip.min_radius), strip.tightest_ridge + 1,
+                    number_text(sheet.min_radius())),
+        i, strip.tightest_ridge);
+  else if (inside < sheet.thickness)
+    add("creased",
+        fmt::format("strip {} is creased at ridge {}: its inside radius there is {} mm, less than "
+                    "its thickness",
+                    i + 1, strip.tightest_ridge + 1, number_text(inside)),
+        i, strip.tightest_ridge);
+}
+
 /// Findings about strips that end where they must. They count from 1, as all messages do.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
@@ -126,13 +143,7 @@ void add_findings(SlitReport& report) {
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
-    if (strip.too_tight)
-      add("min_radius",
-          fmt::format("strip {} is bent to a radius of {} mm at ridge {}; the material allows "
-                      "{} mm",
-                      i + 1, number_text(strip.min_radius), strip.tightest_ridge + 1,
-                      number_text(report.design.sheet.min_radius())),
-          i, strip.tightest_ridge);
+    add_tight(add, strip, i, report.design.sheet);
     for (const int other : strip.crosses)
       add("strips_cross",
           fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i + 1,

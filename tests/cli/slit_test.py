@@ -57,6 +57,15 @@ class Forms(SlitTest):
         self.assertLess(report["slit"]["gap"], 1e-9 * length)
         self.assertLess(report["slit"]["flat_deviation"], 1e-9 * length)
 
+    def test_a_strip_that_is_creased_is_no_success(self):
+        report = self.report(chair(weights={"smooth": 10}, subdivisions=1))
+        radii = [strip["min_radius"] for strip in report["slit"]["strips"]]
+        creased = [i for i, radius in enumerate(radii) if radius < 1.5 * 4.0]
+        self.assertTrue(creased)
+        found = [f["message"] for f in report["checks"] if f["code"] == "creased"]
+        self.assertEqual(len(found), len(creased))
+        self.assertEqual(report["status"], "warning")
+
     def test_the_objective_energy_bends_strips_less(self):
         def energy(name, objective):
             report = self.report(dict(json.loads((EXAMPLES / name).read_text()), objective=objective))
