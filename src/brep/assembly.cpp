@@ -53,6 +53,10 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
             map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
         if (loop.widened) map.widened.insert({f, l});
       }
+      for (const auto& [opening, border] : read.bridges)
+        map.bridges[opening].push_back({id, 0, border});
+      for (const auto& [opening, loop] : read.openings)
+        map.tangent_cuts[opening] = {id, loop, 0};
       if (read.silhouette) map.silhouettes.emplace(f, std::move(*read.silhouette));
     }
   return map;
@@ -157,6 +161,11 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
     }
     builder.join(a, b, sharp, sharp ? mitre_volume(of, joint.edge) : 0.0);
   }
+  for (const auto& [opening, borders] : map.bridges) {
+    for (const BorderRef& ref : borders)
+      builder[ref].curve = as_ruling(builder[ref.face], builder[ref].curve);
+    builder.join(borders.front(), borders.back());
+  }
   return {};
 }
 
@@ -194,8 +203,10 @@ const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& pa
   return of.skin == Skin::first ? part.second : part.first;
 }
 
-Result<Sheet> assemble_sheet(const Recognition& of) {
-  if (auto other = standing_across(of)) return tl::unexpected(std::move(*other));
+Result<Sheet> assemble_sheet(const Recognition& recognition) {
+  if (auto other = standing_across(recognition)) return tl::unexpected(std::move(*other));
+  Recognition of = recognition;
+  of.tangent_openings = tangent_openings(recognition);
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);

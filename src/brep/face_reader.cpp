@@ -120,12 +120,26 @@ struct CutUse {
   CoEdge use;
   int border = -1;     ///< of the loop, that it stands for; −1: it leads from one to the next
   bool below = false;  ///< it lies below the skin
+  int bridge = -1;     ///< the tangent opening over which a straight border leads to it
 };
+
+/// The opening along which a loop runs at a use, over a tangent line.
+int opening_at(const Recognition& of, const LoopRef& ref, int use) {
+  const int count = static_cast<int>(of.model.faces[ref.face].loops[ref.loop].size());
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
+    const SkinOutline& here = of.tangent_openings[i].here;
+    if (!here.on_bend) continue;
+    for (const LoopRun& run : {here.on_plane, *here.on_bend})
+      if (run.loop == ref && run.holds((use + count) % count, count)) return i;
+  }
+  return -1;
+}
+
 std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
   const auto& loop = of.model.faces[ref.face].loops[ref.loop];
   std::vector<CutUse> uses;
   const auto lead_to = [&](const CutUse& next) {
-    if (uses.empty() || !uses.back().below || !next.below) return;
+    if (uses.empty() || !uses.back().below || !next.below || next.bridge >= 0) return;
     if (const auto between = edge_between(of, uses.back().use, next.use))
       uses.push_back({*between, -1, true});
   };
@@ -133,7 +147,9 @@ std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
     const CoEdge cut = is_beside_form(of, ref.face, loop[i])
                            ? loop[i]
                            : widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
-    const CutUse next{cut, i, cut.edge != loop[i].edge};
+    CutUse next{cut, i, cut.edge != loop[i].edge};
+    if (opening_at(of, ref, i) >= 0) continue;
+    next.bridge = opening_at(of, ref, i - 1);
     lead_to(next);
     uses.push_back(next);
   }
@@ -192,7 +208,8 @@ bool is_rim_alone(const Recognition& of, const LoopRef& ref) {
 
 struct ReadLoop {
   BorderLoop borders;
-  std::vector<int> places;  // in `borders`, by use
+  std::vector<int> places;     // in `borders`, by use
+  std::map<int, int> bridges;  // in `borders`, by tangent opening
   bool widened = false;
 };
 ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
@@ -207,14 +224,21 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
     read = with_bulges(of, *plane, std::move(read));
   result.widened |= std::ranges::any_of(read, [](const Border& border) { return !border.edge; });
   if (result.widened) extend_joints(of, ref.face, uses, read);
+  result.places.assign(of.model.faces[ref.face].loops[ref.loop].size(), -1);
   for (size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i].bridge >= 0) {
+      const Border& last = read[(i + read.size() - 1) % read.size()];
+      result.bridges[uses[i].bridge] = static_cast<int>(result.borders.size());
+      result.borders.push_back({Segment{end_of(last.curve), start_of(read[i].curve)}});
+    }
     if (uses[i].below && read[i].edge)
       read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve,
                            of.tolerance);
     if (const auto as_read = read_face_at(of.model, ref.face, uses[i].use))
       read[i].source_face = *as_read + 1;
     if (result.widened) connect(result.borders, read[i]);
-    if (uses[i].border >= 0) result.places.push_back(static_cast<int>(result.borders.size()));
+    if (uses[i].border >= 0)
+      result.places[uses[i].border] = static_cast<int>(result.borders.size());
     result.borders.push_back(std::move(read[i]));
   }
   if (result.widened) connect(result.borders, Border(result.borders.front()));
@@ -264,6 +288,7 @@ void take_silhouette(ReadFace& read, Silhouette silhouette, int outer) {
                                                               .source_face;
       }
   }
+  silhouette.first_opening = first;
   read.silhouette = std::move(silhouette);
 }
 
@@ -280,7 +305,9 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
                        loop.widened};
     result.face.loops.push_back(std::move(loop.borders));
   };
-  add(outer, read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle));
+  ReadLoop outline = read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle);
+  result.bridges = std::move(outline.bridges);
+  add(outer, std::move(outline));
   const double u_near = middle_u(result.face.loops.front());
   for (int l = 0; l < std::ssize(result.loops); ++l) {
     if (l == outer) continue;
@@ -292,8 +319,16 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
     }
     add(l, std::move(hole));
   }
-  if (auto silhouette = silhouette_of(of, f, leader))
+  // A silhouette has no tangent lines that go on over openings.
+  if (auto silhouette = silhouette_of(of, f, leader);
+      silhouette && (silhouette->outer_kept || result.bridges.empty()))
     take_silhouette(result, std::move(*silhouette), outer);
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i)
+    if (const TangentOpening& opening = of.tangent_openings[i];
+        opening.here.on_bend && opening.here.on_plane.loop.face == f) {
+      result.openings[i] = static_cast<int>(result.face.loops.size());
+      result.face.loops.push_back(opening.cut);
+    }
   return result;
 }
 

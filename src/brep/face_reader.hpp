@@ -17,6 +17,9 @@ struct ReadFace {
   };
   std::vector<Loop> loops;
   std::optional<Silhouette> silhouette;  ///< that some of its loops are taken from
+  /// By `Recognition::tangent_openings`: the border of the outer loop that goes on over one, and
+  /// its loop.
+  std::map<int, int> bridges, openings;
 };
 ReadFace read_face(const Recognition& of, int face, int leader);
 
