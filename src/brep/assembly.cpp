@@ -53,10 +53,12 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
             map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
         if (loop.widened) map.widened.insert({f, l});
       }
-      for (const auto& [opening, border] : read.bridges)
-        map.bridges[opening].push_back({id, 0, border});
-      for (const auto& [opening, loop] : read.openings)
-        map.tangent_cuts[opening] = {id, loop, 0};
+      for (const auto& [opening, borders] : read.bridges)
+        map.bridges[opening].push_back(mapped(borders, [&](int border) {
+          return BorderRef{id, 0, border};
+        }));
+      for (const auto& [opening, at] : read.openings)
+        map.tangent_cuts[opening] = {id, at.first, at.second};
       if (read.silhouette) map.silhouettes.emplace(f, std::move(*read.silhouette));
     }
   return map;
@@ -161,10 +163,13 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
     }
     builder.join(a, b, sharp, sharp ? mitre_volume(of, joint.edge) : 0.0);
   }
-  for (const auto& [opening, borders] : map.bridges) {
-    for (const BorderRef& ref : borders)
-      builder[ref].curve = as_ruling(builder[ref.face], builder[ref].curve);
-    builder.join(borders.front(), borders.back());
+  for (const auto& [opening, faces] : map.bridges) {
+    for (const auto& borders : faces)
+      for (const BorderRef& ref : borders)
+        builder[ref].curve = as_ruling(builder[ref.face], builder[ref].curve);
+    const auto &first = faces.front(), &second = faces.back();
+    for (size_t i = 0; i < first.size(); ++i)
+      builder.join(first[i], second[first.size() - 1 - i]);
   }
   return {};
 }

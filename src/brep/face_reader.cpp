@@ -144,11 +144,11 @@ std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
       uses.push_back({*between, -1, true});
   };
   for (int i = 0; i < std::ssize(loop); ++i) {
+    if (opening_at(of, ref, i) >= 0) continue;
     const CoEdge cut = is_beside_form(of, ref.face, loop[i])
                            ? loop[i]
                            : widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
     CutUse next{cut, i, cut.edge != loop[i].edge};
-    if (opening_at(of, ref, i) >= 0) continue;
     next.bridge = opening_at(of, ref, i - 1);
     lead_to(next);
     uses.push_back(next);
@@ -208,10 +208,32 @@ bool is_rim_alone(const Recognition& of, const LoopRef& ref) {
 
 struct ReadLoop {
   BorderLoop borders;
-  std::vector<int> places;     // in `borders`, by use
-  std::map<int, int> bridges;  // in `borders`, by tangent opening
+  std::vector<int> places;                  // in `borders`, by use
+  std::map<int, std::vector<int>> bridges;  // in `borders`, by tangent opening
   bool widened = false;
 };
+
+/// Leads on from one border to the next along a tangent line over an opening, and round what is cut
+/// of it across the line.
+void lead_over(const Recognition& of, int number, const SolidSurface& surface, ReadLoop& result,
+               const Vec2& start, const Vec2& end) {
+  const TangentOpening& opening = of.tangent_openings[number];
+  const bool flat = std::holds_alternative<Frame>(surface);
+  BorderLoop cut;
+  if (!opening.cut_of_bend.empty()) cut = flat ? opening.cut : opening.cut_of_bend;
+  const auto lead = [&](const Vec2& from, const Vec2& to) {
+    result.bridges[number].push_back(static_cast<int>(result.borders.size()));
+    result.borders.push_back({Segment{from, to}});
+  };
+  if (cut.empty()) return lead(start, end);
+  if (!flat)
+    cut = shifted(std::move(cut),
+                  kTurn * std::round((start.x() - start_of(cut.front().curve).x()) / kTurn));
+  lead(start, start_of(cut.front().curve));
+  std::ranges::copy(cut, std::back_inserter(result.borders));
+  lead(end_of(cut.back().curve), end);
+}
+
 ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
                    double u_near) {
   const SolidFace& face = of.model.faces[ref.face];
@@ -226,11 +248,10 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   if (result.widened) extend_joints(of, ref.face, uses, read);
   result.places.assign(of.model.faces[ref.face].loops[ref.loop].size(), -1);
   for (size_t i = 0; i < uses.size(); ++i) {
-    if (uses[i].bridge >= 0) {
-      const Border& last = read[(i + read.size() - 1) % read.size()];
-      result.bridges[uses[i].bridge] = static_cast<int>(result.borders.size());
-      result.borders.push_back({Segment{end_of(last.curve), start_of(read[i].curve)}});
-    }
+    if (uses[i].bridge >= 0)
+      lead_over(of, uses[i].bridge, surface, result,
+                end_of(i > 0 ? result.borders.back().curve : read.back().curve),
+                start_of(read[i].curve));
     if (uses[i].below && read[i].edge)
       read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve,
                            of.tolerance);
@@ -326,7 +347,11 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
   for (int i = 0; i < std::ssize(of.tangent_openings); ++i)
     if (const TangentOpening& opening = of.tangent_openings[i];
         opening.here.on_bend && opening.here.on_plane.loop.face == f) {
-      result.openings[i] = static_cast<int>(result.face.loops.size());
+      if (!opening.cut_of_bend.empty()) {
+        result.openings[i] = {0, result.bridges.at(i).front() + 1};
+        continue;
+      }
+      result.openings[i] = {static_cast<int>(result.face.loops.size()), 0};
       result.face.loops.push_back(opening.cut);
     }
   return result;

@@ -174,15 +174,17 @@ void add_tangent_opening(SheetBuilder& builder, const SheetMap& map, const Recog
   const BorderRef first = at.here.on_bend
                               ? map.tangent_cuts.at(number)
                               : map.borders.at({at.here.on_plane.loop.face, use.edge, use.forward});
-  builder[first.face].loops[first.loop] = at.cut;
+  const bool across = !at.cut_of_bend.empty();
+  if (!across) builder[first.face].loops[first.loop] = at.cut;
   const PlaneOpening opening{part, at.here.on_plane.loop, at.there.on_plane.loop, seen_here(of, at),
                              seen_there(of, at)};
-  for (FormedFeature& feature : widenings(opening, first, at.cut))
+  for (FormedFeature& feature : widenings(opening, first, at.cut_seen))
     builder.add_feature(std::move(feature));
   const double depth = seen_depth(of, opening.there, at.plane);
-  const double plug = loop_area(at.cut) * depth;
+  const double plug = cut_area(of, at) * depth;
   const auto lacking = lacking_volume(of, at);
   builder.add_form_volume(lacking ? std::optional(plug - *lacking) : std::nullopt);
+  if (across) return;
   MeasuredOpening measured{first.face, first.loop};
   measured.lacking = lacking.value_or(plug) * of.skins.thickness / depth;
   measured.beyond = std::max(0.0, measured.lacking - loop_area(at.cut) * of.skins.thickness);

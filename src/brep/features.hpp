@@ -18,8 +18,8 @@ struct SheetMap {
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
   std::map<int, Silhouette> silhouettes;  ///< by face of the solid: loops are taken from it
   /// By tangent opening, whose outline on the reference skin crosses the tangent line: the borders
-  /// that go on over it, of the flange and the bend; and what is cut.
-  std::map<int, std::vector<BorderRef>> bridges;
+  /// along the line, of one face and of the other; and where what is cut begins in the flange.
+  std::map<int, std::vector<std::vector<BorderRef>>> bridges;
   std::map<int, BorderRef> tangent_cuts;
 
   /// Whether what is cut along a loop of a skin face is taken from a silhouette.

@@ -3,6 +3,7 @@
 #include "borders.hpp"
 #include "form_volume.hpp"
 #include "narrowest.hpp"
+#include "passages.hpp"
 #include "plane_opening.hpp"
 #include "projection.hpp"
 #include "skin_outlines.hpp"
@@ -53,7 +54,7 @@ std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run) {
   return uses;
 }
 
-Vec3 end_of(const Recognition& of, const CoEdge& use, bool after) {
+Vec3 point_of(const Recognition& of, const CoEdge& use, bool after) {
   const SpaceCurve& curve = of.model.edges[use.edge].curve;
   return use.forward == after ? curve.end : curve.start;
 }
@@ -109,7 +110,7 @@ std::optional<SkinOutline> outline_on(const Recognition& of, int part,
 /// normal of the reference skin.
 Frame across_tangent(const Recognition& of, const Frame& plane, const SkinOutline& outline) {
   const auto uses = uses_of(of, *outline.on_bend);
-  const Vec3 from = end_of(of, uses.front(), false), to = end_of(of, uses.back(), true);
+  const Vec3 from = point_of(of, uses.front(), false), to = point_of(of, uses.back(), true);
   Vec3 x = (to - from).cross(plane.z).normalized();
   const SpaceCurve& curve = of.model.edges[uses[uses.size() / 2].edge].curve;
   if (x.dot(curve.point((curve.t0 + curve.t1) / 2) - from) < 0.0) x = -x;
@@ -167,6 +168,111 @@ BorderLoop cut_of(const Recognition& of, const TangentOpening& opening) {
   return *std::ranges::min_element(loops, {}, loop_area);
 }
 
+/// A part of a section, over the flange or over the bend.
+struct SectionPiece {
+  bool over_bend = false;
+  Border border;
+};
+
+/// An edge of a section, divided where it crosses the tangent line; empty where both its images do
+/// not agree on that.
+std::vector<SectionPiece> divided(const Recognition& of, const TangentOpening& opening,
+                                  const Frame& across, const CoEdge& use) {
+  constexpr double kEnd = 1e-6;  // of the edge: it only begins or ends at the line
+  const int bend = of.groups.of_face[opening.here.on_bend->loop.face];
+  const int leader = of.groups.rows[bend].leader;
+  const SolidSurface& surface = of.model.faces[leader].surface;
+  const double near = of.outlines[leader].u_middle;
+  Border flat = read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front();
+  const Border bent = read_borders(of.model, {use}, surface, near, of.tolerance).front();
+  const Vec2 origin = opening.plane.local2(across.origin);
+  const Vec2 along(across.y.dot(opening.plane.x), across.y.dot(opening.plane.y));
+  const Vec2 over(across.x.dot(opening.plane.x), across.x.dot(opening.plane.y));
+  const double line = parameters_of(std::get<Developable>(surface), across.origin, near).x();
+  const auto inner = [&](std::vector<double> at) {
+    std::erase_if(at, [](double t) { return t < kEnd || t > 1.0 - kEnd; });
+    at.insert(at.begin(), 0.0);
+    at.push_back(1.0);
+    return at;
+  };
+  const auto in_plane = inner(crossings(flat.curve, origin, along));
+  const auto on_bend = inner(crossings(bent.curve, {line, 0.0}, Vec2::UnitY()));
+  if (in_plane.size() != on_bend.size()) return {};
+  const auto depth = level_depth(of.model.edges[use.edge].curve, opening.plane, of.tolerance);
+  flat.edge_depth = depth.value_or(0.0);
+  if (!depth) flat.edge.reset();
+  std::vector<SectionPiece> pieces;
+  for (size_t i = 1; i < in_plane.size(); ++i) {
+    const Vec2 middle = point_at(flat.curve, (in_plane[i - 1] + in_plane[i]) / 2);
+    SectionPiece& piece = pieces.emplace_back((middle - origin).dot(over) > 0.0, flat);
+    if (in_plane.size() > 2 || piece.over_bend) piece.border.edge_length.reset();
+    piece.border.curve = trimmed(flat.curve, in_plane[i - 1], in_plane[i]);
+    if (!piece.over_bend) continue;
+    piece.border.edge.reset();
+    piece.border.curve = trimmed(bent.curve, on_bend[i - 1], on_bend[i]);
+  }
+  return pieces;
+}
+
+/// Whether the runs on both skins have room round a section at the tangent line.
+bool is_within_runs(const Recognition& of, const TangentOpening& opening, const Frame& across,
+                    const Vec2& from, const Vec2& to) {
+  const auto y_of = [&](const Vec2& p) {
+    return (opening.plane.point(p) - across.origin).dot(across.y);
+  };
+  const auto [low, high] = std::minmax({y_of(from), y_of(to)});
+  const auto holds = [&](const SkinOutline& outline) {
+    const auto uses = uses_of(of, outline.on_plane);
+    const auto [a, b] = std::minmax({across.local(point_of(of, uses.front(), false)).y(),
+                                     across.local(point_of(of, uses.back(), true)).y()});
+    return a < low - kWiderOutline && b > high + kWiderOutline;
+  };
+  return holds(opening.here) && holds(opening.there);
+}
+
+/// Sets what is cut to the narrowest section across the tangent line; returns whether there is one.
+bool cut_across(const Recognition& of, TangentOpening& opening) {
+  if (!opening.here.on_bend || !opening.there.on_bend) return false;
+  const Frame across = across_tangent(of, opening.plane, opening.here);
+  const auto chains = passages(of, of.rim.parts[opening.part], opening.plane);
+  if (chains.size() != 1) return false;
+  opening.cut_seen = read_borders(of.model, chains.front(), opening.plane, 0.0, of.tolerance);
+  if (!is_wider(seen_here(of, opening), opening.cut_seen) ||
+      !is_wider(seen_there(of, opening), opening.cut_seen))
+    return false;
+  std::vector<SectionPiece> pieces;
+  for (const CoEdge& use : chains.front()) {
+    if (length(read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front().curve) <=
+        of.tolerance)
+      continue;
+    const auto divided_edge = divided(of, opening, across, use);
+    if (divided_edge.empty()) return false;
+    std::ranges::copy(divided_edge, std::back_inserter(pieces));
+  }
+  const size_t count = pieces.size();
+  size_t start = 0;
+  int turns = 0;
+  for (size_t i = 0; i < count; ++i)
+    if (!pieces[i].over_bend && pieces[(i + count - 1) % count].over_bend) {
+      start = i;
+      ++turns;
+    }
+  if (turns != 1) return false;
+  std::ranges::rotate(pieces, pieces.begin() + static_cast<std::ptrdiff_t>(start));
+  for (SectionPiece& piece : pieces)
+    (piece.over_bend ? opening.cut_of_bend : opening.cut).push_back(std::move(piece.border));
+  const bool within = is_within_runs(of, opening, across, start_of(opening.cut.front().curve),
+                                     end_of(opening.cut.back().curve));
+  if (!within) opening.cut = opening.cut_of_bend = {};
+  return within;
+}
+
+/// Of borders closed by a straight one.
+double closed_area(const BorderLoop& borders) {
+  const Segment closing{end_of(borders.back().curve), start_of(borders.front().curve)};
+  return std::abs(signed_loop_area(borders) + green_area(closing));
+}
+
 /// ∫ f(x) dy along a run, as its face runs along it.
 template <typename Function>
 double along(const Recognition& of, const LoopRun& run, const Frame& across, const Function& f) {
@@ -212,7 +318,7 @@ class HeightIntegral {
 std::optional<double> volume_over_skin(const Recognition& of, const SkinOutline& outline,
                                        const Frame& plane, const Frame& across, bool other_skin) {
   const double outwards = other_skin ? -1.0 : 1.0;
-  const Vec3 tangent = end_of(of, uses_of(of, outline.on_plane).front(), false);
+  const Vec3 tangent = point_of(of, uses_of(of, outline.on_plane).front(), false);
   const double level = plane.local(tangent).z();
   if (!outline.on_bend) return outwards * level * loop_area(seen(of, outline, plane, other_skin));
   const double start = across.local(tangent).x();
@@ -246,6 +352,14 @@ std::optional<double> lacking_volume(const Recognition& of, const TangentOpening
   return *here + *there - walls;
 }
 
+double cut_area(const Recognition& of, const TangentOpening& opening) {
+  if (opening.cut_of_bend.empty()) return loop_area(opening.cut);
+  const int face = opening.here.on_bend->loop.face;
+  const double middle = cylinder_of(of, face)->radius -
+                        of.model.faces[face].sense * of.skins.thickness / 2;
+  return closed_area(opening.cut) + middle * closed_area(opening.cut_of_bend);
+}
+
 std::vector<TangentOpening> tangent_openings(const Recognition& of) {
   std::vector<TangentOpening> found;
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
@@ -257,9 +371,10 @@ std::vector<TangentOpening> tangent_openings(const Recognition& of) {
     const int face = here->on_plane.loop.face;
     if (std::ranges::count(of.skins.partners[face], there->on_plane.loop.face) == 0) continue;
     const int leader = of.groups.rows[of.groups.of_face[face]].leader;
-    TangentOpening opening{p, *here, *there, std::get<Frame>(of.model.faces[leader].surface), {}};
-    opening.cut = cut_of(of, opening);
-    if (!opening.cut.empty()) found.push_back(std::move(opening));
+    TangentOpening opening{p,  *here, *there, std::get<Frame>(of.model.faces[leader].surface),
+                           {}, {},    {}};
+    opening.cut = opening.cut_seen = cut_of(of, opening);
+    if (!opening.cut.empty() || cut_across(of, opening)) found.push_back(std::move(opening));
   }
   return found;
 }

@@ -27,18 +27,25 @@ struct SkinOutline {
   std::optional<LoopRun> on_bend;
 };
 
-/// An opening that lies in a flange but for what is machined round it, which reaches into a bend on
-/// one skin at least. The tangent line is whole in the blank.
+/// An opening of a flange that reaches into the bend beside it, on one skin at least, if only by
+/// what is machined round it. What is cut is the narrowest section: a clockwise loop of the flange,
+/// beside which the tangent line is whole; or, where that crosses the tangent line too, its parts
+/// over the flange and over the bend, as their faces run.
 struct TangentOpening {
   int part = 0;             ///< of the rim
   SkinOutline here, there;  ///< on the reference skin and on the other one
   Frame plane;              ///< of the flange, on the reference skin
-  BorderLoop cut;           ///< in that plane, clockwise
+  BorderLoop cut;           ///< in that plane
+  BorderLoop cut_of_bend;   ///< in (u, v) of the bend, at any turn; empty: the loop is closed
+  BorderLoop cut_seen;      ///< all of it, along the normal of the flange
 };
 
-/// Those of a solid, with what is cut for each: the narrowest section. May throw the kernel's
-/// exceptions.
+/// Those of a solid. Openings over a tangent line that are cut across it are taken only where both
+/// skins are machined: else one skin's outline is what is cut. May throw the kernel's exceptions.
 std::vector<TangentOpening> tangent_openings(const Recognition& of);
+
+/// The area of what is cut, mm²; over the bend half-way between the skins.
+double cut_area(const Recognition& of, const TangentOpening& opening);
 
 /// Outlines as seen along the normal of the flange, clockwise: the reference skin's, the other's.
 BorderLoop seen_here(const Recognition& of, const TangentOpening& opening);

@@ -110,6 +110,42 @@ TEST(TangentOpenings, KeepTheHoleOfCountersinksOnEitherSkinOrBoth) {
           BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(profile, hole_at(gap))), gap);
 }
 
+/// A circle whose middle lies `before` the tangent line, its developed area at K = ½ if it is
+/// drilled at that height over the outside: over the flange a segment of the circle, over the bend
+/// ∫ 3 atan(x / (4 − z)) dy by Simpson's rule.
+double area_across(double before, double height) {
+  const double half = std::acos(before / kDrilled);
+  const double flat = kDrilled * kDrilled * (pi - half + std::sin(half) * std::cos(half));
+  const auto reach = [&](double turn) {  // y = r sin(turn)
+    const double x = kDrilled * std::cos(turn) - before;
+    return 3 * std::atan(x / (4 - height)) * kDrilled * std::cos(turn);
+  };
+  constexpr int kSteps = 2000;
+  double sum = 0.0;
+  for (int i = 0; i <= kSteps; ++i)
+    sum += (i % kSteps == 0 ? 1 : i % 2 == 0 ? 2 : 4) * reach(half * (2.0 * i / kSteps - 1));
+  return flat + sum * (2 * half / kSteps) / 3;
+}
+
+TEST(TangentOpenings, AreCutAcrossTheLineWhereTheHoleCrossesIt) {
+  const ToolProfile both{{0, -1},         {3.5, -1}, {3.5, 0}, {kDrilled, 1},
+                         {kDrilled, 1.4}, {3.1, 2},  {3.1, 6}, {0, 6}};
+  for (const double gap : {-0.1, -0.5}) {
+    const auto made = unfolded_shape(
+        BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(both, hole_at(gap))));
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_NEAR(made->sheet[BendId{0}].angle.degrees(), 90, 1e-6);
+    ASSERT_EQ(made->flat.openings.size(), 1u);
+    const double lower = area_across(kDrilled + gap, 1.0), upper = area_across(kDrilled + gap, 1.4);
+    const double area = std::abs(signed_area(made->flat.openings.front().loop));
+    EXPECT_GT(area, lower - 1e-4);
+    EXPECT_LT(area, upper + 1e-4);
+    EXPECT_LT(std::min(area - lower, upper - area), 1e-4) << "at an end of the drilled wall";
+    EXPECT_NEAR(made->certificate.explained_ratio.value_or(0), 1, 1e-7);
+    EXPECT_LT(made->certificate.refold_deviation.value_or(1), 1e-4);
+  }
+}
+
 TEST(TangentOpenings, AreToldFromPlainHoles) { expect_drilled(drilled_bracket(0.2), 0.2); }
 
 }  // namespace
