@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include "bend_measure.hpp"
+#include "borders.hpp"
 #include "contacts.hpp"
 #include "dihedral.hpp"
 #include "face_reader.hpp"
@@ -16,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 // What was recognised becomes a Sheet: faces group by group, then joints, then features. A cylinder
 // or cone may be read at any turn of its azimuth, so faces of a bend are brought to one turn first,
@@ -50,6 +53,12 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
             map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
         if (loop.widened) map.widened.insert({f, l});
       }
+      for (const auto& [opening, borders] : read.bridges)
+        map.bridges[opening].push_back(mapped(borders, [&](int border) {
+          return BorderRef{id, 0, border};
+        }));
+      for (const auto& [opening, at] : read.openings)
+        map.tangent_cuts[opening] = {id, at.first, at.second};
       if (read.silhouette) map.silhouettes.emplace(f, std::move(*read.silhouette));
     }
   return map;
@@ -154,7 +163,39 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
     }
     builder.join(a, b, sharp, sharp ? mitre_volume(of, joint.edge) : 0.0);
   }
+  for (const auto& [opening, faces] : map.bridges) {
+    for (const auto& borders : faces)
+      for (const BorderRef& ref : borders)
+        builder[ref].curve = as_ruling(builder[ref.face], builder[ref].curve);
+    const auto &first = faces.front(), &second = faces.back();
+    for (size_t i = 0; i < first.size(); ++i)
+      builder.join(first[i], second[first.size() - 1 - i]);
+  }
   return {};
+}
+
+/// Where the solid's faces of a bend lie on its surface, if one of them is cut wider than its own
+/// outline.
+std::optional<Interval> own_u(const SheetBuilder& builder, const SheetMap& map,
+                              const Recognition& of, const Group& group) {
+  const auto is_widened = [&](const LoopRef& ref) {
+    return std::ranges::count(group.faces, ref.face) > 0;
+  };
+  if (std::ranges::none_of(map.widened, is_widened)) return {};
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const SolidSurface& surface = of.model.faces[group.leader].surface;
+  const bool turns = !std::holds_alternative<Ruled>(std::get<Developable>(surface));
+  std::vector<Interval> faces;
+  for (const int f : group.faces) {
+    const auto& loop = of.model.faces[f].loops[of.outlines[f].outer];
+    const double near = middle_u(builder.sheet()[map.face_id.at(f)]);
+    const Box2 box = bounds(read_borders(of.model, loop, surface, near, of.tolerance));
+    const double middle = (box.lo.x() + box.hi.x()) / 2;
+    const double shift = turns ? kTurn * std::round((near - middle) / kTurn) : 0.0;
+    faces.push_back({box.lo.x() + shift, box.hi.x() + shift});
+  }
+  return Interval{std::ranges::min(faces, {}, &Interval::lo).lo,
+                  std::ranges::max(faces, {}, &Interval::hi).hi};
 }
 
 }  // namespace
@@ -167,15 +208,20 @@ const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& pa
   return of.skin == Skin::first ? part.second : part.first;
 }
 
-Result<Sheet> assemble_sheet(const Recognition& of) {
-  if (auto other = standing_across(of)) return tl::unexpected(std::move(*other));
+Result<Sheet> assemble_sheet(const Recognition& recognition) {
+  if (auto other = standing_across(recognition)) return tl::unexpected(std::move(*other));
+  Recognition of = recognition;
+  of.tangent_openings = tangent_openings(recognition);
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);
   align_turns(builder, map, of);
   if (auto done = add_joints(builder, map, of); !done) return pass_on(done);
-  for (const BendId bend : builder.sheet().bends.ids())
-    if (!builder[bend].faces.empty()) builder[bend] = measured_bend(builder.sheet(), bend);
+  for (const Group& group : of.groups.rows) {
+    if (group.flange) continue;
+    const auto bend = std::get<BendId>(builder[map.face_id.at(group.leader)].part_of);
+    builder[bend] = measured_bend(builder.sheet(), bend, own_u(builder, map, of, group));
+  }
   add_features(builder, map, of);
   builder.set_volume(volume_of(of.model));
   builder.set_genus(of.model.genus);

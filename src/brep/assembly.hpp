@@ -2,6 +2,7 @@
 
 #include "grouping.hpp"
 #include "rim.hpp"
+#include "tangent_openings.hpp"
 
 #include <planish/sheet/sheet.hpp>
 
@@ -16,6 +17,7 @@ struct Recognition {
   const Groups& groups;
   Skin skin;         ///< the reference skin
   double tolerance;  ///< to which borders are read, mm
+  std::vector<TangentOpening> tangent_openings = {};
 };
 
 /// Loops that a part touches on the reference skin, and on the other one.

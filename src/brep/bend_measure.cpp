@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 // Angle, radius and inside of a bend, from its faces alone. Cylinders and cones have closed forms;
 // of others the normals at equal steps along the middle of the face give the turn, the smallest
@@ -103,12 +104,30 @@ Bend measured_by_steps(Bend bend, const Face& face, const Box2& box, double thic
   return bend;
 }
 
+/// The box of the bend's faces, ended at tangent lines where the bend's own faces end there.
+Box2 turned_box(const Sheet& sheet, BendId id, const std::optional<Interval>& own_u) {
+  Box2 box = parameter_box(sheet, sheet[id]);
+  if (!own_u) return box;
+  constexpr double kSame = 1e-4;  // radians: files round
+  Interval joints{kInfinite, -kInfinite};
+  const auto is_own = [&](const BorderRef& ref) { return sheet[ref.face].part_of == PartId(id); };
+  for (const Joint& joint : sheet.joints)
+    for (const auto& [own, other] : {std::pair{joint.a, joint.b}, std::pair{joint.b, joint.a}}) {
+      if (!is_own(own) || is_own(other)) continue;
+      const double u = point_at(sheet[own].curve, 0.5).x();
+      joints = {std::min(joints.lo, u), std::max(joints.hi, u)};
+    }
+  if (joints.lo <= own_u->lo + kSame) box.lo.x() = joints.lo;
+  if (joints.hi >= own_u->hi - kSame) box.hi.x() = joints.hi;
+  return box;
+}
+
 }  // namespace
 
-Bend measured_bend(const Sheet& sheet, BendId id) {
+Bend measured_bend(const Sheet& sheet, BendId id, std::optional<Interval> own_u) {
   Bend bend = sheet[id];
   const Face& face = sheet[bend.faces.front()];
-  const Box2 box = parameter_box(sheet, bend);
+  const Box2 box = turned_box(sheet, id, own_u);
   const auto& surface = std::get<Developable>(face.surface);
   bend.reference_inside = face.sense < 0;
   const double skin_to_inside = bend.reference_inside ? 0.0 : sheet.thickness;

@@ -120,20 +120,36 @@ struct CutUse {
   CoEdge use;
   int border = -1;     ///< of the loop, that it stands for; −1: it leads from one to the next
   bool below = false;  ///< it lies below the skin
+  int bridge = -1;     ///< the tangent opening over which a straight border leads to it
 };
+
+/// The opening along which a loop runs at a use, over a tangent line.
+int opening_at(const Recognition& of, const LoopRef& ref, int use) {
+  const int count = static_cast<int>(of.model.faces[ref.face].loops[ref.loop].size());
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
+    const SkinOutline& here = of.tangent_openings[i].here;
+    if (!here.on_bend) continue;
+    for (const LoopRun& run : {here.on_plane, *here.on_bend})
+      if (run.loop == ref && run.holds((use + count) % count, count)) return i;
+  }
+  return -1;
+}
+
 std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
   const auto& loop = of.model.faces[ref.face].loops[ref.loop];
   std::vector<CutUse> uses;
   const auto lead_to = [&](const CutUse& next) {
-    if (uses.empty() || !uses.back().below || !next.below) return;
+    if (uses.empty() || !uses.back().below || !next.below || next.bridge >= 0) return;
     if (const auto between = edge_between(of, uses.back().use, next.use))
       uses.push_back({*between, -1, true});
   };
   for (int i = 0; i < std::ssize(loop); ++i) {
+    if (opening_at(of, ref, i) >= 0) continue;
     const CoEdge cut = is_beside_form(of, ref.face, loop[i])
                            ? loop[i]
                            : widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
-    const CutUse next{cut, i, cut.edge != loop[i].edge};
+    CutUse next{cut, i, cut.edge != loop[i].edge};
+    next.bridge = opening_at(of, ref, i - 1);
     lead_to(next);
     uses.push_back(next);
   }
@@ -192,9 +208,32 @@ bool is_rim_alone(const Recognition& of, const LoopRef& ref) {
 
 struct ReadLoop {
   BorderLoop borders;
-  std::vector<int> places;  // in `borders`, by use
+  std::vector<int> places;                  // in `borders`, by use
+  std::map<int, std::vector<int>> bridges;  // in `borders`, by tangent opening
   bool widened = false;
 };
+
+/// Leads on from one border to the next along a tangent line over an opening, and round what is cut
+/// of it across the line.
+void lead_over(const Recognition& of, int number, const SolidSurface& surface, ReadLoop& result,
+               const Vec2& start, const Vec2& end) {
+  const TangentOpening& opening = of.tangent_openings[number];
+  const bool flat = std::holds_alternative<Frame>(surface);
+  BorderLoop cut;
+  if (!opening.cut_of_bend.empty()) cut = flat ? opening.cut : opening.cut_of_bend;
+  const auto lead = [&](const Vec2& from, const Vec2& to) {
+    result.bridges[number].push_back(static_cast<int>(result.borders.size()));
+    result.borders.push_back({Segment{from, to}});
+  };
+  if (cut.empty()) return lead(start, end);
+  if (!flat)
+    cut = shifted(std::move(cut),
+                  kTurn * std::round((start.x() - start_of(cut.front().curve).x()) / kTurn));
+  lead(start, start_of(cut.front().curve));
+  std::ranges::copy(cut, std::back_inserter(result.borders));
+  lead(end_of(cut.back().curve), end);
+}
+
 ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
                    double u_near) {
   const SolidFace& face = of.model.faces[ref.face];
@@ -207,14 +246,20 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
     read = with_bulges(of, *plane, std::move(read));
   result.widened |= std::ranges::any_of(read, [](const Border& border) { return !border.edge; });
   if (result.widened) extend_joints(of, ref.face, uses, read);
+  result.places.assign(of.model.faces[ref.face].loops[ref.loop].size(), -1);
   for (size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i].bridge >= 0)
+      lead_over(of, uses[i].bridge, surface, result,
+                end_of(i > 0 ? result.borders.back().curve : read.back().curve),
+                start_of(read[i].curve));
     if (uses[i].below && read[i].edge)
       read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].use.edge].curve,
                            of.tolerance);
     if (const auto as_read = read_face_at(of.model, ref.face, uses[i].use))
       read[i].source_face = *as_read + 1;
     if (result.widened) connect(result.borders, read[i]);
-    if (uses[i].border >= 0) result.places.push_back(static_cast<int>(result.borders.size()));
+    if (uses[i].border >= 0)
+      result.places[uses[i].border] = static_cast<int>(result.borders.size());
     result.borders.push_back(std::move(read[i]));
   }
   if (result.widened) connect(result.borders, Border(result.borders.front()));
@@ -264,6 +309,7 @@ void take_silhouette(ReadFace& read, Silhouette silhouette, int outer) {
                                                               .source_face;
       }
   }
+  silhouette.first_opening = first;
   read.silhouette = std::move(silhouette);
 }
 
@@ -280,7 +326,9 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
                        loop.widened};
     result.face.loops.push_back(std::move(loop.borders));
   };
-  add(outer, read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle));
+  ReadLoop outline = read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle);
+  result.bridges = std::move(outline.bridges);
+  add(outer, std::move(outline));
   const double u_near = middle_u(result.face.loops.front());
   for (int l = 0; l < std::ssize(result.loops); ++l) {
     if (l == outer) continue;
@@ -292,8 +340,20 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
     }
     add(l, std::move(hole));
   }
-  if (auto silhouette = silhouette_of(of, f, leader))
+  // A silhouette has no tangent lines that go on over openings.
+  if (auto silhouette = silhouette_of(of, f, leader);
+      silhouette && (silhouette->outer_kept || result.bridges.empty()))
     take_silhouette(result, std::move(*silhouette), outer);
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i)
+    if (const TangentOpening& opening = of.tangent_openings[i];
+        opening.here.on_bend && opening.here.on_plane.loop.face == f) {
+      if (!opening.cut_of_bend.empty()) {
+        result.openings[i] = {0, result.bridges.at(i).front() + 1};
+        continue;
+      }
+      result.openings[i] = {static_cast<int>(result.face.loops.size()), 0};
+      result.face.loops.push_back(opening.cut);
+    }
   return result;
 }
 

@@ -17,6 +17,10 @@ struct ReadFace {
   };
   std::vector<Loop> loops;
   std::optional<Silhouette> silhouette;  ///< that some of its loops are taken from
+  /// By `Recognition::tangent_openings`, with their outline on this face: the borders of its outer
+  /// loop along the tangent line, one or two; and where the loop and border of the cut begin.
+  std::map<int, std::vector<int>> bridges;
+  std::map<int, std::pair<int, int>> openings;
 };
 ReadFace read_face(const Recognition& of, int face, int leader);
 

@@ -165,6 +165,33 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   return widened || drawn;
 }
 
+/// The same of an opening in a plane that is machined over the tangent line beside it.
+void add_tangent_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                         int number) {
+  const TangentOpening& at = of.tangent_openings[number];
+  const RimPart& part = of.rim.parts[at.part];
+  const CoEdge& use = loop_of(of, at.here.on_plane.loop).front();
+  const BorderRef first = at.here.on_bend
+                              ? map.tangent_cuts.at(number)
+                              : map.borders.at({at.here.on_plane.loop.face, use.edge, use.forward});
+  const bool across = !at.cut_of_bend.empty();
+  if (!across) builder[first.face].loops[first.loop] = at.cut;
+  const PlaneOpening opening{part, at.here.on_plane.loop, at.there.on_plane.loop, seen_here(of, at),
+                             seen_there(of, at)};
+  for (FormedFeature& feature : widenings(opening, first, at.cut_seen))
+    builder.add_feature(std::move(feature));
+  const double depth = seen_depth(of, opening.there, at.plane);
+  const double plug = cut_area(of, at) * depth;
+  const auto lacking = lacking_volume(of, at);
+  builder.add_form_volume(lacking ? std::optional(plug - *lacking) : std::nullopt);
+  if (across) return;
+  MeasuredOpening measured{first.face, first.loop};
+  measured.lacking = lacking.value_or(plug) * of.skins.thickness / depth;
+  measured.beyond = std::max(0.0, measured.lacking - loop_area(at.cut) * of.skins.thickness);
+  measured.intrusion = intrusion_into(of, part, at.plane, at.cut);
+  builder.add_opening(measured);
+}
+
 /// The part of the rim along a loop of a skin.
 const RimPart* part_along(const Recognition& of, const LoopRef& ref) {
   for (const CoEdge& use : loop_of(of, ref))
@@ -193,7 +220,7 @@ void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognit
   if (!part.within) return;
   bool found = false;
   for (const LoopRef& ref : loops_there(of, part))
-    if (is_chamfered(of, ref)) {
+    if (is_chamfered(of, part, ref)) {
       add_far_outline(builder, map, of, "chamfer", part, ref);
       found = true;
     }
@@ -223,7 +250,15 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPa
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   std::set<LoopRef> widened = map.widened;
+  std::set<int> beside_bends;
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
+    const TangentOpening& opening = of.tangent_openings[i];
+    add_tangent_opening(builder, map, of, i);
+    beside_bends.insert(opening.part);
+    if (!opening.here.on_bend) widened.erase(opening.here.on_plane.loop);
+  }
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
+    if (beside_bends.contains(p)) continue;
     const RimPart& part = of.rim.parts[p];
     const auto& here = loops_here(of, part);
     const auto& there = loops_there(of, part);

@@ -17,6 +17,10 @@ struct SheetMap {
   std::map<std::tuple<int, int, bool>, BorderRef> borders;  ///< by face, edge and sense of the use
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
   std::map<int, Silhouette> silhouettes;  ///< by face of the solid: loops are taken from it
+  /// By tangent opening, whose outline on the reference skin crosses the tangent line: the borders
+  /// along the line, of one face and of the other; and where what is cut begins in the flange.
+  std::map<int, std::vector<std::vector<BorderRef>>> bridges;
+  std::map<int, BorderRef> tangent_cuts;
 
   /// Whether what is cut along a loop of a skin face is taken from a silhouette.
   bool is_seen(const LoopRef& ref) const {

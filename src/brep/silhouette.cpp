@@ -112,6 +112,12 @@ class Slab {
   std::set<int> held_;
 };
 
+/// Whether a part is cut on its own, with the tangent line that it crosses left whole.
+bool is_beside_bend(const Recognition& of, const RimPart& part) {
+  const auto at = &part - of.rim.parts.data();
+  return std::ranges::count(of.tangent_openings, at, &TangentOpening::part) > 0;
+}
+
 /// Whether a face leads from one skin to the other.
 bool spans(const Recognition& of, const std::set<int>& beside) {
   bool first = false, second = false;
@@ -273,7 +279,8 @@ Seen seen_of(const Slab& slab) {
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
     const RimPart& part = of.rim.parts[p];
     const std::vector<int> loops = loops_along(of, part, slab.face);
-    if (loops.empty() || !part.within || loops_there(of, part).empty()) continue;
+    if (loops.empty() || !part.within || loops_there(of, part).empty() || is_beside_bend(of, part))
+      continue;
     const auto faces = leaning_faces(slab, part);
     // At sharp bends outlines of the skins differ by more than what the rim takes off.
     const bool plain = faces && faces->up.empty() && !of.skins.sharp.empty();
@@ -327,7 +334,7 @@ std::vector<int> ledges_of(const Recognition& of, int face) {
   std::vector<int> ledges;
   for (const RimPart& part : of.rim.parts) {
     const std::vector<int> loops = loops_along(of, part, face);
-    if (!part.within || std::ranges::count(loops, outer) == 0) continue;
+    if (!part.within || std::ranges::count(loops, outer) == 0 || is_beside_bend(of, part)) continue;
     for (const int f : part.faces)
       if (const Look look = look_of(of, f, slab.plane.z);
           (look == Look::up || look == Look::both) && slab.holds(f) &&

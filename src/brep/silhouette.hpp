@@ -17,6 +17,7 @@ struct Silhouette {
   std::vector<int> parts;         ///< of the rim, that it accounts for
   std::vector<int> leaning;       ///< faces of those that stand not upright
   std::vector<int> skin_loops;    ///< loops of the skin face that it stands for
+  int first_opening = 0;          ///< where its openings begin among the loops of the sheet's face
   /// By loop and use of those, where it is in `loops`; what is missing is not cut.
   std::map<std::pair<int, int>, std::pair<int, int>> places;
 };

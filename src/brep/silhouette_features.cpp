@@ -31,13 +31,12 @@ struct SeenFace {
 };
 
 /// Loops of the face that were taken from the silhouette.
-std::vector<int> cut_loops(const SeenFace& seen, const SheetBuilder& builder) {
-  const int count = static_cast<int>(builder.sheet()[seen.id()].loops.size());
+std::vector<int> cut_loops(const SeenFace& seen) {
   const int openings = static_cast<int>(seen.silhouette.loops.size()) - 1;
   std::vector<int> loops;
   if (!seen.silhouette.outer_kept) loops.push_back(0);
-  for (int l = count - openings; l < count; ++l)
-    loops.push_back(l);
+  for (int i = 0; i < openings; ++i)
+    loops.push_back(seen.silhouette.first_opening + i);
   return loops;
 }
 
@@ -125,7 +124,7 @@ MeasuredOutline measured_outline(SheetBuilder& builder, FaceId id, const std::ve
 void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognition& of, int face) {
   const SeenFace seen{of, map, face, map.silhouettes.at(face)};
   const auto& plane = std::get<Frame>(builder[seen.id()].surface);
-  const std::vector<int> cut = cut_loops(seen, builder);
+  const std::vector<int> cut = cut_loops(seen);
   const double area = sum_of(
       cut, [&](int l) { return signed_loop_area(builder.sheet()[seen.id()].loops[l]); });
   const auto beyond = volume_beyond(seen, plane, area);

@@ -99,12 +99,12 @@ double slanted_volume(const Recognition& of) {
 
 }  // namespace
 
-bool is_chamfered(const Recognition& of, const LoopRef& ref) {
+bool is_chamfered(const Recognition& of, const RimPart& part, const LoopRef& ref) {
   const auto& loop = of.model.faces[ref.face].loops[ref.loop];
   const Skin across = other_skin(of.skins.skin_of[ref.face]);
   return std::ranges::any_of(loop, [&](const CoEdge& use) {
     const int wall = face_across(of.model.edges[use.edge], ref.face);
-    if (wall < 0 || of.rim.part_of[wall] < 0 || reaches(of, wall, across)) return false;
+    if (std::ranges::count(part.faces, wall) == 0 || reaches(of, wall, across)) return false;
     return wall_slope(of, ref.face, use) > 0.0 || leans_back(of.model, ref.face, use);
   });
 }
@@ -130,7 +130,10 @@ void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognit
   const auto& features = builder.sheet().features;
   const bool formed = std::ranges::any_of(
       features, [](const FormedFeature& one) { return one.kind == "formed"; });
-  if (found && !formed) builder.add_form_volume(slanted_volume(of));
+  // Skins differ by what is machined over tangent lines, too, which counts already.
+  if (found && !formed)
+    builder.add_form_volume(of.tangent_openings.empty() ? std::optional(slanted_volume(of))
+                                                        : std::nullopt);
 }
 
 }  // namespace planish::brep

@@ -4,9 +4,9 @@
 
 namespace planish::brep {
 
-/// Whether a wall along this loop of a skin leans back from it and ends within the sheet: of a
-/// chamfer, a fillet, a countersink.
-bool is_chamfered(const Recognition& of, const LoopRef& ref);
+/// Whether a wall of the part along this loop of a skin leans back from it and ends within the
+/// sheet: of a chamfer, a fillet, a countersink.
+bool is_chamfered(const Recognition& of, const RimPart& part, const LoopRef& ref);
 
 /// Notes cuts along the outer contour, or through bends, that are not normal to the sheet: saw
 /// cuts, mitres. The blank keeps the reference skin's outline there; the feature names the borders,

@@ -108,5 +108,34 @@ TEST(MeasuredBend, OfAGeneralSurfacePastHalfATurnGoesTheLongWay) {
   EXPECT_NEAR(measured(rolled(12, 4.0), 1, {0, 0}, {4.0, 30}).angle.radians(), 4.0, 1e-6);
 }
 
+TEST(MeasuredBend, EndsAtTheTangentLineWhereItsOwnFaceDoes) {
+  // A quarter turn from a flange on, cut along an edge below the skin that reaches 0.2 beyond it.
+  SheetBuilder builder(kThickness);
+  const FlangeId flange = builder.add_flange();
+  Face plane;
+  plane.surface = Frame{};
+  plane.part_of = flange;
+  const Vec2 square[] = {{0, 0}, {10, 0}, {10, 40}, {0, 40}};
+  BorderLoop& outline = plane.loops.emplace_back();
+  for (int i = 0; i < 4; ++i)
+    outline.emplace_back().curve = Segment{square[i], square[(i + 1) % 4]};
+  const FaceId first = builder.add_face(std::move(plane));
+  const BendId bend = builder.add_bend();
+  Face face;
+  face.surface = Cylinder{Frame{}, 5};
+  face.part_of = bend;
+  const Vec2 corners[] = {{pi / 2, 0}, {pi / 2, 40}, {0, 40}, {0, 30}, {-0.2, 20}, {0, 10}, {0, 0}};
+  BorderLoop& loop = face.loops.emplace_back();
+  for (int i = 0; i < 7; ++i)
+    loop.emplace_back().curve = Segment{corners[i], corners[(i + 1) % 7]};
+  const FaceId second = builder.add_face(std::move(face));
+  builder.join({first, 0, 1}, {second, 0, 2});
+  const auto angle = [&](const Interval& own) {
+    return measured_bend(builder.sheet(), bend, own).angle.radians();
+  };
+  EXPECT_NEAR(angle({0, pi / 2}), pi / 2, 1e-12);
+  EXPECT_NEAR(angle({-0.2, pi / 2}), pi / 2 + 0.2, 1e-12) << "it goes on beside the flange";
+}
+
 }  // namespace
 }  // namespace planish::brep

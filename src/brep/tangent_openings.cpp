@@ -1,0 +1,382 @@
+#include "tangent_openings.hpp"
+
+#include "borders.hpp"
+#include "form_volume.hpp"
+#include "narrowest.hpp"
+#include "passages.hpp"
+#include "plane_opening.hpp"
+#include "projection.hpp"
+#include "skin_outlines.hpp"
+
+#include <planish/base/id_vector.hpp>
+#include <planish/base/tolerance.hpp>
+#include <planish/geometry/quadrature.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+// Openings beside bends. Chamfers and countersinks round a hole of a flange may cross the tangent
+// line, so that it has no outline of its own on that skin: the plane's outline runs along it, and
+// so does the bend's. What passes through lies in the flange alone; there it is cut, and the
+// tangent line goes on over what is machined. The volume between the skins is that of their faces
+// carried on: columns over the plane, of a height that is known on a cylinder in closed form.
+
+namespace planish::brep {
+namespace {
+
+bool is_wall_of(const Recognition& of, int part, int face, const CoEdge& use) {
+  const int wall = face_across(of.model.edges[use.edge], face);
+  return wall >= 0 && of.rim.part_of[wall] == part;
+}
+
+/// The edges of a loop along a part, if they follow each other.
+std::optional<LoopRun> run_along(const Recognition& of, int part, const LoopRef& ref) {
+  const auto& loop = loop_of(of, ref);
+  const int count = static_cast<int>(loop.size());
+  LoopRun run{ref};
+  int starts = 0;
+  for (int i = 0; i < count; ++i) {
+    if (!is_wall_of(of, part, ref.face, loop[i])) continue;
+    ++run.count;
+    if (is_wall_of(of, part, ref.face, loop[(i + count - 1) % count])) continue;
+    run.first = i;
+    ++starts;
+  }
+  if (run.count == 0 || starts > 1) return {};
+  return run;
+}
+
+std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run) {
+  const auto& loop = loop_of(of, run.loop);
+  std::vector<CoEdge> uses;
+  for (int i = 0; i < run.count; ++i)
+    uses.push_back(loop[(run.first + i) % loop.size()]);
+  return uses;
+}
+
+Vec3 point_of(const Recognition& of, const CoEdge& use, bool after) {
+  const SpaceCurve& curve = of.model.edges[use.edge].curve;
+  return use.forward == after ? curve.end : curve.start;
+}
+
+int vertex_of(const Recognition& of, const CoEdge& use, bool after) {
+  return of.model.edges[use.edge].vertices[use.forward == after ? 1 : 0];
+}
+
+/// Whether a run lies between two joints to another face.
+bool is_between_joints(const Recognition& of, const LoopRun& run, int other) {
+  const auto& loop = loop_of(of, run.loop);
+  const size_t count = loop.size();
+  for (const size_t i : {run.first + count - 1, static_cast<size_t>(run.first + run.count)})
+    if (face_across(of.model.edges[loop[i % count].edge], run.loop.face) != other) return false;
+  return true;
+}
+
+bool is_outer(const Recognition& of, const LoopRun& run) {
+  return of.outlines[run.loop.face].outer == run.loop.loop;
+}
+
+const Cylinder* cylinder_of(const Recognition& of, int face) {
+  const auto* surface = std::get_if<Developable>(&of.model.faces[face].surface);
+  return surface ? std::get_if<Cylinder>(surface) : nullptr;
+}
+
+std::optional<SkinOutline> outline_on(const Recognition& of, int part,
+                                      const std::vector<LoopRef>& loops) {
+  if (loops.size() == 1 && goes_round(of, of.rim.parts[part], loops.front())) {
+    const auto run = run_along(of, part, loops.front());
+    if (run) return SkinOutline{*run, {}};
+  }
+  if (loops.size() != 2) return {};
+  auto plane = run_along(of, part, loops[0]), bend = run_along(of, part, loops[1]);
+  if (!plane || !bend) return {};
+  const auto is_plane = [&](const LoopRun& run) {
+    return std::holds_alternative<Frame>(of.model.faces[run.loop.face].surface);
+  };
+  if (!is_plane(*plane)) std::swap(plane, bend);
+  if (!is_plane(*plane) || !cylinder_of(of, bend->loop.face)) return {};
+  if (!is_outer(of, *plane) || !is_outer(of, *bend) ||
+      !is_between_joints(of, *plane, bend->loop.face) ||
+      !is_between_joints(of, *bend, plane->loop.face))
+    return {};
+  const auto first = uses_of(of, *plane), second = uses_of(of, *bend);
+  if (vertex_of(of, first.back(), true) != vertex_of(of, second.front(), false) ||
+      vertex_of(of, second.back(), true) != vertex_of(of, first.front(), false))
+    return {};
+  return SkinOutline{*plane, *bend};
+}
+
+/// A flange and the bend beside it: x across the tangent line, above 0 over the bend, z the outward
+/// normal of the reference skin.
+Frame across_tangent(const Recognition& of, const Frame& plane, const SkinOutline& outline) {
+  const auto uses = uses_of(of, *outline.on_bend);
+  const Vec3 from = point_of(of, uses.front(), false), to = point_of(of, uses.back(), true);
+  Vec3 x = (to - from).cross(plane.z).normalized();
+  const SpaceCurve& curve = of.model.edges[uses[uses.size() / 2].edge].curve;
+  if (x.dot(curve.point((curve.t0 + curve.t1) / 2) - from) < 0.0) x = -x;
+  Frame frame;
+  frame.origin = from - (from - plane.origin).dot(plane.z) * plane.z;
+  frame.x = x;
+  frame.y = plane.z.cross(x);
+  frame.z = plane.z;
+  return frame;
+}
+
+/// The outline that crosses the tangent line.
+const SkinOutline& crossing_outline(const TangentOpening& opening) {
+  return opening.here.on_bend ? opening.here : opening.there;
+}
+
+/// How far a loop of the plane reaches over the tangent line; below 0 if it does not.
+double reach_over(const BorderLoop& loop, const Frame& plane, const Frame& across) {
+  Isometry2 turn = Isometry2::Identity();
+  turn.linear() << across.x.dot(plane.x), across.x.dot(plane.y), across.y.dot(plane.x),
+      across.y.dot(plane.y);
+  const Box2 box = bounds(transformed(mapped(loop, &Border::curve), turn));
+  return box.hi.x() - (turn * plane.local2(across.origin)).x();
+}
+
+/// A loop of the other skin, or one over both faces, as it is seen along the normal.
+BorderLoop seen(const Recognition& of, const SkinOutline& outline, const Frame& plane,
+                bool other_skin) {
+  std::vector<CoEdge> uses = uses_of(of, outline.on_plane);
+  if (outline.on_bend) std::ranges::copy(uses_of(of, *outline.on_bend), std::back_inserter(uses));
+  if (other_skin) {
+    std::ranges::reverse(uses);
+    for (CoEdge& use : uses)
+      use.forward = !use.forward;
+  }
+  BorderLoop loop = read_borders(of.model, uses, plane, 0.0, of.tolerance);
+  for (Border& border : loop)
+    border.edge_depth = other_skin ? of.skins.thickness : 0.0;
+  return loop;
+}
+
+/// The least of what may be cut; empty where nothing closed lies in the flange.
+BorderLoop cut_of(const Recognition& of, const TangentOpening& opening) {
+  const Frame across = across_tangent(of, opening.plane, crossing_outline(opening));
+  const RimPart& part = of.rim.parts[opening.part];
+  std::vector<BorderLoop> loops;
+  if (auto section = narrowest_section(of, part, opening.plane)) loops.push_back(*section);
+  if (auto core = round_core(of, part, opening.plane)) loops.push_back(*core);
+  if (!opening.here.on_bend) loops.push_back(seen_here(of, opening));
+  if (!opening.there.on_bend) loops.push_back(seen_there(of, opening));
+  std::erase_if(loops, [&](const BorderLoop& loop) {
+    return reach_over(loop, opening.plane, across) > -kWiderOutline;
+  });
+  if (loops.empty()) return {};
+  return *std::ranges::min_element(loops, {}, loop_area);
+}
+
+/// A part of a section, over the flange or over the bend.
+struct SectionPiece {
+  bool over_bend = false;
+  Border border;
+};
+
+/// An edge of a section, divided where it crosses the tangent line; empty where both its images do
+/// not agree on that.
+std::vector<SectionPiece> divided(const Recognition& of, const TangentOpening& opening,
+                                  const Frame& across, const CoEdge& use) {
+  constexpr double kEnd = 1e-6;  // of the edge: it only begins or ends at the line
+  const int bend = of.groups.of_face[opening.here.on_bend->loop.face];
+  const int leader = of.groups.rows[bend].leader;
+  const SolidSurface& surface = of.model.faces[leader].surface;
+  const double near = of.outlines[leader].u_middle;
+  Border flat = read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front();
+  const Border bent = read_borders(of.model, {use}, surface, near, of.tolerance).front();
+  const Vec2 origin = opening.plane.local2(across.origin);
+  const Vec2 along(across.y.dot(opening.plane.x), across.y.dot(opening.plane.y));
+  const Vec2 over(across.x.dot(opening.plane.x), across.x.dot(opening.plane.y));
+  const double line = parameters_of(std::get<Developable>(surface), across.origin, near).x();
+  const auto inner = [&](std::vector<double> at) {
+    std::erase_if(at, [](double t) { return t < kEnd || t > 1.0 - kEnd; });
+    at.insert(at.begin(), 0.0);
+    at.push_back(1.0);
+    return at;
+  };
+  const auto in_plane = inner(crossings(flat.curve, origin, along));
+  const auto on_bend = inner(crossings(bent.curve, {line, 0.0}, Vec2::UnitY()));
+  if (in_plane.size() != on_bend.size()) return {};
+  const auto depth = level_depth(of.model.edges[use.edge].curve, opening.plane, of.tolerance);
+  flat.edge_depth = depth.value_or(0.0);
+  if (!depth) flat.edge.reset();
+  std::vector<SectionPiece> pieces;
+  for (size_t i = 1; i < in_plane.size(); ++i) {
+    const Vec2 middle = point_at(flat.curve, (in_plane[i - 1] + in_plane[i]) / 2);
+    SectionPiece& piece = pieces.emplace_back((middle - origin).dot(over) > 0.0, flat);
+    if (in_plane.size() > 2 || piece.over_bend) piece.border.edge_length.reset();
+    piece.border.curve = trimmed(flat.curve, in_plane[i - 1], in_plane[i]);
+    if (!piece.over_bend) continue;
+    piece.border.edge.reset();
+    piece.border.curve = trimmed(bent.curve, on_bend[i - 1], on_bend[i]);
+  }
+  return pieces;
+}
+
+/// Whether the runs on both skins have room round a section at the tangent line.
+bool is_within_runs(const Recognition& of, const TangentOpening& opening, const Frame& across,
+                    const Vec2& from, const Vec2& to) {
+  const auto y_of = [&](const Vec2& p) {
+    return (opening.plane.point(p) - across.origin).dot(across.y);
+  };
+  const auto [low, high] = std::minmax({y_of(from), y_of(to)});
+  const auto holds = [&](const SkinOutline& outline) {
+    const auto uses = uses_of(of, outline.on_plane);
+    const auto [a, b] = std::minmax({across.local(point_of(of, uses.front(), false)).y(),
+                                     across.local(point_of(of, uses.back(), true)).y()});
+    return a < low - kWiderOutline && b > high + kWiderOutline;
+  };
+  return holds(opening.here) && holds(opening.there);
+}
+
+/// Sets what is cut to the narrowest section across the tangent line; returns whether there is one.
+bool cut_across(const Recognition& of, TangentOpening& opening) {
+  if (!opening.here.on_bend || !opening.there.on_bend) return false;
+  const Frame across = across_tangent(of, opening.plane, opening.here);
+  const auto chains = passages(of, of.rim.parts[opening.part], opening.plane);
+  if (chains.size() != 1) return false;
+  opening.cut_seen = read_borders(of.model, chains.front(), opening.plane, 0.0, of.tolerance);
+  if (!is_wider(seen_here(of, opening), opening.cut_seen) ||
+      !is_wider(seen_there(of, opening), opening.cut_seen))
+    return false;
+  std::vector<SectionPiece> pieces;
+  for (const CoEdge& use : chains.front()) {
+    if (length(read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front().curve) <=
+        of.tolerance)
+      continue;
+    const auto divided_edge = divided(of, opening, across, use);
+    if (divided_edge.empty()) return false;
+    std::ranges::copy(divided_edge, std::back_inserter(pieces));
+  }
+  const size_t count = pieces.size();
+  size_t start = 0;
+  int turns = 0;
+  for (size_t i = 0; i < count; ++i)
+    if (!pieces[i].over_bend && pieces[(i + count - 1) % count].over_bend) {
+      start = i;
+      ++turns;
+    }
+  if (turns != 1) return false;
+  std::ranges::rotate(pieces, pieces.begin() + static_cast<std::ptrdiff_t>(start));
+  for (SectionPiece& piece : pieces)
+    (piece.over_bend ? opening.cut_of_bend : opening.cut).push_back(std::move(piece.border));
+  const bool within = is_within_runs(of, opening, across, start_of(opening.cut.front().curve),
+                                     end_of(opening.cut.back().curve));
+  if (!within) opening.cut = opening.cut_of_bend = {};
+  return within;
+}
+
+/// Of borders closed by a straight one.
+double closed_area(const BorderLoop& borders) {
+  const Segment closing{end_of(borders.back().curve), start_of(borders.front().curve)};
+  return std::abs(signed_loop_area(borders) + green_area(closing));
+}
+
+/// ∫ f(x) dy along a run, as its face runs along it.
+template <typename Function>
+double along(const Recognition& of, const LoopRun& run, const Frame& across, const Function& f) {
+  const double error = tolerance::kRounding * std::pow(of.model.size, 3);
+  double sum = 0.0;
+  for (const CoEdge& use : uses_of(of, run)) {
+    const SpaceCurve& curve = of.model.edges[use.edge].curve;
+    const auto form = [&](double t) {
+      return f(across.local(curve.point(t)).x()) * curve.derivative(t).dot(across.y);
+    };
+    const double part = adaptive_gauss(form, curve.t0, curve.t1, error);
+    sum += use.forward ? part : -part;
+  }
+  return sum;
+}
+
+/// The height of a cylinder along a tangent line over the plane, integrated from `from` to x.
+class HeightIntegral {
+ public:
+  HeightIntegral(const Cylinder& cylinder, const Frame& across, const Vec3& tangent)
+      : middle_(across.local(cylinder.frame.origin)),
+        radius_(cylinder.radius),
+        from_(across.local(tangent).x()),
+        side_(across.local(tangent).z() > middle_.z() ? 1.0 : -1.0) {}
+
+  double operator()(double x) const {
+    return middle_.z() * (x - from_) + side_ * (circle(x) - circle(from_));
+  }
+
+ private:
+  /// ∫ √(r² − s²) ds.
+  double circle(double x) const {
+    const double s = std::clamp(x - middle_.x(), -radius_, radius_);
+    return (s * std::sqrt(radius_ * radius_ - s * s) + radius_ * radius_ * std::asin(s / radius_)) /
+           2;
+  }
+  Vec3 middle_;
+  double radius_, from_, side_;
+};
+
+/// The volume between the plane and the skin's faces carried on over an opening, above 0 where they
+/// lie above it and look up, or below and down.
+std::optional<double> volume_over_skin(const Recognition& of, const SkinOutline& outline,
+                                       const Frame& plane, const Frame& across, bool other_skin) {
+  const double outwards = other_skin ? -1.0 : 1.0;
+  const Vec3 tangent = point_of(of, uses_of(of, outline.on_plane).front(), false);
+  const double level = plane.local(tangent).z();
+  if (!outline.on_bend) return outwards * level * loop_area(seen(of, outline, plane, other_skin));
+  const double start = across.local(tangent).x();
+  // Seen from outside, each skin's faces lie on the left of its runs, and the opening on the right.
+  double volume = -along(of, outline.on_plane, across,
+                         [&](double x) { return level * (x - start); });
+  const Cylinder& cylinder = *cylinder_of(of, outline.on_bend->loop.face);
+  constexpr double kSteepest = 0.99;  // of the radius: beyond, a column meets the bend again
+  const Box2 box = bounds(seen(of, outline, across, other_skin));
+  if (box.hi.x() > kSteepest * cylinder.radius) return {};
+  volume -= along(of, *outline.on_bend, across, HeightIntegral(cylinder, across, tangent));
+  return volume;
+}
+
+}  // namespace
+
+BorderLoop seen_here(const Recognition& of, const TangentOpening& opening) {
+  return seen(of, opening.here, opening.plane, false);
+}
+BorderLoop seen_there(const Recognition& of, const TangentOpening& opening) {
+  return seen(of, opening.there, opening.plane, true);
+}
+
+std::optional<double> lacking_volume(const Recognition& of, const TangentOpening& opening) {
+  const Frame across = across_tangent(of, opening.plane, crossing_outline(opening));
+  const auto here = volume_over_skin(of, opening.here, opening.plane, across, false);
+  const auto there = volume_over_skin(of, opening.there, opening.plane, across, true);
+  if (!here || !there) return {};
+  const double walls = sum_of(of.rim.parts[opening.part].faces,
+                              [&](int f) { return volume_over(of.model, f, opening.plane); });
+  return *here + *there - walls;
+}
+
+double cut_area(const Recognition& of, const TangentOpening& opening) {
+  if (opening.cut_of_bend.empty()) return loop_area(opening.cut);
+  const int face = opening.here.on_bend->loop.face;
+  const double middle = cylinder_of(of, face)->radius -
+                        of.model.faces[face].sense * of.skins.thickness / 2;
+  return closed_area(opening.cut) + middle * closed_area(opening.cut_of_bend);
+}
+
+std::vector<TangentOpening> tangent_openings(const Recognition& of) {
+  std::vector<TangentOpening> found;
+  for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
+    const RimPart& part = of.rim.parts[p];
+    if (!part.within || part.openings != 1) continue;
+    const auto here = outline_on(of, p, loops_here(of, part));
+    const auto there = outline_on(of, p, loops_there(of, part));
+    if (!here || !there || (!here->on_bend && !there->on_bend)) continue;
+    const int face = here->on_plane.loop.face;
+    if (std::ranges::count(of.skins.partners[face], there->on_plane.loop.face) == 0) continue;
+    const int leader = of.groups.rows[of.groups.of_face[face]].leader;
+    TangentOpening opening{p,  *here, *there, std::get<Frame>(of.model.faces[leader].surface),
+                           {}, {},    {}};
+    opening.cut = opening.cut_seen = cut_of(of, opening);
+    if (!opening.cut.empty() || cut_across(of, opening)) found.push_back(std::move(opening));
+  }
+  return found;
+}
+
+}  // namespace planish::brep

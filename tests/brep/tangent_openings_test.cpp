@@ -1,0 +1,152 @@
+#include "tangent_openings.hpp"
+
+#include "support/bent_bracket.hpp"
+#include "support/unfolded_shape.hpp"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+// A hole of a flange near a bend: what is machined round it crosses the tangent line, the hole does
+// not. The flat pattern has the drilled circle and the bend of the bracket without a hole.
+
+namespace planish::test {
+namespace {
+
+using std::numbers::pi;
+using ToolProfile = std::vector<std::pair<double, double>>;  // radius, height
+
+constexpr BentBracket kHoledBracket{
+    .thickness = 2, .inside_radius = 2, .first = 40, .second = 30, .width = 50};
+constexpr double kDrilled = 2.5;
+
+/// The body of revolution of a profile about the upright axis through (x, 25).
+TopoDS_Shape turned_tool(const ToolProfile& profile, double x) {
+  BRepBuilderAPI_MakeWire wire;
+  const auto at = [&](const std::pair<double, double>& p) {
+    return gp_Pnt(x + p.first, 25, p.second);
+  };
+  for (size_t i = 0; i < profile.size(); ++i)
+    wire.Add(BRepBuilderAPI_MakeEdge(at(profile[i]), at(profile[(i + 1) % profile.size()])).Edge());
+  const gp_Ax1 axis(gp_Pnt(x, 25, 0), gp_Dir(0, 0, 1));
+  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), axis).Shape();
+}
+
+/// A hole whose edge is `gap` from the tangent line.
+double hole_at(double gap) { return kHoledBracket.first - kDrilled - gap; }
+
+TopoDS_Shape drilled_bracket(double gap) {
+  const gp_Ax2 axis(gp_Pnt(hole_at(gap), 25, -1), gp_Dir(0, 0, 1));
+  return BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
+                         BRepPrimAPI_MakeCylinder(axis, kDrilled, 4).Shape());
+}
+
+template <typename Make>
+TopoDS_Shape deburred_bracket(double gap, double by) {
+  const TopoDS_Shape part = drilled_bracket(gap);
+  Make make(part);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(part, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edges(i)));
+    if (curve.GetType() == GeomAbs_Circle && std::abs(curve.Circle().Radius() - kDrilled) < 1e-6)
+      make.Add(by, TopoDS::Edge(edges(i)));
+  }
+  return make.Shape();
+}
+
+void expect_drilled(const TopoDS_Shape& part, double gap) {
+  const auto made = unfolded_shape(part);
+  ASSERT_TRUE(made) << made.error().message;
+  const FlatPattern& flat = made->flat;
+  ASSERT_EQ(flat.bends.size(), 1u);
+  EXPECT_NEAR(made->sheet[BendId{0}].angle.degrees(), 90, 1e-6);
+  const double length = 40 + 30 + pi / 2 * 3;
+  EXPECT_NEAR(flat.area, 50 * length - pi * kDrilled * kDrilled, 1e-4);
+  ASSERT_EQ(flat.openings.size(), 1u);
+  const Box2 box = bounds(flat.openings.front().loop);
+  EXPECT_NEAR(box.size().x(), 2 * kDrilled, 1e-6);
+  EXPECT_NEAR(box.size().y(), 2 * kDrilled, 1e-6);
+  const Box2 outer = bounds(flat.outer.loop);
+  const double from_end = std::min(box.lo.x() - outer.lo.x(), outer.hi.x() - box.hi.x());
+  EXPECT_NEAR(from_end, std::min(hole_at(gap) - kDrilled, length - hole_at(gap) - kDrilled), 1e-6);
+  EXPECT_NEAR(made->certificate.explained_ratio.value_or(0), 1, 1e-7)
+      << "what is machined is measured";
+  EXPECT_LT(made->certificate.opening_error.value_or(1), 1e-5);
+  EXPECT_LT(made->certificate.refold_deviation.value_or(1), 1e-4);
+  for (const FlatFeature& feature : flat.features)
+    EXPECT_EQ(feature.kind, "countersink");
+}
+
+TEST(TangentOpenings, KeepTheDrilledHoleThatIsRoundedOrChamfered) {
+  for (const double gap : {0.05, 0.2}) {
+    expect_drilled(deburred_bracket<BRepFilletAPI_MakeFillet>(gap, 0.5), gap);
+    expect_drilled(deburred_bracket<BRepFilletAPI_MakeChamfer>(gap, 0.5), gap);
+  }
+}
+
+TEST(TangentOpenings, KeepTheHoleOfCountersinksOnEitherSkinOrBoth) {
+  const ToolProfile inside{{0, -1}, {kDrilled, -1}, {kDrilled, 1.4}, {3.1, 2}, {3.1, 6}, {0, 6}};
+  const ToolProfile outside{{0, -1}, {3.5, -1}, {3.5, 0}, {kDrilled, 1}, {kDrilled, 6}, {0, 6}};
+  const ToolProfile both{{0, -1},         {3.5, -1}, {3.5, 0}, {kDrilled, 1},
+                         {kDrilled, 1.4}, {3.1, 2},  {3.1, 6}, {0, 6}};
+  const ToolProfile bores{{0, -1},         {3.5, -1},  {3.5, 0.6}, {kDrilled, 0.6},
+                          {kDrilled, 1.4}, {3.5, 1.4}, {3.5, 6},   {0, 6}};
+  for (const double gap : {0.1, 0.3})
+    for (const ToolProfile& profile : {inside, outside, both, bores})
+      expect_drilled(
+          BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(profile, hole_at(gap))), gap);
+}
+
+/// A circle whose middle lies `before` the tangent line, its developed area at K = ½ if it is
+/// drilled at that height over the outside: over the flange a segment of the circle, over the bend
+/// ∫ 3 atan(x / (4 − z)) dy by Simpson's rule.
+double area_across(double before, double height) {
+  const double half = std::acos(before / kDrilled);
+  const double flat = kDrilled * kDrilled * (pi - half + std::sin(half) * std::cos(half));
+  const auto reach = [&](double turn) {  // y = r sin(turn)
+    const double x = kDrilled * std::cos(turn) - before;
+    return 3 * std::atan(x / (4 - height)) * kDrilled * std::cos(turn);
+  };
+  constexpr int kSteps = 2000;
+  double sum = 0.0;
+  for (int i = 0; i <= kSteps; ++i)
+    sum += (i % kSteps == 0 ? 1 : i % 2 == 0 ? 2 : 4) * reach(half * (2.0 * i / kSteps - 1));
+  return flat + sum * (2 * half / kSteps) / 3;
+}
+
+TEST(TangentOpenings, AreCutAcrossTheLineWhereTheHoleCrossesIt) {
+  const ToolProfile both{{0, -1},         {3.5, -1}, {3.5, 0}, {kDrilled, 1},
+                         {kDrilled, 1.4}, {3.1, 2},  {3.1, 6}, {0, 6}};
+  for (const double gap : {-0.1, -0.5}) {
+    const auto made = unfolded_shape(
+        BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(both, hole_at(gap))));
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_NEAR(made->sheet[BendId{0}].angle.degrees(), 90, 1e-6);
+    ASSERT_EQ(made->flat.openings.size(), 1u);
+    const double lower = area_across(kDrilled + gap, 1.0), upper = area_across(kDrilled + gap, 1.4);
+    const double area = std::abs(signed_area(made->flat.openings.front().loop));
+    EXPECT_GT(area, lower - 1e-4);
+    EXPECT_LT(area, upper + 1e-4);
+    EXPECT_LT(std::min(area - lower, upper - area), 1e-4) << "at an end of the drilled wall";
+    EXPECT_NEAR(made->certificate.explained_ratio.value_or(0), 1, 1e-7);
+    EXPECT_LT(made->certificate.refold_deviation.value_or(1), 1e-4);
+  }
+}
+
+TEST(TangentOpenings, AreToldFromPlainHoles) { expect_drilled(drilled_bracket(0.2), 0.2); }
+
+}  // namespace
+}  // namespace planish::test
