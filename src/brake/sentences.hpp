@@ -62,9 +62,9 @@ constexpr Sentence edge_out_of_range{
     "edge_out_of_range",
     "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};
 constexpr Sentence face_beyond_lift{"face_beyond_lift",
-                                    "the fingers reach the formed flange {away} from the bend line "
-                                    "by less than 5 mm of its height, "
-                                    "since they lift from {lowest} to {highest}"};
+                                    "the fingers, which lift from {lowest} to {highest}, reach "
+                                    "less than 5 mm of the height of what "
+                                    "stands upright, {away} from the bend line"};
 constexpr Sentence edge_too_short{
     "edge_too_short",
     "the longest edge in its range is {longest}, less than half of the finger's width, {width}"};
