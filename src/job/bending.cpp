@@ -63,10 +63,9 @@ std::vector<Vec2> places_of(const Report& report, const Plan& plan) {
 /// Strokes without a gauge, those for one reason together; of several strokes of a bend the first.
 void find_ungauged(Report& report, const Plan& plan) {
   std::map<std::string, std::pair<Told, std::vector<BendId>>> by_reason;
-  std::set<std::pair<BendId, std::string_view>> told;
+  std::set<BendId> told;
   for (const Stroke& stroke : plan.strokes) {
-    if (!stroke.ungauged || !told.insert({stroke.bends.front(), stroke.ungauged->code}).second)
-      continue;
+    if (!stroke.ungauged || !told.insert(stroke.bends.front()).second) continue;
     auto& [why, bends] = by_reason.try_emplace(stroke.ungauged->told.sentence).first->second;
     why = stroke.ungauged->told;
     for (const BendId bend : stroke.bends)

@@ -39,6 +39,15 @@ def channel(leg, lip=0, out=False):
             "bends": [{"between": pair} for pair in pairs]}
 
 
+def large_channel():
+    """A channel of 400 by 200 with bends of 25 mm inside."""
+    part = channel(200) | {"defaults": {"inside_radius": 25}}
+    part["plates"][0]["outline"] = [[30, 0, 0], [370, 0, 0], [370, 100, 0], [30, 100, 0]]
+    for plate, x in zip(part["plates"][1:], (0, 400)):
+        plate["outline"] = [[x, 0, 30], [x, 100, 30], [x, 100, 200], [x, 0, 200]]
+    return part
+
+
 class BendTest(CliTest):
     def plan(self, plates, *arguments, status=0):
         self.write("part.json", json.dumps(plates))
@@ -353,7 +362,7 @@ class WrongRequests(BendTest):
         self.assertIn(">nothing to bend<", (self.dir / "plan.svg").read_text())
 
     def test_what_is_rolled_is_nothing_to_bend(self):
-        report = self.plan(channel(60) | {"defaults": {"inside_radius": 25}}, "--large-radii", "roll")
+        report = self.plan(large_channel(), "--large-radii", "roll")
         self.assertEqual((report["plan"]["status"], report["plan"]["strokes"]), ("nothing_to_bend", []))
         warning = [check for check in report["checks"] if check["code"] == "rolled_bend"]
         self.assertEqual(len(warning), 1)
@@ -364,15 +373,11 @@ class WrongRequests(BendTest):
         tools = self.tools()
         tools["machine"]["gauge"]["range"] = [5, 50]
         self.write("near.json", json.dumps(tools))
-        part = channel(200) | {"defaults": {"inside_radius": 25}}
-        part["plates"][0]["outline"] = [[30, 0, 0], [370, 0, 0], [370, 100, 0], [30, 100, 0]]
-        for plate, x in zip(part["plates"][1:], (0, 400)):
-            plate["outline"] = [[x, 0, 30], [x, 100, 30], [x, 100, 200], [x, 0, 200]]
-        report = self.plan(part, "--tools", "near.json", "--large-radii", "bump")
+        report = self.plan(large_channel(), "--tools", "near.json", "--large-radii", "bump")
         self.assertGreater(sum(not stroke["gauge"] for stroke in report["plan"]["strokes"]), 4)
         found = [check["message"] for check in report["checks"] if check["code"] == "no_gauge_edge"]
         self.assertLessEqual(len(found), 2)
-        self.assertIn("the gauge reaches from 5 mm to 50 mm", found[0])
+        self.assertTrue(any("the gauge reaches from 5 mm to 50 mm" in message for message in found), found)
 
     def test_the_pages_name_the_machine_and_are_as_fine_in_metres(self):
         tools = self.tools()
