@@ -114,6 +114,7 @@ class Bend : public Command {
     if (const auto entered = arguments_.options.enter(request); !entered)
       return failed(entered.error());
     request.bending.ask = job::Bending::Ask::plan;
+    request.bending.as_made = !arguments_.as_made.empty();
     auto work = maker_->open(*input, parent.progress);
     if (!work) return failed(work.error());
     auto made = job::shown((*work)->make(request, parent.progress));

@@ -5,6 +5,7 @@
 #include "blocked_way.hpp"
 
 #include "check.hpp"
+#include "fits.hpp"
 #include "gauge.hpp"
 #include "one_line.hpp"
 #include "plane_side.hpp"
@@ -56,9 +57,32 @@ std::vector<Counting> what_counts(StageCache& cache, const Setting& stroke, Tool
   return counting;
 }
 
+/// What would take a side that is too short for a die: the widest of the catalogue, or, where none
+/// would, the widest V with the shoulders of this one.
+struct TakingV {
+  double opening = 0.0;  ///< 0: none
+  const Die* die = nullptr;
+};
+
+TakingV taking(const StrokeInputs& inputs, int line, double is, const Die& refused) {
+  TakingV taking;
+  for (const Die& die : inputs.tools.dies)
+    if (die.opening > taking.opening && die.opening < refused.opening &&
+        is_sharp_for(inputs.work.lines[line], die, inputs.options) &&
+        needed_side(inputs, line, die) <= is)
+      taking = {die.opening, &die};
+  if (taking.die) return taking;
+  double narrow = 0.0, wide = refused.opening;
+  while (wide - narrow > kDepthFound) {
+    const double middle = 0.5 * (narrow + wide);
+    (needed_side(inputs, line, refused, refused.opening - middle) <= is ? narrow : wide) = middle;
+  }
+  return {narrow, nullptr};
+}
+
 /// What a stroke lacks on a side, with what would help if that is known.
-Remark remark_on(const Lack& lack, const Place& side, const ToolName& tool, const Die& die,
-                 double thickness) {
+Remark remark_on(const StrokeInputs& inputs, int line, const Lack& lack, const Place& side,
+                 const ToolName& tool, const Die& die) {
   Facts facts{{"tool", text_of(tool)}, {"is", lack.is, unit::mm}};
   switch (lack.kind) {
     case Lack::Kind::segments:
@@ -78,10 +102,18 @@ Remark remark_on(const Lack& lack, const Place& side, const ToolName& tool, cons
   }
   facts.emplace_back("side", side);
   facts.emplace_back("needed", lack.needs, unit::mm);
-  const double opening = 2.0 * (lack.is - die.shoulder_radius);
-  if (opening <= 0.0) return remark_of(say::short_of_any, facts);
-  facts.emplace_back("opening", opening, unit::mm);
-  const bool usual = opening >= narrowest_opening(thickness);
+  const TakingV taken = taking(inputs, line, lack.is, die);
+  if (taken.opening <= 0.0) return remark_of(say::short_of_any, facts);
+  const double force = force_per_length(inputs.options.tensile_strength, inputs.work.thickness,
+                                        taken.opening);
+  if (taken.die && taken.die->max_force && *taken.die->max_force < force) {
+    facts.emplace_back("other", text_of({ToolKind::die, taken.die->id}));
+    facts.emplace_back("most", *taken.die->max_force, say::kPerMetre);
+    facts.emplace_back("force", force, say::kPerMetre);
+    return remark_of(say::short_of_strong, facts);
+  }
+  facts.emplace_back("opening", taken.opening, unit::mm);
+  const bool usual = taken.opening >= narrowest_opening(inputs.work.thickness);
   return remark_of(usual ? say::short_side : say::short_of_usual, facts);
 }
 
@@ -99,8 +131,8 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
   if (obstruction.lack.kind != Lack::Kind::nothing) {
     const Place side = blocked.with ? place::flange(index_of(*blocked.with) + 1)
                                     : place::bend(name_of(blocked.bend));
-    blocked.why = remark_on(obstruction.lack, side, name, inputs.tools.dies[stroke.die],
-                            inputs.work.thickness);
+    blocked.why = remark_on(inputs, stroke.line, obstruction.lack, side, name,
+                            inputs.tools.dies[stroke.die]);
     if (obstruction.lack.kind == Lack::Kind::reach) {
       blocked.reach = obstruction.lack.is;
       blocked.needed = obstruction.lack.needs;

@@ -11,7 +11,9 @@
 
 // What moves with a flange at a stroke is plane: all that is reached over bends that are not formed
 // yet. Its far end is looked for in the flat pattern, and setbacks are added for what lies outside
-// the tangent lines: up to 90° to the mould line, beyond to the plane that touches the bend.
+// the tangent lines: up to 90° to the mould line, beyond to the plane that touches the bend. A bend
+// made with another radius takes more or less of the sheet than lies between its tangent lines,
+// half of it on either side.
 
 namespace planish {
 namespace {
@@ -30,8 +32,9 @@ struct Reach {
 
 class Measuring {
  public:
-  Measuring(const Sheet& sheet, const Layout& layout, const FlatPattern& flat)
-      : sheet_(sheet), layout_(layout), flat_(flat) {
+  Measuring(const Sheet& sheet, const Layout& layout, const FlatPattern& flat,
+            const FlattenOptions& laid)
+      : sheet_(sheet), layout_(layout), flat_(flat), laid_(laid) {
     for (const Joint& joint : sheet_.joints) {
       joints_[key(joint.a)] = {&joint, joint.b};
       joints_[key(joint.b)] = {&joint, joint.a};
@@ -40,12 +43,14 @@ class Measuring {
 
   /// Strokes are to be given in order.
   std::optional<CheckDimension> next(const Stroke& stroke) {
-    for (const BendId bend : stroke.bends)
+    for (const BendId bend : stroke.bends) {
       turned_[bend] += stroke.angle.degrees();
+      if (makes_radius(stroke)) made_[bend] = stroke.radius_made;
+    }
     std::optional<CheckDimension> shortest;
     for (const auto& [face, border] : sides_of(stroke.bends.front())) {
       const auto length = length_of(stroke, face, border);
-      if (length && (!shortest || *length < shortest->length))
+      if (length && (!shortest || *length < shortest->length - kSameEnd))
         shortest = {std::get<FlangeId>(sheet_[face].part_of), *length};
     }
     return shortest;
@@ -68,6 +73,12 @@ class Measuring {
     return sides;
   }
 
+  /// How much less of the sheet a bend takes than lies between its tangent lines.
+  double left_over(BendId bend, double radius) const {
+    const auto taken = allowance_of_radius(sheet_, bend, radius, laid_);
+    return taken ? layout_.allowance[bend].allowance - taken->allowance : 0.0;
+  }
+
   /// From a tangent line to the outside; empty for a bend that has none, or is not finished.
   std::optional<double> setback(BendId id) const {
     const auto bend = std::ranges::find(flat_.bends, id, &FlatBend::bend);
@@ -77,8 +88,12 @@ class Measuring {
     const bool round = bend->kind == BendKind::cylinder || bend->kind == BendKind::sharp;
     if (!round || turned->second < angle - kSameAngle) return std::nullopt;
     constexpr double kSquare = 90.0;
-    const double outside = bend->inside_radius + sheet_.thickness;
-    return angle < kSquare ? outside * std::tan(0.5 * bend->angle.radians()) : outside;
+    const auto made = made_.find(id);
+    const double radius = made == made_.end() ? sheet_[id].inside_radius : made->second;
+    const double outside = radius + sheet_.thickness;
+    const double beyond = angle < kSquare ? outside * std::tan(0.5 * bend->angle.radians())
+                                          : outside;
+    return beyond + 0.5 * left_over(id, radius);
   }
 
   /// The bend that is crossed at a joint.
@@ -151,8 +166,10 @@ class Measuring {
   const Sheet& sheet_;
   const Layout& layout_;
   const FlatPattern& flat_;
+  const FlattenOptions& laid_;
   std::map<Key, std::pair<const Joint*, BorderRef>> joints_;
   std::map<BendId, double> turned_;  ///< by the strokes so far, degrees
+  std::map<BendId, double> made_;    ///< inside radii
 };
 
 }  // namespace
@@ -160,9 +177,10 @@ class Measuring {
 std::vector<std::optional<CheckDimension>> check_dimensions(const Sheet& sheet,
                                                             const Layout& layout,
                                                             const FlatPattern& pattern,
-                                                            const std::vector<Stroke>& strokes) {
+                                                            const std::vector<Stroke>& strokes,
+                                                            const FlattenOptions& laid) {
   if (sheet.faces.empty()) return std::vector<std::optional<CheckDimension>>(strokes.size());
-  Measuring measuring(sheet, layout, pattern);
+  Measuring measuring(sheet, layout, pattern, laid);
   return mapped(strokes, [&](const Stroke& stroke) { return measuring.next(stroke); });
 }
 

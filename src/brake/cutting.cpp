@@ -235,7 +235,7 @@ void Cutting::add_closing_lines() {
   const int count = static_cast<int>(made_.lines.size());
   for (int i = 0; i < count && options_.before_closing.radians() > 0.0; ++i) {
     BrakeLine& line = made_.lines[i];
-    if (!is_hem(line.angle) || line.press_line) continue;
+    if (!is_hem(line) || line.press_line) continue;
     line.closed = line.angle;
     line.angle = options_.before_closing;
     line.inside_radius = line.bend.allowance / line.angle.radians() - line.bend.neutral;

@@ -34,6 +34,12 @@ double largest_tool_angle(const BrakeLine& line, const PlanOptions& options) {
 
 bool bears(const std::optional<double>& most, double force) { return !most || *most >= force; }
 
+/// kN/m that a punch and a die bear together.
+double most_of(const Punch& punch, const Die& die) {
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+  return std::min(punch.max_force.value_or(kUnlimited), die.max_force.value_or(kUnlimited));
+}
+
 /// What tools have to press of a line, from its first piece to its last, mm.
 double pressed_span(const BrakeLine& line, double shortfall) {
   if (line.pieces.empty()) return 0.0;
@@ -96,6 +102,10 @@ double force_of(const BrakeLine& line, const Die& die, const PlanOptions& option
                       : force_per_length(strength, thickness, die.opening));
 }
 
+bool is_sharp_for(const BrakeLine& line, const Die& die, const PlanOptions& options) {
+  return die.opening > 0.0 && die.angle.radians() <= largest_tool_angle(line, options);
+}
+
 double made_radius(const Punch& punch, const Die& die, const PlanOptions& options) {
   return std::max(punch.tip_radius, options.radius_of_opening * die.opening);
 }
@@ -156,9 +166,7 @@ class Fitting {
   }
 
  private:
-  bool is_v(const Die& die) const {
-    return die.opening > 0.0 && die.angle.radians() <= most_angle_;
-  }
+  bool is_v(const Die& die) const { return is_sharp_for(line_, die, options_); }
   bool is_sharp(const Punch& punch) const { return punch.angle.radians() <= most_angle_; }
   double force(double opening) const {
     return force_per_length(options_.tensile_strength, thickness_, opening);
@@ -276,7 +284,7 @@ class Fitting {
     if (span > tools_.machine.length + kWritten)
       return remark_of(say::short_press,
                        {{"span", span, unit::mm}, {"length", tools_.machine.length, unit::mm}});
-    if (is_hem(line_.angle) && !line_.closed_by) return remark_of(say::no_flat_tools);
+    if (is_hem(line_) && !line_.closed_by) return remark_of(say::no_flat_tools);
     if (most_angle_ <= kWritten)
       return remark_of(say::has_to_be_rolled,
                        {{"bend_angle", 180.0 - options_.springback.degrees(), unit::degrees}});
@@ -293,13 +301,30 @@ class Fitting {
     if (!widest([&](const Punch& p, const Die& d) { return suits(p, d) && pressed_by(p, d); }))
       return remark_of(say::few_segments, {{"length", line_.length(), unit::mm}});
     if (!widest([&](const Punch& p, const Die& d) { return suits(p, d) && borne_by_tools(p, d); }))
-      return remark_of(say::no_strong_tools, {{"force", force(suiting->opening), say::kPerMetre}});
+      return no_strong_tools();
     const Die* die = widest([&](const Punch& p, const Die& d) { return all_but_press(p, d); });
     PLANISH_ASSERT(die);
-    return remark_of(say::weak_press,
+    const bool wider = options_.v == VChoice::wanted &&
+                       sizes_.upper_bound(die->opening) != sizes_.end();
+    return remark_of(wider ? say::weak_over_wanted : say::weak_press,
                      {{"force", force_of(line_, *die, options_), unit::kilonewtons},
                       {"most", tools_.machine.force, unit::kilonewtons},
                       {"opening", die->opening, unit::mm}});
+  }
+
+  /// Of the pairs that would press the line the one that lacks least of the force.
+  Remark no_strong_tools() const {
+    double most = 0.0, force = std::numeric_limits<double>::infinity(), opening = 0.0;
+    for (const Punch& punch : tools_.punches)
+      for (const Die& die : tools_.dies) {
+        if (!suits(punch, die) || !pressed_by(punch, die)) continue;
+        const double bears = most_of(punch, die), needs = this->force(die.opening);
+        if (bears * force <= most * needs) continue;
+        most = bears, force = needs, opening = die.opening;
+      }
+    return remark_of(say::no_strong_tools, {{"force", force, say::kPerMetre},
+                                            {"opening", opening, unit::mm},
+                                            {"most", most, say::kPerMetre}});
   }
 
   const BrakeLine& line_;
@@ -315,16 +340,18 @@ FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options) {
   FittingTools fitting;
   const double force = closing_force(options.tensile_strength, line.bend.thickness);
-  const auto bears_it = [&](const auto& tool) {
-    return flattens(tool.angle) && bears(tool.max_force, force);
-  };
+  double most = 0.0;
   for (int punch = 0; punch < std::ssize(tools.punches); ++punch)
-    for (int die = 0; die < std::ssize(tools.dies); ++die)
-      if (bears_it(tools.punches[punch]) && bears_it(tools.dies[die]))
+    for (int die = 0; die < std::ssize(tools.dies); ++die) {
+      if (!flattens(tools.punches[punch].angle) || !flattens(tools.dies[die].angle)) continue;
+      most = std::max(most, most_of(tools.punches[punch], tools.dies[die]));
+      if (most_of(tools.punches[punch], tools.dies[die]) >= force)
         fitting.pairs.push_back({punch, die});
+    }
   const double whole = force * line.length() / kMillimetres;
   if (fitting.pairs.empty())
-    fitting.why = remark_of(say::no_strong_flat_tools);
+    fitting.why = remark_of(say::no_strong_flat_tools,
+                            {{"force", force, say::kPerMetre}, {"most", most, say::kPerMetre}});
   else if (whole > tools.machine.force)
     fitting = {
         {},

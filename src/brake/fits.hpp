@@ -30,6 +30,9 @@ double closing_force(double tensile_strength, double thickness);
 /// kN that a stroke on a line takes over a die: of air bending, or of closing a hem.
 double force_of(const BrakeLine& line, const Die& die, const PlanOptions& options);
 
+/// Whether the V of a die is sharp enough for a line.
+bool is_sharp_for(const BrakeLine& line, const Die& die, const PlanOptions& options);
+
 /// The inside radius that is left: that of air bending over the V, or the tip's.
 double made_radius(const Punch& punch, const Die& die, const PlanOptions& options);
 

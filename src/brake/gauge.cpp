@@ -107,14 +107,22 @@ Interval front_of(const BackGauge& gauge) {
 }
 
 /// How high a finger is, as near to the lying sheet as can be, to touch a face between two heights
-/// with all its front, or over all the face if that is lower. Empty: it does not get there.
-std::optional<double> height_at(const Interval& face, const BackGauge& gauge) {
+/// with all its front, or over all the face if that is lower; where its lift ends before, as near
+/// to that as it gets.
+double height_at(const Interval& face, const BackGauge& gauge) {
   const Interval front = front_of(gauge);
   const double a = face.lo - front.lo, b = face.hi - front.hi;
-  const double lo = std::max(std::min(a, b), gauge.lowest),
-               hi = std::min(std::max(a, b), gauge.highest);
-  if (lo > hi) return std::nullopt;
-  return std::clamp(0.0, lo, hi);
+  return std::clamp(std::clamp(0.0, std::min(a, b), std::max(a, b)), gauge.lowest, gauge.highest);
+}
+
+/// What of a face a finger touches at a height: empty if less than is told.
+std::optional<Interval> touched_at(double height, const Interval& face, const BackGauge& gauge) {
+  constexpr double kLeastTouch = 5.0;  // mm of a face, across its level line
+  const Interval front = front_of(gauge);
+  const Interval touched{std::max(face.lo, height + front.lo),
+                         std::min(face.hi, height + front.hi)};
+  if (touched.hi - touched.lo < kLeastTouch) return std::nullopt;
+  return touched;
 }
 
 /// Where a level line crosses a polygon in (x, z).
@@ -167,20 +175,17 @@ std::vector<UprightFace> upright_faces(StageCache& cache, const Setting& stroke)
 /// Level lines on the outer faces of upright flanges, where a finger would touch them.
 std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
                                     const BackGauge& gauge) {
-  constexpr double kLeastTouch = 5.0;  // mm of a face, across its level line
-  const Interval front = front_of(gauge);
   const Eigen::Isometry3d lying = line_frame(cache.inputs().work.lines[stroke.line]);
   const double side = stroke.direction > 0 ? 1.0 : -1.0, middle = lying.translation().z();
   std::vector<GaugeEdge> lines;
   for (const UprightFace& face : upright_faces(cache, stroke)) {
-    const auto height = height_at(face.heights, gauge);
-    if (!height) continue;
-    const Interval touched{std::max(face.heights.lo, *height + front.lo),
-                           std::min(face.heights.hi, *height + front.hi)};
-    if (touched.hi - touched.lo < kLeastTouch) continue;
+    const double height = height_at(face.heights, gauge);
+    const auto touched = touched_at(height, face.heights, gauge);
+    if (!touched) continue;
     std::vector<Interval> along;
     for (const std::vector<Vec2>& piece : face.pieces)
-      if (const auto one = crossing(piece, 0.5 * (touched.lo + touched.hi))) along.push_back(*one);
+      if (const auto one = crossing(piece, 0.5 * (touched->lo + touched->hi)))
+        along.push_back(*one);
     const auto in_pattern = [&](double x) {
       return Vec2((lying.inverse() * Vec3(x, side * face.away, middle)).head<2>());
     };
@@ -188,7 +193,7 @@ std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
       lines.push_back({.away = face.away,
                        .along = one,
                        .in_pattern = Segment{in_pattern(one.lo), in_pattern(one.hi)},
-                       .height = *height,
+                       .height = height,
                        .flange = face.flange});
   }
   return lines;
@@ -273,11 +278,36 @@ std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
   return first_clear(cache, stroke, openings, part);
 }
 
+namespace {
+
+/// A flange that a finger would touch if it went higher or lower.
+std::optional<Remark> beyond_lift(StageCache& cache, const Setting& stroke,
+                                  const BackGauge& gauge) {
+  for (const UprightFace& face : upright_faces(cache, stroke)) {
+    const bool in_range = face.away >= gauge.from && face.away <= gauge.to;
+    const double height = height_at(face.heights, gauge);
+    const bool at_end = height == gauge.lowest || height == gauge.highest;
+    if (!in_range || !at_end || touched_at(height, face.heights, gauge)) continue;
+    return remark_of(say::face_beyond_lift, {{"away", face.away, unit::mm},
+                                             {"lowest", gauge.lowest, unit::mm},
+                                             {"highest", gauge.highest, unit::mm}});
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Remark why_ungauged(StageCache& cache, const Setting& stroke) {
   const auto& machine = cache.inputs().tools.machine;
   if (!machine.gauge) return remark_of(say::no_back_gauge);
   const BackGauge& gauge = *machine.gauge;
+  if (const auto lift = beyond_lift(cache, stroke, gauge)) return *lift;
   std::vector<GaugeEdge> edges = edges_facing(cache, stroke);
+  if (edges.empty()) {  // the sheet lies either way
+    Setting turned = stroke;
+    turned.direction = -stroke.direction;
+    edges = edges_facing(cache, turned);
+  }
   if (edges.empty()) return remark_of(say::no_parallel_edge);
   const auto off = [&](const GaugeEdge& edge) {
     return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});

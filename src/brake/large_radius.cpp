@@ -18,8 +18,7 @@ constexpr int kMostBumps = 60;         // of one bend: more are rolled
 constexpr double kAlwaysLarge = 10.0;  // inside radius in thicknesses, as in the rules
 
 bool is_asked(const Bend& bend) {
-  return bend.press_lines.empty() && bend.kind != BendKind::general && !bend.faces.empty() &&
-         !is_hem(bend.angle);
+  return bend.press_lines.empty() && bend.kind != BendKind::general && !bend.faces.empty();
 }
 
 /// With the wanted V and no other, a radius is large where no press brake would try it.

@@ -29,7 +29,7 @@ class Remarks {
   void add(const say::Sentence& sentence, const Facts& numbers, const std::vector<BendId>& bends) {
     std::string key(sentence.code);
     for (const Fact& fact : numbers)
-      key += " " + number_text(fact.quantity()->value);
+      key += " " + (fact.quantity() ? number_text(fact.quantity()->value) : *fact.words());
     auto known = std::ranges::find(all_, key, &One::key);
     if (known == all_.end()) known = all_.insert(known, {key, sentence, numbers});
     for (const BendId bend : bends)
@@ -63,12 +63,14 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
     if (stroke.flattening || is_hem(stroke.angle)) continue;
     const auto die = std::ranges::find(inputs.tools.dies, stroke.die, &Die::id);
     const Fact opening("opening", die->opening, unit::mm);
-    if (is_made_otherwise(stroke, thickness))
-      remarks.add(say::other_radius,
-                  {opening,
-                   {"left", stroke.radius_made, unit::mm},
-                   {"radius", stroke.radius_drawn, unit::mm}},
-                  stroke.bends);
+    const Fact left("left", stroke.radius_made, unit::mm),
+        radius("radius", stroke.radius_drawn, unit::mm);
+    if (is_made_otherwise(stroke, thickness)) {
+      if (stroke.radius_made > inputs.options.radius_of_opening * die->opening)
+        remarks.add(say::tip_radius, {{"punch", stroke.punch}, left, radius}, stroke.bends);
+      else
+        remarks.add(say::other_radius, {opening, left, radius}, stroke.bends);
+    }
     if (die->opening < kNarrow * thickness - tolerance::kWrittenDigits)
       remarks.add(say::narrow_v, {opening, {"least", kNarrow * thickness, unit::mm}}, stroke.bends);
     if (stroke.v_away > 0)
@@ -179,11 +181,15 @@ void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_poin
 
 }  // namespace
 
+bool makes_radius(const Stroke& stroke) {
+  return !stroke.flattening && !stroke.press_line && !is_hem(stroke.angle);
+}
+
 bool is_made_otherwise(const Stroke& stroke, double thickness) {
   constexpr double kTold = 0.1, kToldOfThickness = 0.2;  // math.md#made-radius
-  if (stroke.flattening || stroke.press_line || is_hem(stroke.angle)) return false;
-  return std::abs(stroke.radius_made - stroke.radius_drawn) >
-         std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness);
+  return makes_radius(stroke) &&
+         std::abs(stroke.radius_made - stroke.radius_drawn) >
+             std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness);
 }
 
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,

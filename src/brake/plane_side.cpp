@@ -105,6 +105,14 @@ Interval measured_contact(const PressMotion& motion, double most) {
   return range;
 }
 
+double side_on(double opening, double shoulder_radius, const Interval& contact) {
+  return std::max(0.5 * opening + shoulder_radius, contact.hi);
+}
+
+bool touches_bend(const Interval& contact, const PressedBend& bend) {
+  return contact.lo < 0.5 * bend.allowance - kLongEnough;
+}
+
 }  // namespace
 
 double reach(StageCache& cache, const Setting& stroke, bool left) {
@@ -115,6 +123,15 @@ double reach(StageCache& cache, const Setting& stroke, bool left) {
   key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
   return cache.reach(stroke.line, left, std::move(key),
                      [&] { return measured_reach(cache, seen, left); });
+}
+
+double needed_side(const StrokeInputs& inputs, int line, const Die& die, double narrower) {
+  const PressedBend& bend = inputs.work.lines[line].bend;
+  Shoulder shoulder = shoulder_of(die);
+  shoulder.across -= 0.5 * narrower;
+  const Interval contact = measured_contact({bend, shoulder}, most_turn(inputs, line));
+  if (touches_bend(contact, bend)) return kEverywhere.hi;
+  return side_on(die.opening - narrower, die.shoulder_radius, contact);
 }
 
 Interval contact_range(StageCache& cache, int line, int die) {
@@ -130,12 +147,12 @@ std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke) {
   const BrakeLine& line = inputs.work.lines[stroke.line];
   const Die& die = inputs.tools.dies[stroke.die];
   const Interval contact = contact_range(cache, stroke.line, stroke.die);
-  if (contact.lo < 0.5 * line.bend.allowance - kLongEnough)
+  if (touches_bend(contact, line.bend))
     return Obstruction{no_lines(inputs.lines()),
                        ToolKind::die,
                        -1,
                        {Lack::Kind::plane_sides, line.bend.allowance}};
-  const double needed = std::max(0.5 * die.opening + die.shoulder_radius, contact.hi);
+  const double needed = side_on(die.opening, die.shoulder_radius, contact);
   const double far_right = reach(cache, stroke, false), far_left = reach(cache, stroke, true);
   const bool left = far_left < far_right;
   const double far = std::min(far_right, far_left);

@@ -12,6 +12,10 @@ std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke);
 /// How far the plane side goes from the bend line: as far as it does along half of the line, mm.
 double reach(StageCache& cache, const Setting& stroke, bool left);
 
+/// How far a side has to go from a line to lie at every turn on a die, or on one whose V is
+/// narrower by that much, mm; infinity where the shoulders would touch the bend.
+double needed_side(const StrokeInputs& inputs, int line, const Die& die, double narrower = 0.0);
+
 /// Where the shoulder touches the sides, from the bend line, over all turns, mm.
 Interval contact_range(StageCache& cache, int line, int die);
 

@@ -5,8 +5,12 @@
 #include "preferred_tools.hpp"
 
 #include "check.hpp"
+#include "fits.hpp"
+
+#include <planish/base/tolerance.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <tuple>
 
@@ -37,7 +41,17 @@ std::vector<Run> runs_of(const std::vector<StrokeChoice>& strokes) {
   return runs;
 }
 
-/// All pairs for the strokes of a run, the preferred first.
+/// How far the radius that a pair makes is from the drawn one, if tools make it.
+double off_radius(const StrokeInputs& inputs, int number, const Pair& pair) {
+  const BrakeLine& line = inputs.work.lines[number];
+  if (line.press_line || line.closes || line.closed_by) return 0.0;
+  return std::abs(
+      made_radius(inputs.tools.punches[pair.punch], inputs.tools.dies[pair.die], inputs.options) -
+      line.drawn_radius);
+}
+
+/// All pairs for the strokes of a run, the preferred first: those that leave the drawn radius most
+/// nearly, then the bluntest.
 std::vector<Pair> pairs_of(const StrokeInputs& inputs, const std::vector<StrokeChoice>& strokes,
                            const Run& run) {
   const BrakeTools& tools = inputs.tools;
@@ -48,9 +62,15 @@ std::vector<Pair> pairs_of(const StrokeInputs& inputs, const std::vector<StrokeC
         if (const Pair one{pair.punch, pair.die};
             pair.v_away == strokes[s].v_away && !std::ranges::count(pairs, one))
           pairs.push_back(one);
+  const auto off = [&](const Pair& pair) {
+    double sum = 0.0;
+    for (std::size_t s = run.from; s < run.to; ++s)
+      sum += off_radius(inputs, first_line(strokes[s].lines), pair);
+    return std::round(sum / tolerance::kWrittenDigits);
+  };
   std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) {
     const Punch& punch = tools.punches[pair.punch];
-    return std::tuple(-punch.angle.radians() - tools.dies[pair.die].angle.radians(),
+    return std::tuple(off(pair), -punch.angle.radians() - tools.dies[pair.die].angle.radians(),
                       -punch.tip_radius);
   });
   return pairs;

@@ -75,6 +75,8 @@ namespace {
 /// What no tool cures is said of the press.
 const Refusal& refusal_of(std::string_view why) {
   if (why == say::kShortPress) return refuse::press_too_short;
+  if (why == say::kWeakPressForHem) return refuse::press_too_weak_for_hem;
+  if (why == say::kWeakOverWanted) return refuse::press_too_weak_over_wanted;
   return why == say::kWeakPress ? refuse::press_too_weak : refuse::no_tool_bears;
 }
 

@@ -21,6 +21,7 @@ namespace {
 using namespace brake_detail;
 
 constexpr double kFinest = 0.1;            // mm: to which a flange is told
+constexpr double kMostOfFlange = 0.5;      // by which one may be shorter: else it is another part
 constexpr double kTallest = 300.0;         // mm: by which punches may be taller
 constexpr double kStepOfPunch = 10.0;      // mm
 constexpr double kOneOpening = 1e-3;       // mm
@@ -269,7 +270,7 @@ class Trying {
   }
 
   bool shortens(int body, int near) {
-    const auto steps = static_cast<int>(most_shorter(work_, body, near) / kFinest);
+    const auto steps = static_cast<int>(kMostOfFlange * most_shorter(work_, body, near) / kFinest);
     const auto does = [&](int step) {
       return can_bend(shortened(work_, body, near, step * kFinest), tools_, options_);
     };

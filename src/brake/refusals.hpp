@@ -54,6 +54,14 @@ constexpr Refusal press_too_weak{
     "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
     "Bend it on a stronger press, or over a wider V if the shop has one."};
 
+constexpr Refusal press_too_weak_for_hem{
+    code::press_too_small, "{@bend}, {length} long in {thickness}, is a hem, but there is {why}.",
+    "Close it on a stronger press, or leave it open."};
+constexpr Refusal press_too_weak_over_wanted{
+    code::press_too_small,
+    "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
+    "Take a wider V (`--opening`, or `--v choice`), or a stronger press."};
+
 // Tools. `subject` is 'The opening of die "V16"' or 'Die "V16"', since tools are no places; the
 // place is the pointer.
 constexpr Refusal bad_tool_value{code::bad_tools, "{subject} is {value:6}, which is out of range.",

@@ -15,6 +15,9 @@ struct Sentence {
 constexpr Sentence other_radius{"other_radius",
                                 "air bending over a V of {opening} leaves an inside radius of "
                                 "about {left}, not the {radius} of {@bend}"};
+constexpr Sentence tip_radius{
+    "other_radius",
+    "the tip of {punch} leaves an inside radius of {left}, not the {radius} of {@bend}"};
 constexpr Sentence timed_out{
     "timed_out", "the time of {seconds} ended the search, so the next run may find another plan"};
 constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
@@ -58,6 +61,10 @@ constexpr Sentence no_parallel_edge{"no_parallel_edge",
 constexpr Sentence edge_out_of_range{
     "edge_out_of_range",
     "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};
+constexpr Sentence face_beyond_lift{"face_beyond_lift",
+                                    "the fingers, which lift from {lowest} to {highest}, reach "
+                                    "less than 5 mm of the height of what "
+                                    "stands upright, {away} from the bend line"};
 constexpr Sentence edge_too_short{
     "edge_too_short",
     "the longest edge in its range is {longest}, less than half of the finger's width, {width}"};
@@ -89,6 +96,10 @@ constexpr Sentence short_of_usual{
 constexpr Sentence short_of_any{
     "short_side",
     "the bend line is {is} from the end of {@side}, and {tool} needs {needed}; no V would take it"};
+constexpr Sentence short_of_strong{
+    "short_side",
+    "the bend line is {is} from the end of {@side}, and {tool} needs {needed}; {other} would take "
+    "it, but bears only {most} of {force}"};
 constexpr Sentence beam_at_hem{"beam_at_hem", "the {tool} is in the way of closing the hem"};
 constexpr Sentence hem_not_bent{"hem_not_bent", "a hem is bent before it is closed"};
 
@@ -98,17 +109,26 @@ constexpr std::string_view kNoTool = "no_tool";
 constexpr std::string_view kPerMetre = "kN/m";
 
 constexpr std::string_view kShortPress = "short_press", kWeakPress = "weak_press";
+constexpr std::string_view kWeakPressForHem = "weak_press_for_hem";
+constexpr std::string_view kWeakOverWanted = "weak_over_wanted";
 constexpr Sentence short_press{
-    kShortPress, "no press long enough: it takes {span} of tools, and the machine holds {length}"};
+    kShortPress,
+    "no press long enough: it takes {span:6} of tools, and the machine holds {length:6}"};
 constexpr Sentence weak_press{
     kWeakPress,
     "no press strong enough: even over a V of {opening} it takes {force}, and the machine has "
     "{most}"};
+constexpr Sentence weak_over_wanted{
+    kWeakOverWanted,
+    "no press strong enough: over the wanted V of {opening} it takes {force}, and the machine has "
+    "{most}"};
 constexpr Sentence weak_press_for_hem{
-    kWeakPress, "no press strong enough: closing it takes {force}, and the machine has {most}"};
+    kWeakPressForHem,
+    "no press strong enough: closing it takes {force}, and the machine has {most}"};
 constexpr Sentence no_flat_tools{kNoTool, "no flat punch and flat die to close a hem"};
 constexpr Sentence no_strong_flat_tools{
-    kNoTool, "no flat punch and flat die that bear the force of closing a hem"};
+    kNoTool,
+    "no flat punch and flat die that bear {force} to close a hem: the strongest bear {most}"};
 constexpr Sentence has_to_be_rolled{
     kNoTool, "no tool that bends by {bend_angle} or more: it has to be rolled"};
 constexpr Sentence no_sharp_punch{kNoTool, "no punch of {tool_angle} or less"};
@@ -117,7 +137,8 @@ constexpr Sentence no_radius{
     kNoTool, "no punch and die that leave an inside radius within a third of {radius}"};
 constexpr Sentence few_segments{
     kNoTool, "no punch and die whose segments together press a length of {length}"};
-constexpr Sentence no_strong_tools{kNoTool, "no punch and die that bear {force}"};
+constexpr Sentence no_strong_tools{
+    kNoTool, "no punch and die that bear {force} over a V of {opening}: the strongest bear {most}"};
 
 }  // namespace planish::say
 

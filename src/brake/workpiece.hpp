@@ -84,12 +84,14 @@ struct WorkpieceOptions {
   std::vector<LargeBend> large = {};
 };
 
-/// Bends between these angles are hems: bent as far as tools go, then closed. What turns further
-/// than the drop of an open hem is a roll.
+/// Bends between these angles are hems, unless their radius is large: bent as far as tools go, then
+/// closed. What turns further than the drop of an open hem is a roll.
 inline constexpr double kHemDegrees = 170.0, kRollDegrees = 225.0;
 inline bool is_hem(Angle angle) {
   return angle.degrees() >= kHemDegrees && angle.degrees() <= kRollDegrees;
 }
+
+inline bool is_hem(const BrakeLine& line) { return !line.is_large && is_hem(line.angle); }
 
 /// Errors: `no_straight_bend` (a general bend without press lines), `unsupported_shape` (lines that
 /// close a loop of bodies and are not one line).

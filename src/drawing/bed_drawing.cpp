@@ -11,7 +11,7 @@
 #include <algorithm>
 
 // A set-up as it stands on the bed, seen by the operator: the punches above the dies, each segment
-// for itself, to scale along the bed; below it a line of words for each station.
+// for itself, to scale along the bed; below it the words of each station.
 
 namespace planish::drawing {
 namespace {
@@ -33,12 +33,16 @@ std::string row_text(const BendDrawing& drawing, const std::vector<SegmentRow>& 
                       ", "));
 }
 
-std::string words_of(const BendDrawing& drawing, const Station& station, std::size_t number) {
-  return fmt::format("{}  punch {}: {}; die {}: {}; {} {}", station_name(number), station.punch,
-                     row_text(drawing, station.punch_rows), station.die,
-                     row_text(drawing, station.die_rows),
-                     station.strokes.size() == 1 ? "stroke" : "strokes",
-                     fmt::join(mapped(station.strokes, [](int s) { return s + 1; }), ", "));
+/// The line of words of a station, over as many as it takes.
+std::vector<std::string> words_of(const BendDrawing& drawing, std::size_t number) {
+  constexpr std::size_t kLetters = 93;  // over the width of the page
+  const Station& station = drawing.plan->stations[number];
+  return wrapped(fmt::format("{}  punch {}: {}; die {}: {}; {} {}", station_name(number),
+                             station.punch, row_text(drawing, station.punch_rows), station.die,
+                             row_text(drawing, station.die_rows),
+                             station.strokes.size() == 1 ? "stroke" : "strokes",
+                             fmt::join(mapped(station.strokes, [](int s) { return s + 1; }), ", ")),
+                 kLetters);
 }
 
 /// The front of a segment; that of an ear has a foot below, at the end from which its body stands
@@ -86,7 +90,9 @@ std::string station_name(std::size_t number) {
 }
 
 double height_of_bed(const BendDrawing& drawing, int set_up) {
-  const auto lines = std::ranges::count(drawing.plan->stations, set_up, &Station::set_up);
+  std::size_t lines = 0;
+  for (std::size_t i = 0; i < drawing.plan->stations.size(); ++i)
+    if (drawing.plan->stations[i].set_up == set_up) lines += words_of(drawing, i).size();
   return kTitle + kNamesAbove + 2.0 * kTool + 3.0 + kWords * static_cast<double>(lines);
 }
 
@@ -111,9 +117,10 @@ void draw_bed(Page& page, const BendDrawing& drawing, int set_up, double top) {
       end += length;
     page.text({kEdge + 0.5 * scale * (station.punch_rows.front().from + end), punches - 1.0},
               station_name(i), {.size = 3.2, .bold = true, .anchor = TextAnchor::middle});
-    const std::string text = words_of(drawing, station, i);
-    page.text({kEdge, words}, text, {.size = fitting_size(text, kInner, 3.2)});
-    words += kWords;
+    for (const std::string& text : words_of(drawing, i)) {
+      page.text({kEdge, words}, text, {.size = fitting_size(text, kInner, 3.2)});
+      words += kWords;
+    }
   }
 }
 

@@ -15,7 +15,7 @@ const FlatBend& bend_of(const BendDrawing& drawing, BendId id);
 /// The lines that a stroke presses.
 std::vector<Segment> pressed_lines(const BendDrawing& drawing, const Stroke& stroke);
 
-/// As exactly as a gauge is set: to 0.1 mm, or a thousandth of another unit.
+/// As exactly as a gauge is set: to 0.1 mm, also in metres, or a thousandth of another unit.
 std::string size_text(const BendDrawing& drawing, double mm);
 
 /// The flat pattern with the numbers of its strokes and the names of its flanges, and what stands

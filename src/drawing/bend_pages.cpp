@@ -52,6 +52,7 @@ void head(Page& page, const BendDrawing& drawing) {
       size_text(drawing, drawing.size.x()), size_text(drawing, drawing.size.y()));
   blank += fmt::format(" {}", units.symbol());
   if (drawing.mass) blank += fmt::format(", {} kg", number_text(*drawing.mass, 3));
+  if (!drawing.machine.empty()) blank += ", on " + drawing.machine;
   constexpr double kLine = 4.0;
   page.text({kEdge, kEdge + 12.0}, blank, {.size = fitting_size(blank, kInner, kLine)});
   const std::string order = order_of(drawing);
@@ -268,7 +269,7 @@ std::size_t station_of(const BendDrawing& drawing, std::size_t stroke) {
 }
 
 std::string size_text(const BendDrawing& drawing, double mm) {
-  const int decimals = drawing.units == LengthUnit::mm ? 1 : 3;
+  const int decimals = drawing.units == LengthUnit::mm ? 1 : drawing.units == LengthUnit::m ? 4 : 3;
   const double length = schema::Units(drawing.units).length(mm);
   std::string text = fmt::format("{:.{}f}", length, decimals);
   return text.find_first_not_of("-0.") == std::string::npos ? text.substr(text.find('0')) : text;

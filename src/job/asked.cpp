@@ -114,6 +114,8 @@ Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& ca
            {"artifact", shortened(name)},
            {"known",
             fmt::format("{}", fmt::join(written_by(*asked.task, asked.maker, catalogue), ", "))}});
+    if (artifact->role == Role::flat && artifact->suffix == ".dxf")
+      asked.request.bending.as_made = true;
     asked.artifacts.push_back(artifact);
   }
   return {};

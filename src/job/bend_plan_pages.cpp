@@ -1,6 +1,7 @@
 #include "bending.hpp"
 #include "plan_report.hpp"
 #include "proposal_report.hpp"
+#include "refusals.hpp"
 #include "report_text.hpp"
 
 #include <planish/base/message.hpp>
@@ -49,6 +50,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
                                .units = report.units,
                                .flat = report.flat,
                                .layout = report.layout,
+                               .machine = tools_of(bending).machine.name,
                                .bed = tools_of(bending).machine.length,
                                .plan = report.plan ? &*report.plan : nullptr,
                                .blocked = {},
@@ -90,9 +92,10 @@ std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending) {
 
 Result<std::string> dxf_as_made(const Report& report, const Request& request) {
   if (report.not_as_made) return tl::unexpected(*report.not_as_made);
+  if (report.as_made && !request.bending.as_made) return fail(refuse::plan_as_drawn, {}, "as_made");
   DxfOptions options = request.dxf;
   options.units = report.units;
-  return dxf_text(report.as_made ? report.as_made->flat : report.flat, options);
+  return dxf_text(report.flat, options);
 }
 
 }  // namespace planish::job

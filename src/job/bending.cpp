@@ -60,11 +60,12 @@ std::vector<Vec2> places_of(const Report& report, const Plan& plan) {
   return places;
 }
 
-/// Strokes without a gauge, those for one reason together.
+/// Strokes without a gauge, those for one reason together; of several strokes of a bend the first.
 void find_ungauged(Report& report, const Plan& plan) {
   std::map<std::string, std::pair<Told, std::vector<BendId>>> by_reason;
+  std::set<BendId> told;
   for (const Stroke& stroke : plan.strokes) {
-    if (!stroke.ungauged) continue;
+    if (!stroke.ungauged || !told.insert(stroke.bends.front()).second) continue;
     auto& [why, bends] = by_reason.try_emplace(stroke.ungauged->told.sentence).first->second;
     why = stroke.ungauged->told;
     for (const BendId bend : stroke.bends)
@@ -156,6 +157,17 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
   return refusal;
 }
 
+/// Seconds that ended the search for reasons and changes are told as those of the search for an
+/// order.
+void note_ended(Plan& plan, std::chrono::steady_clock::time_point until, double seconds) {
+  constexpr std::string_view kTimedOut = "timed_out";
+  if (std::chrono::steady_clock::now() < until ||
+      std::ranges::count(plan.remarks, kTimedOut, &Remark::code) > 0)
+    return;
+  plan.remarks.push_back(
+      {kTimedOut, tell(say::changes_timed_out, {{"seconds", seconds, unit::seconds}})});
+}
+
 }  // namespace
 
 Result<std::vector<BendId>> bends_named(const Report& report,
@@ -219,6 +231,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
                                  .until = until};
     plan->proposals = proposals(report.sheet, report.layout, tools, options, *plan, trying,
                                 progress);
+    note_ended(*plan, until, options.limits.seconds);
   }
   if (plan) return take_plan(report, std::move(*plan), bending);
   if (bending.ask == Bending::Ask::plan || plan.error().code.status != ExitStatus::refused)

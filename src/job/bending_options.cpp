@@ -167,6 +167,13 @@ const std::vector<Option>& bending_options() {
            row::flag("first", "stop at the first plan found",
                      stored<&Request::bending, &Bending::plan, &PlanOptions::limits,
                             &StrokeLimits::first>),
+           {.name = "as_made",
+            .kind = OptionKind::flag,
+            .description = "lay the part flat, and plan, for the inside radii that the plan's "
+                           "tools "
+                           "leave",
+            .on_command_line = false,
+            .set = stored<&Request::bending, &Bending::as_made>},
            {.name = "search_time",
             .kind = OptionKind::number,
             .description = "seconds after which the best plan so far is given",

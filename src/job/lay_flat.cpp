@@ -71,6 +71,7 @@ void take_pattern(Report& report, FlatSheet flat, const SheetToLay& given,
                   const FlattenOptions& options) {
   report.flat = std::move(flat.pattern);
   report.layout = std::move(flat.layout);
+  report.laid = options;
   report.size = blank_size(report.flat);
   report.mass = mass_of(report, given.checks.density ? given.checks.density : report.density);
   summarize_k(report.summary, report.flat, options.allowance);
@@ -208,31 +209,78 @@ std::vector<MadeFlat::Row> made_otherwise(const Report& report) {
   return rows;
 }
 
-/// Lays the sheet flat once more, for the radii that the plan makes; certified and inspected as the
-/// drawn one. Returns why it cannot be.
-std::optional<Error> lay_as_made(Report& report, const SheetToLay& given, FlattenOptions options,
-                                 const Progress& progress) {
-  std::vector<MadeFlat::Row> rows = made_otherwise(report);
-  if (rows.empty()) return std::nullopt;
-  options.root = report.layout.root;
-  options.up = report.layout.shows_reference(report.sheet) ? UpSide::reference : UpSide::other;
+/// Lays the sheet flat once more, for radii that a plan makes instead of the drawn ones; certified
+/// and inspected as the drawn one.
+Result<Report> laid_for(const std::vector<MadeFlat::Row>& rows, const Report& drawn,
+                        const SheetToLay& given, const Progress& progress) {
+  FlattenOptions options = drawn.laid;
+  options.root = drawn.layout.root;
+  options.up = drawn.layout.shows_reference(drawn.sheet) ? UpSide::reference : UpSide::other;
   for (const MadeFlat::Row& row : rows)
     options.made_radius.emplace_back(row.bend, row.made);
   Report made;
   made.sheet = given.sheet;
-  if (auto error = lay_and_certify(made, given, options, progress)) return error;
+  if (auto error = lay_and_certify(made, given, options, progress)) return tl::unexpected(*error);
   std::vector<Finding> overlaps = find_overlaps(given.sheet, made.layout, made.flat);
-  if (auto error = relieve(made, given, overlaps)) return error;
-  if (auto refusal = overlap_refusal(overlaps)) return refusal;
-  for (MadeFlat::Row& row : rows)
-    row.change = made.layout.allowance[row.bend].allowance -
-                 report.layout.allowance[row.bend].allowance;
+  if (auto error = relieve(made, given, overlaps)) return tl::unexpected(*error);
+  if (auto refusal = overlap_refusal(overlaps)) return tl::unexpected(*refusal);
   for (FlatBend& bend : made.flat.bends)
     for (const MadeFlat::Row& row : rows)
       if (bend.bend == row.bend) bend.inside_radius = row.made;
+  return made;
+}
+
+/// The pattern of `made` in the report of the plan.
+void take_made(Report& report, std::vector<MadeFlat::Row> rows, const Report& drawn, Report made) {
+  for (MadeFlat::Row& row : rows)
+    row.change = made.layout.allowance[row.bend].allowance -
+                 drawn.layout.allowance[row.bend].allowance;
   number_bends(made.flat, *report.plan);
   report.as_made = MadeFlat{std::move(made.flat), made.size, std::move(rows)};
-  return std::nullopt;
+}
+
+/// Puts the pattern of `made` in the place of the drawn one, and plans over it.
+std::optional<Error> plan_over(const Report& made, Report& report, const Bending& bending,
+                               const Progress& progress) {
+  report.flat = made.flat;
+  report.layout = made.layout;
+  report.size = made.size;
+  report.reliefs = made.reliefs;
+  report.certificate = made.certificate;
+  if (auto refusal = plan_strokes(report, bending, progress)) return refusal;
+  if (has_order(*report.plan)) return std::nullopt;
+  return error_of(refuse::no_plan_as_made, {});
+}
+
+/// The pattern for the radii that the plan makes; if the plan is to be over that, the report
+/// becomes that of the pattern and a plan that agree. `drawn` has no plan yet. Returns why there is
+/// none.
+std::optional<Error> lay_as_made(Report& report, const Report& drawn, const SheetToLay& given,
+                                 const Progress& progress) {
+  constexpr int kMostRounds = 4;
+  std::vector<MadeFlat::Row> rows = made_otherwise(report);
+  if (rows.empty()) return std::nullopt;
+  for (int round = 0; round < kMostRounds; ++round) {
+    auto made = laid_for(rows, drawn, given, progress);
+    if (!made) return made.error();
+    if (!given.checks.bending.as_made) {
+      take_made(report, std::move(rows), drawn, std::move(*made));
+      return std::nullopt;
+    }
+    Report over = drawn;
+    if (auto error = plan_over(*made, over, given.checks.bending, progress)) return error;
+    auto then = made_otherwise(over);
+    const bool agree = std::ranges::equal(then, rows, [](const auto& a, const auto& b) {
+      return a.bend == b.bend && a.made == b.made;
+    });
+    if (agree) {
+      report = std::move(over);
+      take_made(report, std::move(rows), drawn, std::move(*made));
+      return std::nullopt;
+    }
+    rows = std::move(then);
+  }
+  return error_of(refuse::made_otherwise_again, {});
 }
 
 }  // namespace
@@ -256,9 +304,11 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
   if (progress.should_stop()) return stopped();
   progress.at("checking", 0.9);
   if (auto refusal = inspect_pattern(report, given)) return refusal;
-  if (auto refusal = plan_strokes(report, given.checks.bending, progress)) return refusal;
+  const Bending& bending = given.checks.bending;
+  const Report drawn = bending.ask == Bending::Ask::plan ? report : Report();
+  if (auto refusal = plan_strokes(report, bending, progress)) return refusal;
   if (!report.plan) return std::nullopt;
-  report.not_as_made = lay_as_made(report, given, options, progress);
+  report.not_as_made = lay_as_made(report, drawn, given, progress);
   if (report.not_as_made)
     report.notes.push_back(
         tell(say::no_made_flat, {{"why", report.not_as_made->message}}).sentence);

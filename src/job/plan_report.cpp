@@ -139,14 +139,11 @@ bool has_order(const Plan& plan) {
   return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
 }
 
-bool nothing_to_bend(const Plan& plan) {
-  const auto is_rolled = [](const LargeBend& large) { return large.forming == Forming::rolled; };
-  return has_order(plan) && plan.strokes.empty() && std::ranges::none_of(plan.large, is_rolled);
-}
+bool nothing_to_bend(const Plan& plan) { return has_order(plan) && plan.strokes.empty(); }
 
 std::vector<std::optional<CheckDimension>> checks_of(const Report& report,
                                                      const std::vector<Stroke>& strokes) {
-  return check_dimensions(report.sheet, report.layout, report.flat, strokes);
+  return check_dimensions(report.sheet, report.layout, report.flat, strokes, report.laid);
 }
 
 std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }

@@ -141,6 +141,13 @@ constexpr Refusal not_on_skin{
     "Set `up` to other to make the opposite skin face up.", "up", "other"};
 constexpr Refusal no_bends{code::bad_option, "There is no {@bend}: the sheet has no bends."};
 constexpr Refusal no_such_bend{code::bad_option, "There is no {@bend}; the bends are {known}."};
+constexpr Refusal no_plan_as_made{code::cannot_bend,
+                                  "No order was found that bends the flat pattern as made."};
+constexpr Refusal made_otherwise_again{
+    code::cannot_bend, "For the flat pattern as made other tools are cheaper, which make others."};
+constexpr Refusal plan_as_drawn{code::bad_option,
+                                "The plan is that of the flat pattern as it is drawn.",
+                                "Set `as_made` for both as they are made."};
 constexpr Refusal bend_named_twice{code::bad_option, "`fix` names {@bend} twice."};
 constexpr Refusal no_such_piece{code::bad_option, "`piece` is {piece}; the last piece is {last}."};
 constexpr Refusal not_made{code::bad_option, "{what} cannot be made from this part."};

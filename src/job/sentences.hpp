@@ -133,8 +133,11 @@ constexpr std::string_view joints_left_open_more =
 constexpr std::string_view shorter_bend =
     "{@bend} has a span of {span}; that of {other} would have {shorter}, but does not hold: "
     "{reason}";
-constexpr std::string_view rolled_bend =
-    "no stroke of the plan forms {@bend}, whose radius no V of the shop leaves: roll it";
+constexpr std::string_view
+    rolled_bend = "no stroke of the plan forms {@bend}, a large radius: roll it";
+constexpr std::string_view changes_timed_out =
+    "the time of {seconds} ended the search for changes that would help, so the next run may find "
+    "more";
 constexpr std::string_view no_gauge_edge = "the back gauge has nothing to touch for {@bend}: {why}";
 
 }  // namespace planish::say

@@ -62,7 +62,7 @@ Maker bending_with(const Maker& maker) {
   });
   for (const std::string_view name : kPlanOptions)
     bending.options.push_back({name});
-  for (const std::string_view name : {"metal", "search_time"})
+  for (const std::string_view name : {"metal", "search_time", "as_made"})
     bending.options.push_back({name});
   return bending;
 }

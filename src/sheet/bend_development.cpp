@@ -22,26 +22,13 @@ double neutral_depth(const Sheet& sheet, const Bend& bend, double k) {
   return (bend.reference_inside ? k : 1.0 - k) * sheet.thickness - sheet.reference_depth;
 }
 
-Result<BendAllowance> allowance_of(const Sheet& sheet, BendId id, const FlattenOptions& options) {
-  const Bend& bend = sheet[id];
-  const auto by = [&](const AllowanceRule& rule) {
-    return bend_allowance(rule, sheet.thickness, bend.inside_radius, bend.angle);
-  };
-  for (const auto& [single, k] : options.bend_k)
-    if (single == id) return by(ConstantK{k, "this bend"});
-  return by(options.allowance);
-}
-
 /// The allowance of a bend that is made with another radius: its flanges keep their planes, so each
 /// ends (drawn − made) tan(α/2) farther from the bend, and what is left between the drawn ends is
 /// developed as if K made it so long. Nothing may be left out of that.
 Result<BendAllowance> allowance_as_made(const Sheet& sheet, BendId id,
                                         const FlattenOptions& options, double radius) {
   const Bend& bend = sheet[id];
-  auto made = bend_allowance(options.allowance, sheet.thickness, radius, bend.angle);
-  for (const auto& [single, k] : options.bend_k)
-    if (single == id)
-      made = bend_allowance(ConstantK{k, "this bend"}, sheet.thickness, radius, bend.angle);
+  auto made = allowance_of_radius(sheet, id, radius, options);
   if (!made) return made;
   const double angle = bend.angle.radians();
   // Faces of a sharp bend may meet below the inside skin.
@@ -95,7 +82,7 @@ Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
   for (const BendId id : sheet.bends.ids()) {
     const auto made = std::ranges::find(options.made_radius, id, &std::pair<BendId, double>::first);
     const bool as_drawn = made == options.made_radius.end();
-    auto allowance = as_drawn ? allowance_of(sheet, id, options)
+    auto allowance = as_drawn ? allowance_of_radius(sheet, id, sheet[id].inside_radius, options)
                               : allowance_as_made(sheet, id, options, made->second);
     if (!allowance) return pass_on(allowance);
     if (as_drawn && sheet[id].faces.empty() && sheet.reference_depth > 0.0)
@@ -139,3 +126,16 @@ IdVector<FaceId, double> neutral_offsets_of(const Sheet& sheet,
 }
 
 }  // namespace planish::sheet_detail
+
+namespace planish {
+
+Result<BendAllowance> allowance_of_radius(const Sheet& sheet, BendId bend, double radius,
+                                          const FlattenOptions& options) {
+  const Angle angle = sheet[bend].angle;
+  for (const auto& [single, k] : options.bend_k)
+    if (single == bend)
+      return bend_allowance(ConstantK{k, "this bend"}, sheet.thickness, radius, angle);
+  return bend_allowance(options.allowance, sheet.thickness, radius, angle);
+}
+
+}  // namespace planish

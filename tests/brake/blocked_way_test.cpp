@@ -59,6 +59,34 @@ TEST(BlockedWay, TellsHowDeepALegIsInTheUpperBeam) {
   EXPECT_NEAR(told.depth, height - (100.0 - lower), 0.02);
 }
 
+/// The V that would take a side is reckoned for the bend's angle: a side that is just long enough
+/// for it is too short for one wider, and never is it wider than the one that is refused.
+TEST(BlockedWay, TellsTheVThatWouldTakeASide) {
+  constexpr double kT = 1.5;
+  for (const double degrees : {30.0, 90.0, 140.0}) {
+    const Turn turn{Angle::degrees(degrees), 1.0};
+    const auto room_with = [&](double opening) {
+      BrakeTools tools = plain_tools({.angle = Angle::degrees(30)});
+      tools.dies = {die({.opening = opening, .angle = Angle::degrees(36)})};
+      return tools;
+    };
+    const Sheet sheet = strip({Straight{60}, turn, Straight{4.5}}, 50, kT);
+    const BrakeTools tools = room_with(14.0);
+    Room room(sheet, tools);
+    const BlockedBend told = blocked(room.cache(), room.lines({}), room.line_of(1));
+    ASSERT_TRUE(told.why) << degrees;
+    const auto& numbers = told.why->told.numbers;
+    const auto opening = std::ranges::find(numbers, "opening", &NamedQuantity::name);
+    ASSERT_NE(opening, numbers.end()) << told.why->told.sentence;
+    EXPECT_LT(opening->quantity.value, 14.0);
+    for (const double step : {-0.05, 0.05}) {
+      const BrakeTools other = room_with(opening->quantity.value + step);
+      Room near(sheet, other);
+      EXPECT_EQ(near.can_press(1, {}), step < 0.0) << degrees << " " << step;
+    }
+  }
+}
+
 /// Where a side is too short nothing is hit, and the reason is told.
 TEST(BlockedWay, TellsThatASideIsTooShort) {
   Room room(strip({Straight{60}, kUp, Straight{3}}, 50, 1.5), plain_tools());

@@ -34,6 +34,7 @@ Stroke stroke_of(const Laid& part, int bend) {
   Stroke stroke;
   stroke.bends = {BendId{bend}};
   stroke.angle = part.sheet[BendId{bend}].angle;
+  stroke.radius_made = part.sheet[BendId{bend}].inside_radius;
   return stroke;
 }
 
@@ -170,6 +171,36 @@ TEST(CheckDimensions, TakeTheOtherFlangeWhereOneEndsInASlope) {
   ASSERT_TRUE(check);
   EXPECT_EQ(check->flange, FlangeId{1});
   EXPECT_NEAR(check->length, 20.0 - 0.5 * bend.allowance.allowance + 5.0, kExact);
+}
+
+/// From the bend line lie half of what the bend takes and the flange; outside of that stands r + T,
+/// or at the mould line (r + T) tan(α/2).
+TEST(CheckDimensions, AreThoseOfTheRadiusAsMade) {
+  constexpr double kT = 2.0, kDrawn = 0.5, kMade = 1.92, kFlange = 40.0;
+  for (const double degrees : {45.0, 90.0, 120.0})
+    for (const double k : {0.3, 0.44}) {
+      const double half = 0.5 * Angle::degrees(degrees).radians();
+      const double beyond = (kMade + kT) * (degrees < 90.0 ? std::tan(half) : 1.0);
+      const double taken = half * (kMade + k * kT);
+      FlattenOptions options{.allowance = ConstantK{k, "test"}};
+      for (const bool as_made : {false, true}) {
+        if (as_made) options.made_radius = {{BendId{0}, kMade}};
+        const Sheet sheet = strip(
+            {Straight{90}, Turn{Angle::degrees(degrees), kDrawn}, Straight{kFlange}}, 30, kT);
+        const FlatSheet flat = *flat_sheet(sheet, options);
+        const double to_edge = kFlange + 0.5 * flat.layout.allowance[BendId{0}].allowance;
+        Stroke stroke = stroke_of({sheet, flat.pattern, flat.layout}, 0);
+        stroke.radius_made = kMade;
+        const auto check = check_dimensions(sheet, flat.layout, flat.pattern, {stroke}, options)
+                               .front();
+        ASSERT_TRUE(check);
+        EXPECT_NEAR(check->length, to_edge - taken + beyond, kExact) << degrees << " " << as_made;
+        if (as_made && degrees <= 90.0) {
+          EXPECT_NEAR(check->length, kFlange + (kDrawn + kT) * std::tan(half), kExact)
+              << "as it is drawn, since flanges keep their planes";
+        }
+      }
+    }
 }
 
 TEST(CheckDimensions, AreNoneOfWhatHasNoFlanges) {

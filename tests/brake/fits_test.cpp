@@ -272,7 +272,54 @@ TEST(Fits, ClosesHemsWithFlatToolsThatBearIt) {
   EXPECT_EQ(fitting_tools(closing, tools, {}).pairs.size(), 1u);
   tools.punches[1].max_force = closing_force(450.0, 1.0) - 0.1;
   EXPECT_TRUE(fitting_tools(closing, tools, {}).pairs.empty());
-  EXPECT_TRUE(fitting_tools(closing, tools, {}).why);
+  const auto why = fitting_tools(closing, tools, {}).why;
+  ASSERT_TRUE(why);
+  ASSERT_EQ(why->told.numbers.size(), 2u);
+  EXPECT_NEAR(why->told.numbers[0].quantity.value, 4.0 * 1.42 * 450.0 / 6.0, 1e-9);
+  EXPECT_EQ(why->told.numbers[1].quantity.value, *tools.punches[1].max_force);
+  // No wider V helps a hem.
+  tools.punches[1].max_force.reset();
+  closing.pieces = {{0.0, 100.0}};
+  tools.machine.force = 1.0;
+  EXPECT_EQ(fitting_tools(closing, tools, {}).why->code, "weak_press_for_hem");
+}
+
+/// The force that is needed and the most that any pair bears, by what it lacks: 106.5 kN/m over a V
+/// of 24 and 213 over one of 12.
+TEST(Fits, TellWhatToolsBear) {
+  BrakeTools tools = plain_tools();
+  tools.dies = {die({12.0, Angle::degrees(80)}), die({24.0, Angle::degrees(80)})};
+  tools.dies[0].max_force = 150.0;
+  tools.dies[1].max_force = 50.0;
+  tools.punches[0].max_force = 120.0;
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 2.0;
+  const auto why = fitting_tools(line, tools, {}).why;
+  ASSERT_TRUE(why);
+  ASSERT_EQ(why->told.numbers.size(), 3u);
+  EXPECT_NEAR(why->told.numbers[0].quantity.value, 1.42 * 450.0 * 4.0 / 12.0, 1e-9);
+  EXPECT_EQ(why->told.numbers[1].quantity.value, 12.0);
+  EXPECT_EQ(why->told.numbers[2].quantity.value, 120.0);
+}
+
+/// Over the wanted V alone the press is too weak where a wider one would do.
+TEST(Fits, TellOfAWiderVWhereTheWantedOneIsInsistedOn) {
+  BrakeTools tools = plain_tools();
+  tools.dies = {die({12.0, Angle::degrees(80)}), die({24.0, Angle::degrees(80)})};
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 2.0;
+  PlanOptions wanted;
+  wanted.v = VChoice::wanted;
+  tools.machine.force = 15.0;  // 21.3 kN over the V of 12, 10.65 over the V of 24
+  EXPECT_EQ(fitting_tools(line, tools, wanted).why->code, "weak_over_wanted");
+  tools.dies.pop_back();
+  EXPECT_EQ(fitting_tools(line, tools, wanted).why->code, "weak_press");
 }
 
 }  // namespace

@@ -18,6 +18,13 @@ BrakeTools gauged_tools() {
   return tools;
 }
 
+/// With a front too low for flanges.
+BrakeTools edge_tools() {
+  BrakeTools tools = gauged_tools();
+  tools.machine.gauge->finger = {{0, 0}, {0, -4}, {80, -4}, {80, 0}};
+  return tools;
+}
+
 constexpr double kHalfZone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
 
 /// The gauge reaches the border of the flange at L + BA/2 from the bend line.
@@ -73,11 +80,27 @@ TEST(Gauge, TouchesTheOuterFaceOfAFormedFlange) {
     EXPECT_NEAR(stop->distance, web + half_zone + radius + thickness, 1e-9);
     EXPECT_NEAR(stop->height, same_side ? radius + 20.0 : -(thickness + radius), 1e-9);
     EXPECT_NEAR((stop->edge.b - stop->edge.a).norm(), 60.0, 1e-9);
-    // Fingers that stay at the sheet, or do not go far enough, do not reach it.
-    tools.machine.gauge->highest = same_side ? radius + 19.9 : 80.0;
-    tools.machine.gauge->lowest = same_side ? -40.0 : -(thickness + radius) + 0.1;
-    EXPECT_FALSE(stop_at_web(tools));
-    EXPECT_FALSE(stop_at_web(gauged_tools()));
+    // Fingers that do not go so far touch less of it, but at least 5 mm.
+    for (const double touched : {19.9, 5.1, 4.9}) {
+      tools.machine.gauge->highest = same_side ? radius + touched : 80.0;
+      tools.machine.gauge->lowest = same_side ? -40.0 : -(thickness + radius) + 20.0 - touched;
+      const auto low = stop_at_web(tools);
+      ASSERT_EQ(low.has_value(), touched > 5.0) << touched;
+      if (!low) continue;
+      EXPECT_NEAR(low->height,
+                  same_side ? radius + touched : -(thickness + radius) + 20.0 - touched, 1e-9);
+    }
+    Room room(sheet, tools);
+    for (const StrokeChoice& choice : room.ways(2, {1})) {
+      const Stroke stroke = describe(room.cache(), room.lines({1}), choice);
+      if (stroke.to_gauge == FlangeId(1)) {
+        ASSERT_TRUE(stroke.ungauged);
+        EXPECT_EQ(stroke.ungauged->code, "face_beyond_lift");
+      }
+    }
+    // At the sheet their front reaches 20 down, past the bend of a flange that goes down.
+    EXPECT_EQ(stop_at_web(gauged_tools()).has_value(), !same_side);
+    EXPECT_FALSE(stop_at_web(edge_tools()));
   }
 }
 
@@ -105,7 +128,7 @@ TEST(Gauge, TouchesOnlyWhatLiesInThePlane) {
     Room room(strip({Straight{60}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{90},
                      Turn{Angle::degrees(90), 2, second}, Straight{25}},
                     80, 1.5),
-              gauged_tools());
+              edge_tools());
     int gauged = 0, ways = 0;
     for (const StrokeChoice& choice : choices(room.cache(), room.lines({2}))) {
       ++ways;
@@ -314,7 +337,7 @@ TEST(Gauge, NeedsRoomForAFinger) {
                                     {Angle::degrees(90), 2, BendDirection::down});
       builder.flange_behind(flap, {rectangle(flap.length, 20)});
     }
-    Room room(builder.finish(), gauged_tools());
+    Room room(builder.finish(), edge_tools());
     int gauged = 0;
     for (const StrokeChoice& choice : room.ways(1, {2, 3}))
       if (choice.gauged &&

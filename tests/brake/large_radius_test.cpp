@@ -76,6 +76,28 @@ TEST(LargeRadius, IsFormedOverAVOrByBumps) {
   EXPECT_EQ(of(bent_by(2400.0), plain_tools()).front().forming, Forming::rolled);
 }
 
+/// A bend of 170° and more is a hem only if its radius is not large.
+TEST(LargeRadius, IsNoHem) {
+  for (const double degrees : {170.5, 180.0, 200.0})
+    for (const double radius : {1.0, 5.7, 6.0, 25.0}) {
+      const Sheet sheet = strip({Straight{80}, Turn{Angle::degrees(degrees), radius}, Straight{80}},
+                                50, 2.0);
+      const auto large = of(sheet, plain_tools());
+      ASSERT_EQ(large.size(), radius < 5.76 ? 0u : 1u) << radius;
+      PlanOptions options;
+      for (const Forming forming : {Forming::bumps, Forming::rolled}) {
+        options.large_radii = forming;
+        if (!large.empty()) {
+          EXPECT_EQ(of(sheet, plain_tools(), options)[0].forming, forming);
+        }
+      }
+      if (large.empty()) continue;
+      const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, plain_tools(), options);
+      ASSERT_TRUE(plan) << plan.error().message;
+      EXPECT_EQ(plan->status, PlanStatus::optimal);
+    }
+}
+
 /// The plan of 30 mm in 2 mm: 5 bumps of 18°, one after the other, from an end to the other.
 TEST(LargeRadius, IsPlannedBumpByBump) {
   PlanOptions options;

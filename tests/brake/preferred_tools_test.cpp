@@ -43,6 +43,31 @@ TEST(PreferredTools, MarkTheSheetLeast) {
     EXPECT_EQ(stroke.punch, "round");
 }
 
+/// A tip that leaves the drawn radius, though another that may be taken is blunter.
+TEST(PreferredTools, LeaveTheDrawnRadius) {
+  BrakeTools tools = plain_tools();
+  const double usual = tools.punches.front().angle.degrees();
+  for (const double tip : {2.5, 3.5, 4.0}) {
+    Punch punch = tools.punches.front();
+    punch.id = std::to_string(std::lround(10.0 * tip));
+    punch.tip_radius = tip;
+    punch.angle = Angle::degrees(tip > 3.0 ? usual - 5.0 : usual);
+    tools.punches.push_back(punch);
+  }
+  const Turn turn{Angle::degrees(90), 3.5, BendDirection::up};
+  const auto plan = plan_with(strip({Straight{40}, turn, Straight{60}}, 80, 1.5), tools);
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->strokes.at(0).punch, "35");
+  // What the tip leaves is not said of the V.
+  const Turn between{Angle::degrees(90), 3.0, BendDirection::up};
+  const auto other = plan_with(strip({Straight{40}, between, Straight{60}}, 80, 1.5), tools);
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->strokes.at(0).radius_made, 2.5);
+  ASSERT_FALSE(other->remarks.empty());
+  EXPECT_EQ(other->remarks[0].told.sentence,
+            "the tip of 25 leaves an inside radius of 2.5 mm, not the 3 mm of bend B1");
+}
+
 /// A die that is no more acute than it must be, whichever stands first.
 TEST(PreferredTools, OfDiesOfOneOpeningAreThoseOfTheLargestAngle) {
   const Sheet sheet = strip({Straight{40}, kBent, Straight{60}, kBent, Straight{30}}, 80, 1.5);

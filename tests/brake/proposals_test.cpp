@@ -175,6 +175,20 @@ TEST(Proposals, TellHowMuchTallerPunchesAre) {
   EXPECT_EQ(all.of(Kind::taller_punches)->by, 20.0);
 }
 
+/// A leg loses at most half of its length: more is another part.
+TEST(Proposals, ShortenAFlangeByHalfAtMost) {
+  const double longest = longest_leg(10.0);
+  for (const double share : {0.4, 0.6}) {
+    const double leg = longest / (1.0 - share);
+    const Tried all = tried(channel_of(leg), plain_tools());
+    const Proposal* shorter = all.of(Kind::shorter_flange);
+    EXPECT_EQ(shorter != nullptr, share < 0.5) << leg;
+    if (shorter) {
+      EXPECT_NEAR(shorter->by, leg - longest, 0.2);
+    }
+  }
+}
+
 /// A U whose first leg only closes if it is bent last.
 TEST(Proposals, NameBendsToSwap) {
   const Sheet sheet = strip(

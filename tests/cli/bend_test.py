@@ -39,6 +39,15 @@ def channel(leg, lip=0, out=False):
             "bends": [{"between": pair} for pair in pairs]}
 
 
+def large_channel():
+    """A channel of 400 by 200 with bends of 25 mm inside."""
+    part = channel(200) | {"defaults": {"inside_radius": 25}}
+    part["plates"][0]["outline"] = [[30, 0, 0], [370, 0, 0], [370, 100, 0], [30, 100, 0]]
+    for plate, x in zip(part["plates"][1:], (0, 400)):
+        plate["outline"] = [[x, 0, 30], [x, 100, 30], [x, 100, 200], [x, 0, 200]]
+    return part
+
+
 class BendTest(CliTest):
     def plan(self, plates, *arguments, status=0):
         self.write("part.json", json.dumps(plates))
@@ -313,7 +322,12 @@ class WrongRequests(BendTest):
         box = bbox.extents(drawing.modelspace().query('*[layer=="OUTER_PROFILE"]'))
         made = report["plan"]["as_made"]
         self.assertAlmostEqual(max(box.size.x, box.size.y), made["length"], 6)
-        self.assertAlmostEqual(made["length"] - report["flat"]["size"][0], 2 * (math.pi / 2 - 2) * 1.2, 6)
+        self.assertAlmostEqual(made["length"], report["flat"]["size"][0], 6)
+        drawn = self.plan(channel(60), "--tools", "v20.json")
+        self.assertAlmostEqual(made["length"] - drawn["flat"]["size"][0], 2 * (math.pi / 2 - 2) * 1.2, 6)
+        # Gauge and check belong to one flat: drawn flanges from the one as made, longer ones from the drawn one.
+        for plan, leg in ((report, 61), (drawn, 61 + (2 - math.pi / 2) / 2 * 1.2)):
+            self.assertAlmostEqual(plan["plan"]["strokes"][0]["check_dimension"]["length"], leg, 4)
         self.refused("bend", "part.json", "--as-made", "made.pdf", status=2)
 
     def test_what_is_in_the_way_has_a_reason(self):
@@ -346,6 +360,41 @@ class WrongRequests(BendTest):
         plan = self.json("r.json")["plan"]
         self.assertEqual((plan["status"], plan["strokes"]), ("nothing_to_bend", []))
         self.assertIn(">nothing to bend<", (self.dir / "plan.svg").read_text())
+
+    def test_what_is_rolled_is_nothing_to_bend(self):
+        report = self.plan(large_channel(), "--large-radii", "roll")
+        self.assertEqual((report["plan"]["status"], report["plan"]["strokes"]), ("nothing_to_bend", []))
+        warning = [check for check in report["checks"] if check["code"] == "rolled_bend"]
+        self.assertEqual(len(warning), 1)
+        self.assertNotIn("no V", warning[0]["message"])
+
+    def test_bumps_without_a_gauge_are_one_finding(self):
+        # The gauge reaches 50 mm, and each bump is at another distance from the edges.
+        tools = self.tools()
+        tools["machine"]["gauge"]["range"] = [5, 50]
+        self.write("near.json", json.dumps(tools))
+        report = self.plan(large_channel(), "--tools", "near.json", "--large-radii", "bump")
+        self.assertGreater(sum(not stroke["gauge"] for stroke in report["plan"]["strokes"]), 4)
+        found = [check["message"] for check in report["checks"] if check["code"] == "no_gauge_edge"]
+        self.assertLessEqual(len(found), 2)
+        self.assertTrue(any("the gauge reaches from 5 mm to 50 mm" in message for message in found), found)
+
+    def test_the_pages_name_the_machine_and_are_as_fine_in_metres(self):
+        tools = self.tools()
+        tools["machine"]["name"] = "Hall 3"
+        self.write("named.json", json.dumps(tools))
+        report = self.plan(channel(60), "--tools", "named.json", "-o", "plan.svg", "--units", "m")
+        page = (self.dir / "plan.svg").read_text()
+        self.assertIn(", on Hall 3<", page)
+        self.assertIn(f">gauge {report['plan']['strokes'][0]['gauge']['distance']:.4f} m<", page)
+
+    def test_a_length_that_is_a_little_too_long_is_told_so_exactly(self):
+        tools = self.tools()
+        tools["machine"]["length"] = 3060
+        self.write("press.json", json.dumps(tools))
+        part = json.loads(json.dumps(channel(60)).replace("100", "3064.1"))
+        message = self.plan(part, "--tools", "press.json", status=4)["reason"]["message"]
+        self.assertIn("takes 3060.1 mm of tools, and the machine holds 3060 mm", message)
 
     def test_lengths_to_check_are_those_of_the_drawing(self):
         # Plates give middle surfaces: legs of 30 to the middle of the web, and half of its 2 mm.

@@ -29,6 +29,20 @@ TEST_F(BedDrawing, SaysWhatStandsWhereInEachSetUp) {
   EXPECT_EQ(times(drawn, "B  punch F180: 100 from 200.0; die F180: 100 from 200.0; stroke 2"), 1);
 }
 
+/// 30 segments take more than one line, in letters that can be read.
+TEST_F(BedDrawing, WrapsALongListOfSegments) {
+  plan_.stations[0].punch_rows[0].segments.assign(30, 100.0);
+  bed_ = 4000.0;
+  std::size_t found = 0;
+  for (const Page& page : pages())
+    for (const Page::Text& text : page.texts())
+      for (std::size_t at = 0; (at = text.text.find("100", at)) != std::string::npos; ++at) {
+        ++found;
+        EXPECT_GT(text.style.size, 2.5) << text.text;
+      }
+  EXPECT_GE(found, 30u);
+}
+
 /// Segments are drawn to scale: a tenth here, 12 mm from the edge of the page.
 TEST_F(BedDrawing, DrawsSegmentsToScale) {
   std::vector<Interval> found;

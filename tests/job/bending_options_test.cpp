@@ -34,6 +34,7 @@ TEST(BendingOptions, SetWhatTheyAreNamedFor) {
                                                         {"weights", "turn_over=7,ungauged=0"},
                                                         {"fix", "B3,B1"},
                                                         {"gauge_openings", "true"},
+                                                        {"as_made", "true"},
                                                         {"search_time", "2.5"}})
     EXPECT_TRUE(values.set_text(option(name), text)) << name;
   Request request;
@@ -49,6 +50,7 @@ TEST(BendingOptions, SetWhatTheyAreNamedFor) {
   EXPECT_EQ(plan.weights.rotate, StrokeWeights{}.rotate);
   EXPECT_EQ(plan.limits.seconds, 2.5);
   EXPECT_TRUE(plan.gauge_openings);
+  EXPECT_TRUE(request.bending.as_made);
   EXPECT_THAT(request.bending.begin_with, testing::ElementsAre("B3", "B1"));
 }
 

@@ -1,7 +1,10 @@
 #include "job/job_requests.hpp"
+#include "lay_flat.hpp"
+#include "plan_report.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/brake/codes.hpp>
+#include <planish/job/bend_plan_pages.hpp>
 #include <planish/job/maker.hpp>
 #include <planish/job/request.hpp>
 #include <planish/job/run.hpp>
@@ -11,7 +14,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <chrono>
 #include <numbers>
+#include <thread>
 
 namespace planish::job {
 using namespace shop;
@@ -203,6 +209,64 @@ TEST(Bending, LaysThePartFlatForTheRadiiThatAreMade) {
   EXPECT_EQ(plan["as_made"]["bends"].size(), 2u);
   EXPECT_EQ(plan["strokes"][0]["radius_made"], 3.2);
   EXPECT_EQ(plan["strokes"][0]["radius_drawn"], report.as_made->bends[0].drawn);
+}
+
+/// 60 + 60 outside in 2 mm over a V of 12, which leaves 1.92 for 0.5 mm: gauge, check and blank are
+/// those of one flat, the drawn one or the one as made.
+TEST(Bending, GaugesTheFlatThatItMeasures) {
+  constexpr double kT = 2.0, kDrawn = 0.5, kMade = 1.92, kLeg = 60.0, kK = 0.4;
+  const Sheet sheet = test::strip(
+      {test::Straight{kLeg - kDrawn - kT}, test::Turn{Angle::degrees(90), kDrawn},
+       test::Straight{kLeg - kDrawn - kT}},
+      100, kT);
+  const double quarter = 0.25 * std::numbers::pi;
+  const double outside = kMade + kT - quarter * (kMade + kK * kT);  // beyond the gauge
+  for (const bool as_made : {false, true}) {
+    Report report;
+    PatternChecks checks;
+    checks.bending.ask = Bending::Ask::plan;
+    checks.bending.as_made = as_made;
+    const EdgeDistance unmeasured;
+    const SheetToLay given{sheet, unmeasured, checks};
+    ASSERT_FALSE(lay_flat(report, given, {.allowance = ConstantK{kK, "test"}}, {}));
+    ASSERT_TRUE(report.plan && report.as_made);
+    const Stroke& stroke = report.plan->strokes.front();
+    ASSERT_EQ(stroke.radius_made, kMade);
+    const double gauge = as_made ? kLeg - outside
+                                 : kLeg - kDrawn - kT + quarter * (kDrawn + kK * kT);
+    EXPECT_NEAR(stroke.gauge->distance, gauge, 1e-6) << as_made;
+    EXPECT_NEAR(checks_of(report, report.plan->strokes)[0]->length, gauge + outside, 1e-6);
+    EXPECT_NEAR(report.size.x(), 2.0 * gauge, 1e-6);
+    Request request;
+    request.bending = checks.bending;
+    const auto dxf = dxf_as_made(report, request);
+    EXPECT_EQ(dxf.has_value(), as_made) << "of the flat that the plan is for";
+  }
+}
+
+/// Seconds that end the search for proposals are said, as those are that end the search for an
+/// order.
+TEST(Bending, SaysWhatTheTimeEnded) {
+  for (const bool late : {false, true}) {
+    Request request;
+    request.input = "channel.json";
+    request.bending.ask = Bending::Ask::plan;
+    request.bending.plan.clearance = 100.0;
+    request.bending.plan.limits.seconds = 5.0;
+    Progress progress;
+    progress.report = [&](std::string_view stage, double) {
+      if (late && stage.starts_with("looking for changes"))
+        std::this_thread::sleep_for(std::chrono::milliseconds(5'000));
+    };
+    const std::string input = channel(60);
+    const auto work = (*built_in().maker_for("channel.json", input))
+                          ->open({"channel.json", input, {}}, {});
+    ASSERT_TRUE(work);
+    const auto made = shown((*work)->make(request, progress));
+    ASSERT_TRUE(made && (*made)->report().plan);
+    const auto& remarks = (*made)->report().plan->remarks;
+    EXPECT_EQ(std::ranges::count(remarks, std::string_view("timed_out"), &Remark::code), late);
+  }
 }
 
 /// The V that differs, and the press that is too weak, as a person is told them.

@@ -43,6 +43,7 @@ TEST(BendingWith, TakesWhatMakesTheSheetAndThePressBrake) {
       EXPECT_TRUE(bending.takes(name)) << name;
     EXPECT_TRUE(bending.takes("metal"));
     EXPECT_TRUE(bending.takes("search_time"));
+    EXPECT_TRUE(bending.takes("as_made"));
     for (const char* written : {"profile", "r12", "bend_marks", "rules", "no_rules", "density",
                                 "piece", "check_bending", "relief"})
       EXPECT_FALSE(bending.takes(written)) << written;

@@ -92,7 +92,10 @@ class SameAsTheProgram(PythonTest):
         self.assertEqual((self.dir / "y.svg").read_bytes(), (self.dir / "x.svg").read_bytes())
         self.assertEqual((self.dir / "y.pdf").read_bytes(), (self.dir / "x.pdf").read_bytes())
         self.run_cli("bend", BRACKET, "--material", "stainless", "--as-made", "x.dxf", "-q")
-        self.assertEqual(plan.write_as_made(self.dir / "y.dxf"), [self.dir / "y.dxf"])
+        as_made = planish.bend(BRACKET, metal="stainless", as_made=True)
+        self.assertEqual(as_made.write_as_made(self.dir / "y.dxf"), [self.dir / "y.dxf"])
+        with self.assertRaises(planish.InvalidInput):
+            plan.write_as_made(self.dir / "z.dxf")
         self.assertEqual((self.dir / "y.dxf").read_bytes(), (self.dir / "x.dxf").read_bytes())
         self.assertEqual([stroke.bends[0] for stroke in plan.plan.strokes], ["B1", "B2"])
         self.assertEqual(planish.bend(self.angle()).report.command, "bend")

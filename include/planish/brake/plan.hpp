@@ -107,8 +107,11 @@ struct Station {
   std::vector<int> strokes = {};                           ///< made there, from 0
 };
 
-/// Whether a stroke leaves an inside radius that is worth telling besides the drawn one: by more
-/// than a tenth of it or 0.2 T. Bumps and hems make theirs otherwise.
+/// Whether the inside radius of a bend is that of its stroke's tools. Bumps and hems make theirs
+/// otherwise.
+bool makes_radius(const Stroke& stroke);
+
+/// Whether that is worth telling besides the drawn one: by more than a tenth of it or 0.2 T.
 bool is_made_otherwise(const Stroke& stroke, double thickness);
 
 /// The code of what is said of a bend in the stage that got furthest.

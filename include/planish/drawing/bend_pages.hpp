@@ -42,7 +42,8 @@ struct BendDrawing {
   LengthUnit units = LengthUnit::mm;
   const FlatPattern& flat;
   const Layout& layout;
-  double bed = 0.0;                    ///< length of the press brake's
+  std::string machine = {};            ///< name of the press brake; may be empty
+  double bed = 0.0;                    ///< length of it
   const Plan* plan = nullptr;          ///< null: there is none
   std::vector<BendId> blocked;         ///< bends that cannot be pressed
   std::vector<std::string> obstacles;  ///< sentences: why they cannot

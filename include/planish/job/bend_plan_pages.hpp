@@ -17,7 +17,8 @@ std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending);
 std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending);
 
 /// DXF of the flat pattern for the inside radii that the tools of the report's plan leave: the
-/// drawn one where they leave the drawn radii. Errors: why there is none for others.
+/// drawn one where they leave the drawn radii. Errors: why there is none for others, `bad_option`
+/// if the plan is not over it (`Bending::as_made`).
 Result<std::string> dxf_as_made(const Report& report, const Request& request);
 
 }  // namespace planish::job

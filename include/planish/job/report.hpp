@@ -28,7 +28,8 @@ enum class Status { ok, warning, refused };
 std::string_view status_name(Status status);
 
 /// The pattern that fits the tools of a plan, where these leave other inside radii than the drawn
-/// ones. The folded part has its flanges where they are drawn.
+/// ones. The folded part has its flanges where they are drawn. With `Bending::as_made` it is the
+/// report's own.
 struct MadeFlat {
   struct Row {
     BendId bend;
@@ -55,6 +56,7 @@ struct Report {
   Sheet sheet;  ///< the faces and bends that `flat` refers to; no faces if it was not known
   FlatPattern flat;
   Layout layout;              ///< how the faces of `sheet` lie in `flat`, before slits are cut
+  FlattenOptions laid;        ///< how that was laid
   std::vector<Loop> reliefs;  ///< outlines of what was cut out of `flat` beyond its faces
   Vec2 size = Vec2::Zero();   ///< smallest enclosing rectangle, longer side first, mm
   Certificate certificate;
@@ -62,7 +64,8 @@ struct Report {
   std::vector<std::string> notes;
   std::optional<double> mass;             ///< kg, when the density is known
   std::optional<Plan> plan;               ///< of the strokes that bend it, if that was asked for
-  std::optional<MadeFlat> as_made = {};   ///< if the plan makes other radii than the drawn ones
+  std::optional<MadeFlat> as_made = {};   ///< if the plan makes other radii than the drawn ones;
+                                          ///< with `Bending::as_made` `flat` is this one
   std::optional<Error> not_as_made = {};  ///< why there is none
   std::string_view task = {};             ///< that reports it, "bend"; empty: that of the maker
   std::vector<std::string> files;         ///< written, named as the writer names them

@@ -46,6 +46,7 @@ struct Bending {
   std::vector<std::string> begin_with;  ///< ids of bends that come first, in this order
   std::string metal;                    ///< the word given for it; empty: that of the defaults
   PlanOptions plan;                     ///< its `begin_with` is not used
+  bool as_made = false;  ///< the pattern and the plan over it are those of the radii that are made
 };
 
 /// How a flat pattern is checked, whatever sheet it comes from.

@@ -78,4 +78,9 @@ struct Layout {
 /// `bad_option` (a tolerance, a bend of `bend_k`), those of `bend_allowance` and of `check`.
 Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options = {});
 
+/// What a bend takes of the flat sheet if it is drawn with another inside radius. Errors: those of
+/// `bend_allowance`.
+Result<BendAllowance> allowance_of_radius(const Sheet& sheet, BendId bend, double radius,
+                                          const FlattenOptions& options = {});
+
 }  // namespace planish
