@@ -10,6 +10,7 @@
 #include "joint_line.hpp"
 #include "model_places.hpp"
 #include "refusals.hpp"
+#include "wide_cuts.hpp"
 
 #include <planish/sheet/codes.hpp>
 
@@ -223,6 +224,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
     builder[bend] = measured_bend(builder.sheet(), bend, own_u(builder, map, of, group));
   }
   add_features(builder, map, of);
+  measure_wide_cuts(builder, map, of);
   builder.set_volume(volume_of(of.model));
   builder.set_genus(of.model.genus);
   auto sheet = std::move(builder).build();

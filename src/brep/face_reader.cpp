@@ -313,6 +313,20 @@ void take_silhouette(ReadFace& read, Silhouette silhouette, int outer) {
   read.silhouette = std::move(silhouette);
 }
 
+/// Adds what is cut of openings beside bends to the flange in which they lie.
+void take_tangent_cuts(ReadFace& result, const Recognition& of, int f) {
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i)
+    if (const TangentOpening& opening = of.tangent_openings[i];
+        opening.here.on_bend && opening.here.on_plane.loop.face == f) {
+      if (!opening.cut_of_bend.empty()) {
+        result.openings[i] = {0, result.bridges.at(i).front() + 1};
+        continue;
+      }
+      result.openings[i] = {static_cast<int>(result.face.loops.size()), 0};
+      result.face.loops.push_back(opening.cut);
+    }
+}
+
 }  // namespace
 
 ReadFace read_face(const Recognition& of, int f, int leader) {
@@ -344,16 +358,7 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
   if (auto silhouette = silhouette_of(of, f, leader);
       silhouette && (silhouette->outer_kept || result.bridges.empty()))
     take_silhouette(result, std::move(*silhouette), outer);
-  for (int i = 0; i < std::ssize(of.tangent_openings); ++i)
-    if (const TangentOpening& opening = of.tangent_openings[i];
-        opening.here.on_bend && opening.here.on_plane.loop.face == f) {
-      if (!opening.cut_of_bend.empty()) {
-        result.openings[i] = {0, result.bridges.at(i).front() + 1};
-        continue;
-      }
-      result.openings[i] = {static_cast<int>(result.face.loops.size()), 0};
-      result.face.loops.push_back(opening.cut);
-    }
+  take_tangent_cuts(result, of, f);
   return result;
 }
 

@@ -192,6 +192,19 @@ void add_tangent_opening(SheetBuilder& builder, const SheetMap& map, const Recog
   builder.add_opening(measured);
 }
 
+/// All of them; returns their parts. Their loops are not widened otherwise.
+std::set<int> add_tangent_openings(SheetBuilder& builder, const SheetMap& map,
+                                   const Recognition& of, std::set<LoopRef>& widened) {
+  std::set<int> parts;
+  for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
+    const TangentOpening& opening = of.tangent_openings[i];
+    add_tangent_opening(builder, map, of, i);
+    parts.insert(opening.part);
+    if (!opening.here.on_bend) widened.erase(opening.here.on_plane.loop);
+  }
+  return parts;
+}
+
 /// The part of the rim along a loop of a skin.
 const RimPart* part_along(const Recognition& of, const LoopRef& ref) {
   for (const CoEdge& use : loop_of(of, ref))
@@ -250,19 +263,12 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPa
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   std::set<LoopRef> widened = map.widened;
-  std::set<int> beside_bends;
-  for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
-    const TangentOpening& opening = of.tangent_openings[i];
-    add_tangent_opening(builder, map, of, i);
-    beside_bends.insert(opening.part);
-    if (!opening.here.on_bend) widened.erase(opening.here.on_plane.loop);
-  }
+  const std::set<int> beside_bends = add_tangent_openings(builder, map, of, widened);
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
-    if (beside_bends.contains(p)) continue;
     const RimPart& part = of.rim.parts[p];
     const auto& here = loops_here(of, part);
     const auto& there = loops_there(of, part);
-    if (is_all_seen(map, here)) continue;
+    if (beside_bends.contains(p) || is_all_seen(map, here)) continue;
     const bool several = part.within && has_several_holes(of, part);
     if (part.within && !several && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))

@@ -43,7 +43,7 @@ FeatureId SheetBuilder::add_feature(FormedFeature feature) {
 }
 
 void SheetBuilder::add_opening(const MeasuredOpening& opening) {
-  PLANISH_ASSERT(sheet_.has({opening.face, opening.loop, 0}));
+  PLANISH_ASSERT(sheet_.has({opening.face, opening.loop, opening.border.value_or(0)}));
   sheet_.measured_openings.push_back(opening);
 }
 

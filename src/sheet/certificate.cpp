@@ -265,6 +265,11 @@ std::optional<Worst> worst_opening(const Sheet& sheet, const FlatPattern& patter
   Worst worst;
   for (const MeasuredOpening& measured : sheet.measured_openings) {
     const auto& borders = sheet[measured.face].loops[measured.loop];
+    if (measured.border) {
+      const Vec2 at = point_at(borders[*measured.border].curve, 0.5);
+      worst.take(measured.intrusion, laid.image(measured.face, at));
+      continue;
+    }
     const Loop image = image_of_cut(laid, measured.face, borders);
     const Contour* written = opening_at(pattern, openings, bounds(image));
     if (!written) continue;

@@ -116,8 +116,9 @@ Fault fault_of_sizes(const Sheet& sheet) {
     return fault("The volumes of forms and mitres are numbers.", whole());
   if (sheet.faces.empty()) return fault("A sheet has faces.", whole());
   for (const MeasuredOpening& opening : sheet.measured_openings)
-    if (!sheet.has({opening.face, opening.loop, 0}) || !std::isfinite(opening.lacking) ||
-        !std::isfinite(opening.beyond) || !std::isfinite(opening.intrusion))
+    if (!sheet.has({opening.face, opening.loop, opening.border.value_or(0)}) ||
+        !std::isfinite(opening.lacking) || !std::isfinite(opening.beyond) ||
+        !std::isfinite(opening.intrusion))
       return fault("A measured opening is a loop of a face, its volumes are numbers.", whole());
   for (const MeasuredOutline& outline : sheet.measured_outlines)
     if (!sheet.has({outline.face, 0, 0}) || !outline.at.allFinite() ||

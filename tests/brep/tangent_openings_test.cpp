@@ -97,6 +97,33 @@ TEST(TangentOpenings, KeepTheDrilledHoleThatIsRoundedOrChamfered) {
   }
 }
 
+TEST(TangentOpenings, LieBesideARimThatIsChamferedToo) {
+  const TopoDS_Shape part = drilled_bracket(0.2);
+  BRepFilletAPI_MakeChamfer make(part);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(part, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edges(i)));
+    const gp_Pnt a = curve.Value(curve.FirstParameter()), b = curve.Value(curve.LastParameter());
+    const bool hole = curve.GetType() == GeomAbs_Circle &&
+                      std::abs(curve.Circle().Radius() - kDrilled) < 1e-6;
+    const auto both = [&](const auto& on) { return on(a) && on(b); };
+    const bool rim = std::abs(a.Distance(b) - 2) > 1e-6 &&
+                     (both([](const gp_Pnt& p) { return p.Y() < 1e-6; }) ||
+                      both([](const gp_Pnt& p) { return p.Y() > 50 - 1e-6; }) ||
+                      both([](const gp_Pnt& p) { return p.X() < 1e-6; }) ||
+                      both([](const gp_Pnt& p) { return p.Z() > 34 - 1e-6; }));
+    if (hole || rim) make.Add(0.4, TopoDS::Edge(edges(i)));
+  }
+  const auto made = unfolded_shape(make.Shape());
+  ASSERT_TRUE(made) << made.error().message;
+  const double length = 40 + 30 + pi / 2 * 3;
+  EXPECT_NEAR(made->sheet[BendId{0}].angle.degrees(), 90, 1e-6);
+  EXPECT_NEAR(made->flat.area, 50 * length - pi * kDrilled * kDrilled, 1e-3);
+  EXPECT_EQ(made->flat.openings.size(), 1u);
+  EXPECT_LT(made->certificate.outline_error.value_or(0), 1e-6);
+}
+
 TEST(TangentOpenings, KeepTheHoleOfCountersinksOnEitherSkinOrBoth) {
   const ToolProfile inside{{0, -1}, {kDrilled, -1}, {kDrilled, 1.4}, {3.1, 2}, {3.1, 6}, {0, 6}};
   const ToolProfile outside{{0, -1}, {3.5, -1}, {3.5, 0}, {kDrilled, 1}, {kDrilled, 6}, {0, 6}};

@@ -145,6 +145,9 @@ struct MeasuredOpening {
   double lacking = 0.0;    ///< between the skins, mm³
   double beyond = 0.0;     ///< of that, what lies around the cut: countersinks, chamfers, grooves
   double intrusion = 0.0;  ///< how far walls reach into the cut, seen along the normal, mm
+  /// Of an opening that is a part of that loop, over faces: this border is of it, and only
+  /// `intrusion` is known.
+  std::optional<int> border = {};
 };
 
 /// What a solid is beside the outline of a plane face that is cut, seen along its normal.
