@@ -67,7 +67,7 @@ int vertex_of(const Recognition& of, const CoEdge& use, bool after) {
 bool is_between_joints(const Recognition& of, const LoopRun& run, int other) {
   const auto& loop = loop_of(of, run.loop);
   const size_t count = loop.size();
-  for (const size_t i : {run.first + count - 1, static_cast<size_t>(run.first + run.count)})
+  for (const size_t i : {run.first + count - 1, size_t(run.first + run.count)})
     if (face_across(of.model.edges[loop[i % count].edge], run.loop.face) != other) return false;
   return true;
 }

@@ -57,58 +57,66 @@ export function brakeSection(ui: Ui) {
         placeholder: '0',
         on: (v) => set({ clearance: v ?? undefined }),
       })}
-      ${lengthField(ui, {
-        label: 'Wanted V',
-        testid: 'opening',
-        from: 'mm',
-        value: brake.opening,
-        min: 0.1,
-        placeholder: 'by thickness',
-        on: (v) => set({ opening: v ?? undefined }),
-      })}
-      ${choice(
-        'V taken',
-        'v',
-        brake.v ?? 'choice',
-        [
-          ['choice', 'the best from 4 T to 12 T'],
-          ['wanted', 'only the wanted one'],
-        ] as const,
-        (v) => set({ v: v === 'wanted' ? v : undefined }),
-      )}
-      ${choice(
-        'Inside radius',
-        'as-drawn',
-        brake.as_drawn ? 'drawn' : 'made',
-        [
-          ['made', 'what the tools leave'],
-          ['drawn', 'only as drawn'],
-        ] as const,
-        (v) => set({ as_drawn: v === 'drawn' || undefined }),
-      )}
-      ${choice(
-        'Large radii',
-        'large-radii',
-        brake.large_radii ?? '',
-        [
-          ['', 'over a V, else by bumps'],
-          ['v', 'over a V'],
-          ['bump', 'by bumps'],
-          ['roll', 'rolled'],
-        ] as const,
-        (v) => set({ large_radii: v === '' ? undefined : v }),
-      )}
-      ${choice(
-        'Gauge',
-        'gauge-openings',
-        brake.gauge_openings ? 'openings' : 'edges',
-        [
-          ['edges', 'at outer edges'],
-          ['openings', 'also in openings'],
-        ] as const,
-        (v) => set({ gauge_openings: v === 'openings' || undefined }),
-      )}`,
+      ${waysToBend(ui, brake, set)}`,
   );
+}
+
+/** V, radii and gauging: most leave them as they are. */
+function waysToBend(ui: Ui, brake: BrakeOptions, set: (patch: Partial<BrakeOptions>) => void) {
+  return html`<details class="ways" data-testid="ways-to-bend">
+    <summary>V, radii and gauging</summary>
+    ${lengthField(ui, {
+      label: 'Wanted V',
+      testid: 'opening',
+      from: 'mm',
+      value: brake.opening,
+      min: 0.1,
+      placeholder: 'by thickness',
+      on: (v) => set({ opening: v ?? undefined }),
+    })}
+    ${choice(
+      'V taken',
+      'v',
+      brake.v ?? 'choice',
+      [
+        ['choice', 'the best from 4 T to 12 T'],
+        ['wanted', 'only the wanted one'],
+      ] as const,
+      (v) => set({ v: v === 'wanted' ? v : undefined }),
+    )}
+    ${choice(
+      'Inside radius',
+      'as-drawn',
+      brake.as_drawn ? 'drawn' : 'made',
+      [
+        ['made', 'what the tools leave'],
+        ['drawn', 'only as drawn'],
+      ] as const,
+      (v) => set({ as_drawn: v === 'drawn' || undefined }),
+    )}
+    ${choice(
+      'Large radii',
+      'large-radii',
+      brake.large_radii ?? '',
+      [
+        ['', 'over a V, else by bumps'],
+        ['v', 'over a V'],
+        ['bump', 'by bumps'],
+        ['roll', 'rolled'],
+      ] as const,
+      (v) => set({ large_radii: v === '' ? undefined : v }),
+    )}
+    ${choice(
+      'Gauge',
+      'gauge-openings',
+      brake.gauge_openings ? 'openings' : 'edges',
+      [
+        ['edges', 'at outer edges'],
+        ['openings', 'also in openings'],
+      ] as const,
+      (v) => set({ gauge_openings: v === 'openings' || undefined }),
+    )}
+  </details>`;
 }
 
 /** A shop profile may say which of the tools that are built in the shop has. */

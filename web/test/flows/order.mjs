@@ -52,6 +52,7 @@ export async function order({ page }) {
   await plan(page);
   assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
   // the wanted V alone: both strokes go over it
+  await page.click('[data-testid=ways-to-bend] summary');
   await page.fill('[data-testid=opening]', '16');
   await page.keyboard.press('Enter');
   await page.selectOption('[data-testid=v]', 'wanted');
