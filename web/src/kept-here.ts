@@ -11,6 +11,10 @@ type Shared = Pick<State, 'workshop' | 'recents'>;
 
 /** Brings what was kept on this machine at an earlier start, and keeps what changes from then on. */
 export async function bringKept(api: Api, store: Store) {
+  // Pages of this browser: each takes over what another one keeps. What is said while this one reads is newer than that.
+  const others = new BroadcastChannel('planish-kept');
+  let heard: Partial<Shared> = {};
+  others.onmessage = ({ data }: MessageEvent<Partial<Shared>>) => void (heard = { ...heard, ...data });
   const names = new Set((await api.keptNames().catch(() => [])).map((f) => f.name));
   const read = async (name: string): Promise<unknown> => {
     try {
@@ -20,15 +24,19 @@ export async function bringKept(api: Api, store: Store) {
     }
   };
   const [kept, recents, view] = await Promise.all([workshop, recentList, viewFile].map(read));
-  if (kept) store.dispatch({ type: 'workshop', workshop: soundWorkshop(kept) });
-  if (Array.isArray(recents)) store.dispatch({ type: 'recents', recents: recents.filter(isSound) });
+  const take = (shared: Partial<Shared>) => {
+    if (shared.workshop) store.dispatch({ type: 'workshop', workshop: shared.workshop });
+    if (shared.recents) store.dispatch({ type: 'recents', recents: shared.recents });
+  };
+  take({
+    workshop: kept ? soundWorkshop(kept) : undefined,
+    recents: Array.isArray(recents) ? recents.filter(isSound) : undefined,
+    ...heard,
+  });
   if (view && typeof view === 'object') store.dispatch({ type: 'view', view: soundView(view) });
-  const others = new BroadcastChannel('planish-kept'); // pages of this browser: each takes over what another one keeps
-  let heard: Partial<Shared> = {};
   others.onmessage = ({ data }: MessageEvent<Partial<Shared>>) => {
     heard = data;
-    if (data.workshop) store.dispatch({ type: 'workshop', workshop: data.workshop });
-    if (data.recents) store.dispatch({ type: 'recents', recents: data.recents });
+    take(data);
   };
   store.subscribe((state, before) => {
     if (state.recents !== before.recents && state.recents !== heard.recents)

@@ -79,7 +79,7 @@ export type SentOptions = {
   >;
 };
 /** `material`: a string is one of the shop's. */
-export type Options = Omit<SentOptions, keyof BrakeOptions | 'material' | 'check_bending' | 'first'> & {
+export type Options = Omit<SentOptions, keyof BrakeOptions | 'material' | 'check_bending' | 'first' | 'as_made'> & {
   material?: SentOptions['material'] | string;
 };
 

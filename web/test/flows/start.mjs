@@ -115,7 +115,15 @@ export async function pages({ page, context }) {
   await open(other, [new URL('../../../examples/transition/a_square_to_round.json', import.meta.url).pathname]);
   await other.click('[data-testid=download-menu]');
   await other.selectOption('[data-testid=dxf-profile]', 'onshape');
-  await other.waitForTimeout(500);
+  // A page that is not seen paints nothing.
+  await page.waitForFunction(
+    () => {
+      const { recents, workshop } = window.planish.store.state;
+      return recents.some((r) => r.name === 'a_square_to_round.json') && workshop.dxf?.profile === 'onshape';
+    },
+    null,
+    { polling: 100 },
+  );
   await page.bringToFront();
   await page.evaluate(() => sessionStorage.clear());
   await page.reload();
