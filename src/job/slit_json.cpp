@@ -47,8 +47,11 @@ Schema poles_schema() {
       .said("its poles");
 }
 
-Schema curve_schema(std::string description) {
-  return object({required("bezier", poles_schema())}).said(std::move(description));
+Schema seat_schema() {
+  return object({required("bezier", poles_schema()),
+                 optional("fit", flag().defaulting(false).said(
+                                     "scale it about its start to the breadth of the strips"))})
+      .said("in the symmetry plane; the strips are drawn to it");
 }
 
 Schema leg_schema(std::string description) {
@@ -157,7 +160,7 @@ Schema make_slits_schema() {
                length(kGap).defaulting(0).said("to which the material may be bent")));
   add(required("leg_curve", leg_schema("in the ground plane; the panel stands on it")));
   add(optional("second_panel", second_panel_schema()));
-  add(optional("seat_curve", curve_schema("in the symmetry plane; the strips are drawn to it")));
+  add(optional("seat_curve", seat_schema()));
   add(optional("ridges", whole(kFewestRidges, kMostRidges)
                              .defaulting(usual.ridges)
                              .said("number of quads in each strip at the start")));
@@ -297,7 +300,10 @@ SlitDesign design_at(const JsonPlace& place) {
   design.fit = place["leg_curve"]["fit"].yes();
   design.lean = place["leg_curve"]["lean"].angle();
   if (place["second_panel"].given()) design.second_panel = second_panel_at(place);
-  if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
+  if (const JsonPlace seat = place["seat_curve"]; seat.given()) {
+    design.seat_curve = curve_at(seat);
+    design.fit_seat = seat["fit"].yes();
+  }
   design.ridges = place["ridges"].whole();
   design.end_angle = place["end_angle"].choice(kEndAngles);
   design.ground = place["ground"].yes();

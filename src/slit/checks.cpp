@@ -180,6 +180,16 @@ Result<void> check_seat_curve(const SlitDesign& design) {
   return {};
 }
 
+/// A curve made longer or shorter about its start.
+BezierCurve scaled_to(BezierCurve curve, double wanted) {
+  const double by = wanted / length(curve);
+  if (std::abs(by - 1.0) <= tolerance::kComputed) return curve;
+  const Vec2 start = curve.poles.front();
+  for (Vec2& pole : curve.poles)
+    pole = start + by * (pole - start);
+  return curve;
+}
+
 /// One scan of a design.
 Result<void> check_scan(const SlitDesign& design, int index) {
   const auto& [strip, points] = design.scans[index];
@@ -255,6 +265,11 @@ Result<void> check_sheet(const SlitDesign& design) {
 }
 
 Result<SlitDesign> with_fitted_curves(SlitDesign design) {
+  if (design.fit_seat && design.seat_curve) {
+    if (auto sound = check_curve(*design.seat_curve, "The seat curve", "/seat_curve"); !sound)
+      return pass_on(sound);
+    design.seat_curve = scaled_to(*design.seat_curve, design.sheet.breadth());
+  }
   auto curve = checked_curve(design, design.leg_curve, design.fit, design.lean, "/leg_curve");
   if (!curve) return pass_on(curve);
   design.leg_curve = std::move(*curve);

@@ -1,11 +1,13 @@
-// Newton's method on the manifold of shapes that meet the end conditions. The second derivative
-// along it is that of the Lagrange function: multipliers of the conditions times their curvature
-// are added to the objective's own, and the tangent space is left (math.md#bending-energy). Without
-// that term steps converge linearly, near buckling not at all. A step goes along the tangent space,
-// within a reach in which the model can be trusted; least steps lead it back to the conditions.
+// Newton's method on the manifold of shapes that meet the end conditions, for one strip or several
+// that touch. The second derivative along it is that of the Lagrange function: multipliers of the
+// conditions times their curvature are added to the objective's own, and the tangent space is left
+// (math.md#bending-energy). Without that term steps converge linearly, near buckling not at all. A
+// step goes along the tangent space, within a reach in which the model can be trusted; least steps
+// lead it back to the conditions. Strips that touch share blocks beside the diagonal only.
 #include "newton.hpp"
 
 #include "bend_energy.hpp"
+#include "block_matrix.hpp"
 #include "end_curvature.hpp"
 #include "reach.hpp"
 
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace planish::slit_detail {
 namespace {
@@ -23,7 +26,7 @@ namespace {
 constexpr double kFirstReach = 0.2, kMostReach = 2.0;  // of a step, for each ridge
 constexpr double kLeastSpacing = 0.2;                  // of a spacing that a step leaves
 
-/// The objective with derivatives by all parameters.
+/// The objective of a strip with derivatives by all parameters.
 SecondOrder model_of(const StripProblem& problem, const StripParameters& p) {
   SecondOrder model = bend_energy_derivatives(problem, p);
   const double scale = energy_scale(problem.base);
@@ -39,15 +42,6 @@ SecondOrder model_of(const StripProblem& problem, const StripParameters& p) {
   return model;
 }
 
-/// All that draws at ridge ends or holds the last quad, by what it draws or holds.
-std::vector<WeighedVector> weighed(const StripProblem& problem, const StripFold& fold,
-                                   const Eigen::VectorXd& multipliers) {
-  std::vector<WeighedVector> sum = weighed_conditions(problem, fold, multipliers);
-  for (const Pull& pull : pulls(problem, fold))
-    sum.push_back({pull.ridge, true, fold.end(pull.side, pull.ridge), pull.gradient, pull.side});
-  return sum;
-}
-
 /// In steps a fold by one radian and a ridge end moved by a mean spacing are alike.
 Eigen::VectorXd units_of(const StripBase& base) {
   Eigen::VectorXd units = Eigen::VectorXd::Constant(parameter_count(base.quads), 1.0 / base.quads);
@@ -55,78 +49,222 @@ Eigen::VectorXd units_of(const StripBase& base) {
   return units;
 }
 
-/// The objective along the manifold at a shape, in an orthonormal basis of its tangent space.
-struct Tangent {
-  SecondOrder model;
-  Eigen::HouseholderQR<Eigen::MatrixXd> conditions;  ///< of their derivatives, by columns
-  Eigen::Index count = 0;                            ///< of conditions
+WeighedVector weighed(const StripFold& fold, const Pull& pull) {
+  return {pull.ridge, true, fold.end(pull.side, pull.ridge), pull.gradient, pull.side};
+}
 
-  /// A step in the basis as one of all parameters, in their units.
-  Eigen::VectorXd in_units(const Eigen::VectorXd& step) const {
-    if (count == 0) return step;
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(count + step.size());
+/// A strip at a shape, with what its derivatives need.
+struct Member {
+  const StripProblem& problem;
+  const StripParameters& p;
+  StripFold fold;
+  std::vector<Twist> twists;
+  SecondOrder model;
+  std::vector<Pull> pulled = {};                          ///< by contacts
+  Eigen::HouseholderQR<Eigen::MatrixXd> conditions = {};  ///< of their derivatives, by columns
+  bool is_held = false;
+
+  Eigen::Index condition_count() const { return static_cast<Eigen::Index>(problem.ends.size()); }
+  int dimensions() const { return is_held ? 0 : static_cast<int>(p.size() - condition_count()); }
+
+  /// Derivatives by all parameters as those along the manifold, in an orthonormal basis of its
+  /// tangent space.
+  Eigen::VectorXd along_manifold(const Eigen::VectorXd& by_parameters) const {
+    Eigen::VectorXd v = units_of(problem.base).cwiseProduct(by_parameters);
+    if (condition_count() > 0) v.applyOnTheLeft(conditions.householderQ().adjoint());
+    return v.tail(dimensions());
+  }
+  /// A step in that basis as one of all parameters.
+  Eigen::VectorXd by_parameters(const Eigen::VectorXd& step) const {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(p.size());
     all.tail(step.size()) = step;
-    return conditions.householderQ() * all;
+    if (condition_count() > 0) all.applyOnTheLeft(conditions.householderQ());
+    return units_of(problem.base).cwiseProduct(all);
   }
 };
 
-Tangent along_manifold(const StripProblem& problem, const StripParameters& p, SecondOrder model) {
+Member member_of(const StripSystem& system, const Shapes& shapes, int strip) {
+  const StripProblem& problem = system.strips[strip];
+  Member member{problem, shapes[strip], folded(problem.base, shapes[strip]), {}, {}};
+  member.is_held = system.held[strip];
+  member.twists = twists(problem.base, member.fold);
+  if (!member.is_held) member.model = model_of(problem, shapes[strip]);
+  return member;
+}
+
+/// The objective's second derivatives along the manifold. The gradient, by all parameters, must be
+/// complete: it gives the multipliers of the conditions.
+Eigen::MatrixXd hessian_along_manifold(Member& member) {
+  const StripProblem& problem = member.problem;
   const Eigen::VectorXd units = units_of(problem.base);
-  Tangent tangent{{}, {}, static_cast<Eigen::Index>(problem.ends.size())};
-  const Eigen::Index free = p.size() - tangent.count;
-  const StripFold fold = folded(problem.base, p);
-  Eigen::VectorXd multipliers;
-  if (tangent.count > 0) {
-    const Eigen::MatrixXd derivative = end_derivative(problem, fold) * units.asDiagonal();
+  std::vector<WeighedVector> sum;
+  if (member.condition_count() > 0) {
+    const Eigen::MatrixXd derivative = end_derivative(problem, member.fold) * units.asDiagonal();
     // A flat strip's conditions depend on each other: the least multipliers.
-    multipliers = derivative.transpose().completeOrthogonalDecomposition().solve(
-        -units.cwiseProduct(model.gradient));
-    tangent.conditions.compute(derivative.transpose());
+    const Eigen::VectorXd multipliers = derivative.transpose()
+                                            .completeOrthogonalDecomposition()
+                                            .solve(-units.cwiseProduct(member.model.gradient));
+    member.conditions.compute(derivative.transpose());
+    sum = weighed_conditions(problem, member.fold, multipliers);
   }
-  const std::vector<WeighedVector> sum = weighed(problem, fold, multipliers);
-  if (!sum.empty()) model.hessian += second_derivatives(problem.base, p, fold, sum);
-  model.gradient.array() *= units.array();
-  model.hessian = units.asDiagonal() * model.hessian * units.asDiagonal();
-  if (tangent.count > 0) {
-    const auto turn = tangent.conditions.householderQ();
-    model.gradient.applyOnTheLeft(turn.adjoint());
-    model.hessian.applyOnTheLeft(turn.adjoint());
-    model.hessian.applyOnTheRight(turn);
+  for (const Pull& pull : pulls(problem, member.fold))
+    sum.push_back(weighed(member.fold, pull));
+  for (const Pull& pull : member.pulled)
+    sum.push_back(weighed(member.fold, pull));
+  Eigen::MatrixXd hessian = std::move(member.model.hessian);
+  if (!sum.empty()) hessian += second_derivatives(problem.base, member.p, member.fold, sum);
+  hessian = units.asDiagonal() * hessian * units.asDiagonal();
+  if (member.condition_count() > 0) {
+    const auto turn = member.conditions.householderQ();
+    hessian.applyOnTheLeft(turn.adjoint());
+    hessian.applyOnTheRight(turn);
   }
-  tangent.model = {model.value, model.gradient.tail(free),
-                   model.hessian.bottomRightCorner(free, free)};
-  return tangent;
+  return hessian.bottomRightCorner(member.dimensions(), member.dimensions());
+}
+
+/// By how much a contact is violated, in units of the system; what counts is more than none.
+double violation(const StripSystem& system, const Contact& contact, const Vec3& apart) {
+  return (contact.offset - contact.normal.dot(apart)) / system.unit();
+}
+double counted(const StripSystem& system, const Contact& contact, const Vec3& apart) {
+  if (system.penalty == 0.0) return 0.0;
+  return std::max(0.0, violation(system, contact, apart) + contact.multiplier / system.penalty);
+}
+
+/// A violated contact and the derivatives of its value by the parameters of its strips.
+struct Touch {
+  int here = 0, there = 0;
+  Eigen::VectorXd of_here, of_there;
+};
+
+/// Derivative of a point along a direction.
+Eigen::VectorXd derivative_of(const Member& member, const StripPoint& point, const Vec3& along) {
+  Eigen::VectorXd derivative = Eigen::VectorXd::Zero(member.p.size());
+  for (const StripPoint::Share& share : point.shares)
+    derivative += share.weight *
+                  end_derivative(member.problem.base, member.fold, member.twists, share.side,
+                                 share.ridge)
+                      .transpose() *
+                  along;
+  return derivative;
+}
+
+void pull_at(Member& member, const StripPoint& point, const Vec3& force) {
+  if (member.is_held) return;
+  for (const StripPoint::Share& share : point.shares)
+    member.pulled.push_back({share.ridge, share.side, share.weight * force});
+}
+
+/// The model of a system's objective about its shapes, in the tangent spaces of its strips.
+struct Model {
+  std::vector<Member> members;
+  double value = 0.0;
+  Eigen::VectorXd gradient;
+  BlockMatrix hessian;
+
+  /// A step as shapes.
+  Shapes moved(const Shapes& from, const Eigen::VectorXd& step) const {
+    Shapes shapes = from;
+    for (int i = 0; i < std::ssize(members); ++i)
+      if (!members[i].is_held)
+        shapes[i] += members[i].by_parameters(step.segment(hessian.begin(i), hessian.size(i)));
+    return shapes;
+  }
+};
+
+/// Adds the contacts to the value and to the strips' gradients.
+std::vector<Touch> touches(const StripSystem& system, std::vector<Member>& members, double& value) {
+  std::vector<Touch> found;
+  for (const Contact& contact : system.contacts) {
+    Member &here = members[contact.here.strip], &there = members[contact.there.strip];
+    const double violated = counted(system, contact,
+                                    contact.here.in(here.fold) - contact.there.in(there.fold));
+    if (violated == 0.0) continue;
+    value += 0.5 * system.penalty * violated * violated;
+    const Vec3 out = contact.normal / system.unit();
+    Touch touch{contact.here.strip, contact.there.strip, derivative_of(here, contact.here, -out),
+                derivative_of(there, contact.there, out)};
+    const double force = system.penalty * violated;
+    if (!here.is_held) here.model.gradient += force * touch.of_here;
+    if (!there.is_held) there.model.gradient += force * touch.of_there;
+    pull_at(here, contact.here, -force * out);
+    pull_at(there, contact.there, force * out);
+    found.push_back(std::move(touch));
+  }
+  return found;
+}
+
+int band_of(const StripSystem& system) {
+  int band = 0;
+  for (const Contact& contact : system.contacts)
+    band = std::max(band, std::abs(contact.here.strip - contact.there.strip));
+  return band;
+}
+
+void add_touch(Model& model, double penalty, const Touch& touch) {
+  const Member &here = model.members[touch.here], &there = model.members[touch.there];
+  const Eigen::VectorXd a = here.is_held ? Eigen::VectorXd() : here.along_manifold(touch.of_here),
+                        b = there.is_held ? Eigen::VectorXd()
+                                          : there.along_manifold(touch.of_there);
+  model.hessian.at(touch.here, touch.here) += penalty * a * a.transpose();
+  model.hessian.at(touch.there, touch.there) += penalty * b * b.transpose();
+  if (touch.here > touch.there)
+    model.hessian.at(touch.here, touch.there) += penalty * a * b.transpose();
+  else
+    model.hessian.at(touch.there, touch.here) += penalty * b * a.transpose();
+}
+
+Model model_of(const StripSystem& system, const Shapes& shapes) {
+  std::vector<Member> members;
+  std::vector<int> sizes;
+  double value = 0.0;
+  for (int strip = 0; strip < system.count(); ++strip) {
+    members.push_back(member_of(system, shapes, strip));
+    sizes.push_back(members.back().dimensions());
+    value += members.back().model.value;
+  }
+  const std::vector<Touch> touching = touches(system, members, value);
+  BlockMatrix hessian(std::move(sizes), band_of(system));
+  Model model{std::move(members), value, Eigen::VectorXd(hessian.dimensions()), std::move(hessian)};
+  for (int strip = 0; strip < system.count(); ++strip) {
+    Member& member = model.members[strip];
+    if (member.is_held) continue;
+    model.hessian.at(strip, strip) = hessian_along_manifold(member);
+    model.gradient.segment(model.hessian.begin(strip),
+                           member.dimensions()) = member.along_manifold(member.model.gradient);
+  }
+  for (const Touch& touch : touching)
+    add_touch(model, system.penalty, touch);
+  return model;
 }
 
 /// The step that minimises a model within a reach, to a tenth of it: damped by just as much as that
 /// takes (Moré and Sorensen). Where the model is concave along a direction the damping outweighs
 /// it.
-Eigen::VectorXd step_within(const SecondOrder& model, double reach) {
+Eigen::VectorXd step_within(const Model& model, double reach) {
   constexpr double kNearEnough = 0.1, kLeastDamping = 1e-12, kDampingFound = 1e-9;
   constexpr int kMostTried = 40;
-  const double largest = model.hessian.cwiseAbs().rowwise().sum().maxCoeff(),
-               steepness = model.gradient.norm();
+  const double largest = model.hessian.bound(), steepness = model.gradient.norm();
   double too_little = 0.0, enough = largest + steepness / reach, damping = 0.0;
   Eigen::VectorXd step = -model.gradient / std::max(enough, std::numeric_limits<double>::min());
   const auto between = [&] {
     return std::sqrt(std::max(too_little, kLeastDamping * largest) * enough);
   };
   for (int tried = 0; tried < kMostTried && enough - too_little > kDampingFound * enough; ++tried) {
-    Eigen::MatrixXd damped = model.hessian;
-    damped.diagonal().array() += damping;
-    const Eigen::LLT<Eigen::MatrixXd> llt(damped);
-    if (llt.info() != Eigen::Success) {
+    const auto factors = BlockCholesky::of(model.hessian, damping);
+    if (!factors) {
       too_little = damping;
       damping = between();
       continue;
     }
-    step = llt.solve(-model.gradient);
+    step = factors->solve(-model.gradient);
     const double length = step.norm();
     const bool is_within = length <= reach * (1.0 + kNearEnough);
     if (is_within && (damping == 0.0 || length >= reach * (1.0 - kNearEnough))) break;
     (is_within ? enough : too_little) = damping;
     // Newton's step for 1/length − 1/reach, which is nearly linear in the damping.
-    damping += (length - reach) / reach * length * length / llt.matrixL().solve(step).squaredNorm();
+    damping += (length - reach) / reach * length * length /
+               factors->half_solved(step).squaredNorm();
     if (!(damping > too_little && damping < enough)) damping = between();
   }
   return step;
@@ -164,38 +302,64 @@ bool is_near(const StripBase& base, const StripParameters& p, const StripParamet
   return true;
 }
 
+std::optional<Shapes> led_back(const StripSystem& system, const Shapes& from, Shapes shapes) {
+  for (int strip = 0; strip < system.count(); ++strip) {
+    if (system.held[strip]) continue;
+    auto back = led_back(system.strips[strip], std::move(shapes[strip]));
+    if (!back || !is_near(system.strips[strip].base, from[strip], *back)) return std::nullopt;
+    shapes[strip] = std::move(*back);
+  }
+  return shapes;
+}
+
+double whole_objective(const StripSystem& system, const Shapes& shapes) {
+  double sum = 0.0;
+  std::vector<StripFold> folds;
+  for (int strip = 0; strip < system.count(); ++strip) {
+    if (!system.held[strip])
+      sum += slit_detail::whole_objective(system.strips[strip], shapes[strip]);
+    if (!system.contacts.empty()) folds.push_back(folded(system.strips[strip].base, shapes[strip]));
+  }
+  for (const Contact& contact : system.contacts) {
+    const double violated = counted(
+        system, contact,
+        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
+    sum += 0.5 * system.penalty * violated * violated;
+  }
+  return sum;
+}
+
 /// One step that lowers the objective, or nothing where none does.
 class Stepping {
  public:
-  Stepping(const StripProblem& problem, const DescentOptions& options, Descent& descent)
-      : problem_(problem),
-        options_(options),
-        descent_(descent),
-        reach_(kFirstReach * std::sqrt(problem.base.quads)) {}
+  Stepping(const StripSystem& system, const DescentOptions& options, SystemDescent& descent)
+      : system_(system), options_(options), descent_(descent) {
+    for (int strip = 0; strip < system.count(); ++strip)
+      if (!system.held[strip]) ridges_ += system.strips[strip].base.quads;
+    reach_ = kFirstReach * std::sqrt(ridges_);
+  }
 
   /// False when it is over.
   bool step() {
-    const Tangent tangent = along_manifold(problem_, descent_.p, model_of(problem_, descent_.p));
-    const SecondOrder& model = tangent.model;
+    const Model model = model_of(system_, descent_.shapes);
     descent_.objective = model.value;
-    const Eigen::VectorXd units = units_of(problem_.base);
     while (reach_ > kNoReach) {
       const Eigen::VectorXd step = step_within(model, reach_);
-      const double expected = -(model.gradient.dot(step) + 0.5 * step.dot(model.hessian * step));
+      const double expected = -(model.gradient.dot(step) +
+                                0.5 * step.dot(model.hessian.times(step)));
       if (expected <= kNothing * model.value) return ended(true);
       if (options_.stop && options_.stop()) return ended(false);
       ++descent_.iterations;
-      const auto next = led_back(problem_, descent_.p + units.cwiseProduct(tangent.in_units(step)));
-      const bool is_good = next && is_near(problem_.base, descent_.p, *next);
-      const double value = is_good ? whole_objective(problem_, *next)
-                                   : std::numeric_limits<double>::infinity();
+      const auto next = led_back(system_, descent_.shapes, model.moved(descent_.shapes, step));
+      const double value = next ? whole_objective(system_, *next)
+                                : std::numeric_limits<double>::infinity();
       const double gain = model.value - value;
       if (!(gain > kPoorShare * expected)) reach_ = 0.3 * std::min(reach_, step.norm());
       if (!(gain > kLeastShare * expected)) continue;
       if (gain > kGoodShare * expected)
         reach_ = std::clamp(2.0 * step.norm(), reach_,
-                            std::max(reach_, kMostReach * std::sqrt(problem_.base.quads)));
-      descent_.p = *next;
+                            std::max(reach_, kMostReach * std::sqrt(ridges_)));
+      descent_.shapes = *next;
       descent_.objective = value;
       return expected > options_.function_tolerance * model.value || ended(true);
     }
@@ -213,21 +377,58 @@ class Stepping {
     return false;
   }
 
-  const StripProblem& problem_;
+  const StripSystem& system_;
   const DescentOptions& options_;
-  Descent& descent_;
-  double reach_;
+  SystemDescent& descent_;
+  int ridges_ = 0;
+  double reach_ = 0.0;
 };
 
 }  // namespace
 
-Descent descend_by_newton(const StripProblem& problem, const StripParameters& from,
-                          const DescentOptions& options) {
-  Descent descent{from};
-  Stepping stepping(problem, options, descent);
+Vec3 StripPoint::in(const StripFold& fold) const {
+  Vec3 point = Vec3::Zero();
+  for (const Share& share : shares)
+    point += share.weight * fold.end(share.side, share.ridge);
+  return point;
+}
+
+double StripSystem::unit() const {
+  double sum = 0.0;
+  for (const StripProblem& problem : strips)
+    sum += problem.base.unit();
+  return sum / count();
+}
+
+Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes) {
+  std::vector<StripFold> folds;
+  for (int strip = 0; strip < system.count(); ++strip)
+    folds.push_back(folded(system.strips[strip].base, shapes[strip]));
+  Eigen::VectorXd values(std::ssize(system.contacts));
+  for (int i = 0; i < std::ssize(system.contacts); ++i) {
+    const Contact& contact = system.contacts[i];
+    values[i] = violation(
+        system, contact,
+        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
+  }
+  return values;
+}
+
+SystemDescent descend_by_newton(const StripSystem& system, Shapes from,
+                                const DescentOptions& options) {
+  SystemDescent descent{std::move(from)};
+  Stepping stepping(system, options, descent);
   while (descent.iterations < options.max_iterations && stepping.step()) {
   }
   return descent;
+}
+
+Descent descend_by_newton(const StripProblem& problem, const StripParameters& from,
+                          const DescentOptions& options) {
+  SystemDescent descent = descend_by_newton(StripSystem{{problem}, {false}, {}}, Shapes{from},
+                                            options);
+  return {std::move(descent.shapes.front()), descent.objective, descent.iterations,
+          descent.converged};
 }
 
 }  // namespace planish::slit_detail

@@ -71,7 +71,8 @@ constexpr Refusal seat_curve_without_symmetry{
 constexpr Refusal seat_curve_too_short{code::curve_too_short,
                                        "The seat curve is {length:6} long, but the ends of the "
                                        "strips are {width:6} wide together and would overlap.",
-                                       "Lengthen the curve, or make the strips narrower."};
+                                       "Lengthen the curve, make the strips narrower, or set fit to "
+                                       "true to have the curve scaled."};
 constexpr Refusal leg_curve_too_short{
     code::curve_too_short,
     "The leg curve is {length:6} long, {missing} too short for the chords of a sheet {width:6} "

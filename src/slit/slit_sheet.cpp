@@ -12,6 +12,10 @@ double SlitSheet::width() const {
   return across;
 }
 
+double SlitSheet::breadth() const {
+  return strips.empty() ? 0.0 : width() - margin - strips.front().gap;
+}
+
 double SlitSheet::reach() const {
   double along = 0.0;
   for (int i = 0; i < static_cast<int>(strips.size()); ++i)

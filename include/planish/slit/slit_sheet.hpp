@@ -37,8 +37,9 @@ struct SlitSheet {
   double margin = 0.0;  ///< between the last strip and the sheet's right edge
   bool symmetric = true;
   double min_inside_radius = 0.0;  ///< the smallest that the material allows, mm
-  /// Width across, and the largest along.
+  /// Width across, that from the first strip to the last, and the largest along.
   double width() const;
+  double breadth() const;
   double reach() const;
   bool has_strip(int strip) const { return strip >= 0 && strip < std::ssize(strips); }
   /// Of strip i: across of its left edge, start of both slits, end.
@@ -131,6 +132,7 @@ struct SlitDesign {
   bool fit = false;  ///< the leg curve is scaled about its start until the sheet fits it
   std::optional<SecondPanel> second_panel;  ///< not in symmetric sheets, and not with `ends`
   std::optional<BezierCurve> seat_curve;    ///< (y, z): section wanted in the symmetry plane
+  bool fit_seat = false;                    ///< it is scaled about its start to their breadth
   int ridges = 10;                          ///< of each strip at the start; there are as many quads
   EndAngle end_angle = EndAngle::right_angle;
   SlitObjective objective = SlitObjective::smooth;

@@ -94,9 +94,12 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
       control: spec.seat_curve.bezier,
       resting,
       units: spec.units,
-      on: (bezier, live) => set({ seat_curve: { bezier } }, live),
-      enter: (bezier) => set({ seat_curve: { bezier } }),
+      on: (bezier, live) => set({ seat_curve: { ...spec.seat_curve, bezier } }, live),
+      enter: (bezier) => set({ seat_curve: { ...spec.seat_curve, bezier } }),
     })}
+    ${toggle('Scaled to the strips', 'seat-fit', spec.seat_curve.fit ?? false, (on) =>
+      set({ seat_curve: { bezier: spec.seat_curve!.bezier, fit: on || undefined } }),
+    )}
     <p class="row">
       <button class="link" data-testid="seat-remove" @click=${() => set({ seat_curve: undefined })}>Remove it</button>
     </p>`;
