@@ -47,18 +47,19 @@ Schema poles_schema() {
       .said("its poles");
 }
 
+Field fit_field(std::string_view what) {
+  return optional("fit",
+                  flag().defaulting(false).said("scale it about its start " + std::string(what)));
+}
+
 Schema seat_schema() {
-  return object({required("bezier", poles_schema()),
-                 optional("fit", flag().defaulting(false).said(
-                                     "scale it about its start to the breadth of the strips"))})
+  return object({required("bezier", poles_schema()), fit_field("to the breadth of the strips")})
       .said("in the symmetry plane; the strips are drawn to it");
 }
 
 Schema leg_schema(std::string description) {
   return object(
-             {required("bezier", poles_schema()),
-              optional("fit", flag().defaulting(false).said(
-                                  "scale it about its start until the sheet fits it")),
+             {required("bezier", poles_schema()), fit_field("until the sheet fits it"),
               optional("lean", angle(kLean).defaulting(0).said(
                                    "how far the panel is turned away from the sheet's front about "
                                    "the line through the ends of the curve; 90: level"))})
@@ -300,10 +301,8 @@ SlitDesign design_at(const JsonPlace& place) {
   design.fit = place["leg_curve"]["fit"].yes();
   design.lean = place["leg_curve"]["lean"].angle();
   if (place["second_panel"].given()) design.second_panel = second_panel_at(place);
-  if (const JsonPlace seat = place["seat_curve"]; seat.given()) {
-    design.seat_curve = curve_at(seat);
-    design.fit_seat = seat["fit"].yes();
-  }
+  if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
+  design.fit_seat = place["seat_curve"]["fit"].yes();
   design.ridges = place["ridges"].whole();
   design.end_angle = place["end_angle"].choice(kEndAngles);
   design.ground = place["ground"].yes();

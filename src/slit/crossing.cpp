@@ -50,16 +50,22 @@ bool holds(const Quad& quad, const Vec2& p, double margin) {
   return true;
 }
 
-bool pierces(const Vec3& from, const Vec3& to, const Quad& quad, double margin) {
+/// How far inside a quad, and how far on both sides of it, an edge must reach to go through it.
+struct Margins {
+  double inside = 0.0, above = 0.0;
+};
+
+bool pierces(const Vec3& from, const Vec3& to, const Quad& quad, const Margins& margins) {
   const Vec3 a = quad.frame->local(from), b = quad.frame->local(to);
-  if (std::min(a.z(), b.z()) >= -margin || std::max(a.z(), b.z()) <= margin) return false;
+  if (std::min(a.z(), b.z()) >= -margins.above || std::max(a.z(), b.z()) <= margins.above)
+    return false;
   const Vec3 through = a + a.z() / (a.z() - b.z()) * (b - a);
-  return holds(quad, through.head<2>(), margin);
+  return holds(quad, through.head<2>(), margins.inside);
 }
 
-bool edges_pierce(const Quad& a, const Quad& b, double margin) {
+bool edges_pierce(const Quad& a, const Quad& b, const Margins& margins) {
   for (std::size_t i = 0; i < 4; ++i)
-    if (pierces(a.corners[i], a.corners[(i + 1) % 4], b, margin)) return true;
+    if (pierces(a.corners[i], a.corners[(i + 1) % 4], b, margins)) return true;
   return false;
 }
 
@@ -74,12 +80,13 @@ Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& p) {
 
 }  // namespace
 
-bool cross(const FoldedStrip& a, const FoldedStrip& b) {
-  const double margin = tolerance::kComputed * (extent_of(a) + extent_of(b));
+bool cross(const FoldedStrip& a, const FoldedStrip& b, double within) {
+  const double touching = tolerance::kComputed * (extent_of(a) + extent_of(b));
+  const Margins margins{std::max(within, touching), touching};
   const std::vector<Quad> first = quads_of(a), second = quads_of(b);
   for (const Quad& p : first)
     for (const Quad& q : second)
-      if (p.box.intersects(q.box) && (edges_pierce(p, q, margin) || edges_pierce(q, p, margin)))
+      if (p.box.intersects(q.box) && (edges_pierce(p, q, margins) || edges_pierce(q, p, margins)))
         return true;
   return false;
 }

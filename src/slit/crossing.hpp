@@ -6,9 +6,10 @@
 
 namespace planish::slit_detail {
 
-/// Whether an edge of one strip goes through a quad of the other; touching does not count.
+/// Whether an edge of one strip goes through a quad of the other; touching does not count, nor
+/// what goes through it nearer than `within` to its edges, mm.
 /// O(quads²), less where boxes are apart.
-bool cross(const FoldedStrip& a, const FoldedStrip& b);
+bool cross(const FoldedStrip& a, const FoldedStrip& b, double within = 0.0);
 
 /// Planes that keep a strip on its side of a fixed neighbour: through the point of the neighbour's
 /// near border next to each of its own near ridge ends, perpendicular to the neighbour there. Ends

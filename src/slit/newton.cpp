@@ -122,15 +122,6 @@ Eigen::MatrixXd hessian_along_manifold(Member& member) {
   return hessian.bottomRightCorner(member.dimensions(), member.dimensions());
 }
 
-/// By how much a contact is violated, in units of the system; what counts is more than none.
-double violation(const StripSystem& system, const Contact& contact, const Vec3& apart) {
-  return (contact.offset - contact.normal.dot(apart)) / system.unit();
-}
-double counted(const StripSystem& system, const Contact& contact, const Vec3& apart) {
-  if (system.penalty == 0.0) return 0.0;
-  return std::max(0.0, violation(system, contact, apart) + contact.multiplier / system.penalty);
-}
-
 /// A violated contact and the derivatives of its value by the parameters of its strips.
 struct Touch {
   int here = 0, there = 0;
@@ -312,23 +303,6 @@ std::optional<Shapes> led_back(const StripSystem& system, const Shapes& from, Sh
   return shapes;
 }
 
-double whole_objective(const StripSystem& system, const Shapes& shapes) {
-  double sum = 0.0;
-  std::vector<StripFold> folds;
-  for (int strip = 0; strip < system.count(); ++strip) {
-    if (!system.held[strip])
-      sum += slit_detail::whole_objective(system.strips[strip], shapes[strip]);
-    if (!system.contacts.empty()) folds.push_back(folded(system.strips[strip].base, shapes[strip]));
-  }
-  for (const Contact& contact : system.contacts) {
-    const double violated = counted(
-        system, contact,
-        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
-    sum += 0.5 * system.penalty * violated * violated;
-  }
-  return sum;
-}
-
 /// One step that lowers the objective, or nothing where none does.
 class Stepping {
  public:
@@ -351,7 +325,7 @@ class Stepping {
       if (options_.stop && options_.stop()) return ended(false);
       ++descent_.iterations;
       const auto next = led_back(system_, descent_.shapes, model.moved(descent_.shapes, step));
-      const double value = next ? whole_objective(system_, *next)
+      const double value = next ? objective_of(system_, *next)
                                 : std::numeric_limits<double>::infinity();
       const double gain = model.value - value;
       if (!(gain > kPoorShare * expected)) reach_ = 0.3 * std::min(reach_, step.norm());
@@ -385,34 +359,6 @@ class Stepping {
 };
 
 }  // namespace
-
-Vec3 StripPoint::in(const StripFold& fold) const {
-  Vec3 point = Vec3::Zero();
-  for (const Share& share : shares)
-    point += share.weight * fold.end(share.side, share.ridge);
-  return point;
-}
-
-double StripSystem::unit() const {
-  double sum = 0.0;
-  for (const StripProblem& problem : strips)
-    sum += problem.base.unit();
-  return sum / count();
-}
-
-Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes) {
-  std::vector<StripFold> folds;
-  for (int strip = 0; strip < system.count(); ++strip)
-    folds.push_back(folded(system.strips[strip].base, shapes[strip]));
-  Eigen::VectorXd values(std::ssize(system.contacts));
-  for (int i = 0; i < std::ssize(system.contacts); ++i) {
-    const Contact& contact = system.contacts[i];
-    values[i] = violation(
-        system, contact,
-        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
-  }
-  return values;
-}
 
 SystemDescent descend_by_newton(const StripSystem& system, Shapes from,
                                 const DescentOptions& options) {

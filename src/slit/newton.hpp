@@ -1,49 +1,9 @@
 #pragma once
 
 #include "descend.hpp"
-
-#include <vector>
+#include "strip_system.hpp"
 
 namespace planish::slit_detail {
-
-/// A point of a strip: a combination of ends of its ridges, whose weights add up to 1.
-struct StripPoint {
-  struct Share {
-    int side = 0;
-    int ridge = 0;
-    double weight = 1.0;
-  };
-  int strip = 0;  ///< of the system
-  std::vector<Share> shares;
-
-  Vec3 in(const StripFold& fold) const;
-};
-
-/// A point of one strip must stay beyond one of another: normal · (here − there) ≥ offset, mm. The
-/// direction stays as it is during a descent.
-struct Contact {
-  StripPoint here, there;
-  Vec3 normal = Vec3::Zero();
-  double offset = 0.0;
-  double multiplier = 0.0;
-};
-
-/// Strips whose shapes are sought together, as they touch.
-struct StripSystem {
-  std::vector<StripProblem> strips;
-  std::vector<bool> held;  ///< by strip: it stays as it is
-  std::vector<Contact> contacts;
-  double penalty = 0.0;  ///< of violated contacts, for the augmented Lagrangian
-
-  int count() const { return static_cast<int>(strips.size()); }
-  /// In which contacts count, mm: the mean of the strips' lengths.
-  double unit() const;
-};
-
-using Shapes = std::vector<StripParameters>;  ///< of the strips of a system
-
-/// Values g ≤ 0 of the contacts, in units of the system.
-Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes);
 
 /// The best shapes so far.
 struct SystemDescent {

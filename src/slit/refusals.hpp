@@ -68,11 +68,12 @@ constexpr Refusal crosses_symmetry_plane{
 constexpr Refusal seat_curve_without_symmetry{
     code::invalid_input, "A seat curve lies in the symmetry plane, but the sheet is not symmetric.",
     "Leave it out, and place the ends of the strips."};
-constexpr Refusal seat_curve_too_short{code::curve_too_short,
-                                       "The seat curve is {length:6} long, but the ends of the "
-                                       "strips are {width:6} wide together and would overlap.",
-                                       "Lengthen the curve, make the strips narrower, or set fit to "
-                                       "true to have the curve scaled."};
+constexpr Refusal seat_curve_too_short{
+    code::curve_too_short,
+    "The seat curve is {length:6} long, but the ends of the "
+    "strips are {width:6} wide together and would overlap.",
+    "Lengthen the curve, make the strips narrower, or set fit to "
+    "true to have the curve scaled."};
 constexpr Refusal leg_curve_too_short{
     code::curve_too_short,
     "The leg curve is {length:6} long, {missing} too short for the chords of a sheet {width:6} "

@@ -1,5 +1,6 @@
 #include "align.hpp"
 #include "checks.hpp"
+#include "part_together.hpp"
 #include "refusals.hpp"
 #include "snapshot.hpp"
 #include "strip_work.hpp"
@@ -195,16 +196,20 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
                                }};
   Snapshot& now = content_->now;
   SlitSolveReport report;
-  std::vector<int> moved;
+  std::vector<int> moved, begun;
   for (int strip = 0; strip < now.count(); ++strip) {
     if (now.slot(strip).state.status != StripStatus::open) continue;
     if (descent.stop()) break;
     progress.at("strips", static_cast<double>(strip) / now.count());
+    if (now.slot(strip).p.size() == 0) begun.push_back(strip);
     report.iterations += work_on(now, strip, Clear::of_mirror, descent).iterations;
     moved.push_back(strip);
   }
+  const bool by_energy = now.design->objective == SlitObjective::energy;
+  if (by_energy) report.iterations += improve_from_neighbours(now, begun, descent);
   note_crossings(now, moved);
-  if (const int iterations = part_neighbours(now, moved, descent); iterations > 0) {
+  const auto part = by_energy ? part_together : part_neighbours;
+  if (const int iterations = part(now, moved, descent); iterations > 0) {
     report.iterations += iterations;
     note_crossings(now, moved);
   }

@@ -2,11 +2,11 @@
 
 #include "bend_energy.hpp"
 #include "first_shape.hpp"
+#include "strip_limits.hpp"
 #include "strip_start.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -24,34 +24,13 @@ constexpr double kFirstPenalty = 1.0;  // a tenth of the strip's length then wei
                                        // smoothness
 constexpr double kPenaltyGrowth = 4.0;
 constexpr int kMostRounds = 10, kStepsOfRound = 20;
-constexpr double kMargin = 2e-4;  // radii are solved for this much more than needed, so that they
-                                  // hold
-constexpr double kWorth = 20.0;   // times the objective that keeping an inequality may cost
+constexpr double kWorth = 20.0;  // times the objective that keeping an inequality may cost
 constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains at which a start and a round end
-
-bool same_place(const RadiusLimit& a, const RadiusLimit& b) {
-  return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad;
-}
-bool same_place(const HalfSpace& a, const HalfSpace& b) {
-  return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5;
-}
-
-/// Adds limits not yet in the list; planes that moved keep their multiplier.
-template <typename Limit>
-void add(std::vector<Inequality>& list, const Limit& limit) {
-  for (Inequality& known : list)
-    if (auto* other = std::get_if<Limit>(&known.what); other && same_place(*other, limit)) {
-      *other = limit;
-      return;
-    }
-  list.push_back({limit, 0.0});
-}
 
 /// The data for solving one strip.
 struct Task {
   const DescentOptions& options;
   const PlanesBroken& planes_broken;
-  double least_radius = 0.0;  ///< without the margin
 
   bool stopped() const { return options.stop && options.stop(); }
 };
@@ -151,40 +130,6 @@ std::vector<HalfSpace> planes_now_broken(const Task& task, const Course& course)
              : std::vector<HalfSpace>{};
 }
 
-bool is_too_tight(const Task& task, const Course& course) {
-  return task.least_radius > 0.0 && course.radius() < task.least_radius;
-}
-
-/// The inequalities, with these planes and the radii that the shape violates.
-std::vector<Inequality> with_broken(const Task& task, const Course& course,
-                                    const std::vector<HalfSpace>& planes) {
-  std::vector<Inequality> inequalities = course.problem.inequalities;
-  for (const HalfSpace& plane : planes)
-    add(inequalities, plane);
-  if (is_too_tight(task, course))
-    for (const RadiusLimit& limit :
-         radius_limits(course.problem.base, course.solution.p, course.problem.min_radius))
-      add(inequalities, limit);
-  return inequalities;
-}
-
-bool firm_ones_hold(const std::vector<Inequality>& inequalities, const Eigen::VectorXd& values) {
-  for (std::size_t i = 0; i < inequalities.size(); ++i)
-    if (inequalities[i].is_firm() && values[static_cast<Eigen::Index>(i)] > kHolds) return false;
-  return true;
-}
-
-/// Planes that only lead the strip out of its neighbours: a penalty suffices, and a multiplier
-/// would throw it into another shape.
-std::vector<Inequality> with_new_multipliers(std::vector<Inequality> inequalities,
-                                             const Eigen::VectorXd& values, double penalty) {
-  for (std::size_t i = 0; i < inequalities.size(); ++i)
-    if (Inequality& one = inequalities[i]; one.is_firm())
-      one.multiplier = std::max(0.0,
-                                one.multiplier + penalty * values[static_cast<Eigen::Index>(i)]);
-  return inequalities;
-}
-
 /// Rounds are meant to end before they converge; only the time limit matters.
 bool had_time(const Task& task, const Course& course) {
   return !task.stopped() && course.descended < task.options.max_iterations;
@@ -203,14 +148,13 @@ Course held(
     const std::vector<HalfSpace> planes = which == Planes::kept ? planes_now_broken(task, course)
                                                                 : std::vector<HalfSpace>{};
     auto& inequalities = course.problem.inequalities;
-    inequalities = with_broken(task, course, planes);
+    inequalities = with_broken(course.problem, course.solution.p, planes);
     if (inequalities.empty()) return course;
-    const Eigen::VectorXd values = inequality_values(course.problem, course.solution.p);
-    const bool unbroken = planes.empty() && !is_too_tight(task, course);
-    if (unbroken && firm_ones_hold(inequalities, values)) return course;
+    const bool unbroken = planes.empty() && !is_too_tight(course.problem, course.solution.p);
+    if (unbroken && firm_ones_hold(course.problem, course.solution.p)) return course;
     if (round > 0) {
       course.problem.penalty *= kPenaltyGrowth;
-      inequalities = with_new_multipliers(std::move(inequalities), values, course.problem.penalty);
+      inequalities = with_new_multipliers(course.problem, course.solution.p);
     }
     course = descended(task, std::move(course), kStepsOfRound,
                        std::max(task.options.function_tolerance, kFine));
@@ -240,7 +184,7 @@ Course radii_held(const Task& task, Course course) {
     widest = now.solution;
     widest_radius = now.radius();
   });
-  if (!task.stopped() && is_too_tight(task, course))
+  if (!task.stopped() && is_too_tight(course.problem, course.solution.p))
     return taken_back(std::move(course), widest, before);
   return course;
 }
@@ -253,9 +197,10 @@ Course all_held(const Task& task, Course course) {
   const StripSolution before = course.solution;
   const std::vector<Inequality> needed = course.problem.inequalities;
   const double most = kWorth * course.objective();
-  const bool was_too_tight = is_too_tight(task, course);
+  const bool was_too_tight = is_too_tight(course.problem, course.solution.p);
   course = held(task, std::move(course), Planes::kept);
-  const bool creased = (is_too_tight(task, course) && !was_too_tight) || course.objective() > most;
+  const bool creased = (is_too_tight(course.problem, course.solution.p) && !was_too_tight) ||
+                       course.objective() > most;
   if (!task.stopped() && (creased || !planes_now_broken(task, course).empty()))
     course = taken_back(std::move(course), before, needed);
   course.solution.converged = had_time(task, course);
@@ -266,9 +211,9 @@ Course all_held(const Task& task, Course course) {
 
 StripSolution solve_strip(StripProblem problem, const StripParameters& from,
                           const DescentOptions& options, const PlanesBroken& planes_broken) {
-  const Task task{options, planes_broken, problem.min_radius};
+  const Task task{options, planes_broken};
   problem.penalty = kFirstPenalty;
-  problem.min_radius *= 1.0 + kMargin;
+  problem.min_radius *= 1.0 + kRadiusMargin;
   Course course = begun(task, std::move(problem), from);
   if (course.solution.reached) {
     course = descended(task, std::move(course), options.max_iterations, options.function_tolerance);

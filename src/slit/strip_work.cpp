@@ -2,6 +2,7 @@
 
 #include "bend_energy.hpp"
 #include "crossing.hpp"
+#include "strip_start.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -100,9 +101,40 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
   return state;
 }
 
+/// Puts a solution in the place of a strip's shape.
+void take(Snapshot& now, int strip, const StripProblem& problem, const StripSolution& solution) {
+  Slot slot = now.slot(strip);
+  slot.p = solution.p;
+  const auto runner_up = solution.runner_up ? solution.runner_up : slot.state.runner_up_energy;
+  slot.state = measured(now, strip, problem, solution);
+  slot.state.runner_up_energy = runner_up;
+  slot.inequalities = solution.inequalities;
+  slot.box = box_of(problem.base, solution.p);
+  std::erase_if(slot.inequalities, [](const Inequality& known) {
+    return std::holds_alternative<HalfSpace>(known.what);
+  });
+  now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
+}
+
+/// Another shape from which a strip's descent begins.
+void take_start(Snapshot& now, int strip, const StripParameters& from) {
+  Slot slot = now.slot(strip);
+  slot.state.runner_up_energy = slot.state.energy;
+  slot.p = from;
+  now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
+}
+
+bool is_better(const Slot& tried, const Slot& known, double share) {
+  return tried.state.status == StripStatus::solved && !tried.state.crosses_plane &&
+         (known.state.status != StripStatus::solved ||
+          tried.state.objective < (1.0 - share) * known.state.objective);
+}
+
 bool is_folded(const Snapshot& now, int strip) {
   return strip >= 0 && strip < now.count() && now.slot(strip).p.size();
 }
+
+}  // namespace
 
 PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   std::vector<std::pair<StripEdge, FoldedStrip>> neighbours;
@@ -135,30 +167,60 @@ PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   };
 }
 
-}  // namespace
-
 StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOptions& options) {
   const StripProblem problem = problem_of(now, strip);
   StripSolution solution = solve_strip(problem, now.slot(strip).p, options,
                                        planes_broken(now, strip, clear));
-  Slot slot = now.slot(strip);
-  slot.p = solution.p;
-  const auto runner_up = solution.runner_up ? solution.runner_up : slot.state.runner_up_energy;
-  slot.state = measured(now, strip, problem, solution);
-  slot.state.runner_up_energy = runner_up;
-  slot.inequalities = solution.inequalities;
-  slot.box = box_of(problem.base, solution.p);
-  std::erase_if(slot.inequalities, [](const Inequality& known) {
-    return std::holds_alternative<HalfSpace>(known.what);
-  });
-  now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
+  take(now, strip, problem, solution);
   return solution;
+}
+
+void take_shape(Snapshot& now, int strip, const StripParameters& p,
+                std::vector<Inequality> inequalities) {
+  const StripProblem problem = problem_of(now, strip);
+  const StripState& before = now.slot(strip).state;
+  StripSolution solution{p, std::move(inequalities), objective(problem, p)};
+  solution.iterations = before.iterations;
+  solution.reached = before.status != StripStatus::out_of_reach;
+  solution.converged = before.status == StripStatus::solved;
+  take(now, strip, problem, solution);
+}
+
+int improve_from_neighbours(Snapshot& now, const std::vector<int>& strips,
+                            const DescentOptions& options) {
+  constexpr double kBetter = 1e-3;
+  constexpr int kMostRounds = 8;
+  int iterations = 0;
+  std::vector<bool> changed(now.count(), true);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Snapshot before = now;
+    std::vector<bool> changes(now.count());
+    for (const int strip : strips)
+      for (const int other : {strip - 1, strip + 1}) {
+        if (!is_folded(before, other) || !changed[other] ||
+            before.slot(other).p.size() != before.slot(strip).p.size())
+          continue;
+        if (options.stop && options.stop()) return iterations;
+        Snapshot tried = before;
+        take_start(tried, strip, before.slot(other).p);
+        iterations += work_on(tried, strip, Clear::of_mirror, options).iterations;
+        if (!is_better(tried.slot(strip), now.slot(strip), kBetter)) continue;
+        now.slots[strip] = tried.slots[strip];
+        changes[strip] = true;
+      }
+    if (std::ranges::find(changes, true) == changes.end()) break;
+    changed = std::move(changes);
+  }
+  return iterations;
 }
 
 void note_crossings(Snapshot& now, const std::vector<int>& moved) {
   std::vector<bool> has_moved(now.count());
   for (const int strip : moved)
     has_moved[strip] = true;
+  const double margin = now.design->objective == SlitObjective::energy
+                            ? kPressed * now.design->sheet.thickness
+                            : 0.0;
   std::vector<std::vector<int>> crosses;
   for (int strip = 0; strip < now.count(); ++strip) {
     crosses.push_back(now.slot(strip).state.crosses);
@@ -169,7 +231,8 @@ void note_crossings(Snapshot& now, const std::vector<int>& moved) {
       if (other == strip || (has_moved[other] && other < strip)) continue;
       if (!is_folded(now, other) || !now.slot(strip).box.intersects(now.slot(other).box)) continue;
       const auto [lower, higher] = std::minmax(strip, other);
-      if (cross(folded_of(now, lower), folded_of(now, higher))) crosses[lower].push_back(higher);
+      if (cross(folded_of(now, lower), folded_of(now, higher), margin))
+        crosses[lower].push_back(higher);
     }
   for (int strip = 0; strip < now.count(); ++strip) {
     auto& found = crosses[strip];

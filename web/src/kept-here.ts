@@ -9,9 +9,14 @@ const workshop = 'workshop.json';
 
 type Shared = Pick<State, 'workshop' | 'recents'>;
 
+function take(store: Store, { workshop, recents }: Partial<Shared>) {
+  if (workshop) store.dispatch({ type: 'workshop', workshop });
+  if (recents) store.dispatch({ type: 'recents', recents });
+}
+
 /** Brings what was kept on this machine at an earlier start, and keeps what changes from then on. */
 export async function bringKept(api: Api, store: Store) {
-  // Pages of this browser: each takes over what another one keeps. What is said while this one reads is newer than that.
+  // Pages of this browser: each takes over what another keeps. What is said while this one reads is newer than that.
   const others = new BroadcastChannel('planish-kept');
   let heard: Partial<Shared> = {};
   others.onmessage = ({ data }: MessageEvent<Partial<Shared>>) => void (heard = { ...heard, ...data });
@@ -24,11 +29,7 @@ export async function bringKept(api: Api, store: Store) {
     }
   };
   const [kept, recents, view] = await Promise.all([workshop, recentList, viewFile].map(read));
-  const take = (shared: Partial<Shared>) => {
-    if (shared.workshop) store.dispatch({ type: 'workshop', workshop: shared.workshop });
-    if (shared.recents) store.dispatch({ type: 'recents', recents: shared.recents });
-  };
-  take({
+  take(store, {
     workshop: kept ? soundWorkshop(kept) : undefined,
     recents: Array.isArray(recents) ? recents.filter(isSound) : undefined,
     ...heard,
@@ -36,7 +37,7 @@ export async function bringKept(api: Api, store: Store) {
   if (view && typeof view === 'object') store.dispatch({ type: 'view', view: soundView(view) });
   others.onmessage = ({ data }: MessageEvent<Partial<Shared>>) => {
     heard = data;
-    take(data);
+    take(store, data);
   };
   store.subscribe((state, before) => {
     if (state.recents !== before.recents && state.recents !== heard.recents)

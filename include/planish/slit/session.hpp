@@ -74,8 +74,9 @@ class SlitSession {
   /// `curve_too_short` and `curve_too_long` (the leg curve by more than 2 % of the sheet's width,
   /// measured by chords of the strips' widths stepped along it; within 2 % the curve is continued
   /// straight, or its rest is unused; `fit` scales it; a seat curve shorter than the strips are
-  /// wide, which `fit_seat` scales), `radius_too_small` (the leg curve is tighter than the material allows), `out_of_reach`
-  /// (an anchor, an end or the second panel farther away than the strip is long).
+  /// wide, which `fit_seat` scales), `radius_too_small` (the leg curve is tighter than the material
+  /// allows), `out_of_reach` (an anchor, an end or the second panel farther away than the strip is
+  /// long).
   static Result<SlitSession> start(SlitDesign design);
 
   SlitSession(SlitSession&&) noexcept;

@@ -55,8 +55,8 @@ export const lowered = (control: Vec2[], index: number): Vec2[] =>
 
 /** A leg curve keeps its length, since the sheet keeps its width. */
 export function removePoint(spec: SlitSpec, curve: CurveName, index: number): SlitSpec {
-  if (curve === 'seat')
-    return spec.seat_curve ? { ...spec, seat_curve: { ...spec.seat_curve, bezier: lowered(spec.seat_curve.bezier, index) } } : spec;
+  const seat = spec.seat_curve;
+  if (curve === 'seat') return seat ? { ...spec, seat_curve: { ...seat, bezier: lowered(seat.bezier, index) } } : spec;
   const bezier = legOf(spec, curve)?.bezier;
   return bezier ? setLeg(spec, curve, { bezier: fitted(lowered(bezier, index), lengthOf(bezier)) }) : spec;
 }

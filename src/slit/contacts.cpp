@@ -1,0 +1,314 @@
+// Where neighbouring strips lean towards each other they overlap as petals do: one lies on the
+// other. Pushing them apart sideways would twist both, since a strip is stiff in its plane; lifting
+// one off the other bends it a little. So points of facing edges stay beside the other strip where
+// they are beside it, and above or below it where they are over it (math.md#strip-contact).
+#include "contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace planish::slit_detail {
+namespace {
+
+/// A place of a strip and how a point lies to it: how far outside the edge, how far above.
+struct Foot {
+  double out = 0.0, above = 0.0;
+  int quad = 0;
+  Vec3 sideways = Vec3::Zero(), normal = Vec3::Zero();
+  std::vector<StripPoint::Share> below;    ///< the strip's point next to it
+  std::vector<StripPoint::Share> on_edge;  ///< the edge's point next to it
+};
+
+double width_of(const FoldedStrip& strip) {
+  return strip.ridges.front().flat[1].y() - strip.ridges.front().flat[0].y();
+}
+
+/// A point of a quad as a combination of its corners: along the ridges at a share of the width.
+std::vector<StripPoint::Share> shares_of(int quad, double along, double across) {
+  const std::array<double, 2> of_side{1.0 - across, across}, of_ridge{1.0 - along, along};
+  std::vector<StripPoint::Share> shares;
+  for (int side = 0; side < 2; ++side)
+    for (int ridge = 0; ridge < 2; ++ridge)
+      if (of_side[side] * of_ridge[ridge] != 0.0)
+        shares.push_back({side, quad + ridge, of_side[side] * of_ridge[ridge]});
+  return shares;
+}
+
+/// How far along a quad a place of its plane is: 0 on its first ridge, 1 on its last.
+double along_quad(const FoldedStrip& strip, int quad, const Vec2& at) {
+  const auto ridge_at = [&](const SlitRidge& ridge) {
+    const Vec2 &a = ridge.flat[0], &b = ridge.flat[1];
+    return a.x() + (at.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+  };
+  const double from = ridge_at(strip.ridges[quad]), to = ridge_at(strip.ridges[quad + 1]);
+  return (at.x() - from) / (to - from);
+}
+
+/// The foot of a point on one quad, as far as it lies over it or beside its edge.
+Foot foot_on(const FoldedStrip& strip, int quad, int edge, const Vec3& p) {
+  const Frame& frame = strip.quads[quad];
+  const double left = strip.ridges.front().flat[0].y(), width = width_of(strip);
+  const Vec3 local = frame.local(p);
+  Foot foot;
+  foot.quad = quad;
+  foot.above = local.z();
+  foot.out = edge == 0 ? left - local.y() : local.y() - left - width;
+  foot.sideways = edge == 0 ? Vec3(-frame.y) : frame.y;
+  foot.normal = frame.z;
+  const double across = std::clamp((local.y() - left) / width, 0.0, 1.0);
+  const auto along = [&](double share) {
+    return std::clamp(along_quad(strip, quad, {local.x(), left + share * width}), 0.0, 1.0);
+  };
+  foot.below = shares_of(quad, along(across), across);
+  foot.on_edge = shares_of(quad, along(edge), edge);
+  return foot;
+}
+
+Vec3 point_of(const FoldedStrip& strip, const std::vector<StripPoint::Share>& shares) {
+  Vec3 point = Vec3::Zero();
+  for (const StripPoint::Share& share : shares)
+    point += share.weight * strip.ridges[share.ridge].folded[share.side];
+  return point;
+}
+
+/// The nearest place of a strip.
+Foot foot_of(const FoldedStrip& strip, int edge, const Vec3& p) {
+  std::optional<Foot> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int quad = 0; quad < std::ssize(strip.quads); ++quad) {
+    Foot foot = foot_on(strip, quad, edge, p);
+    const double distance = (p - point_of(strip, foot.below)).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = std::move(foot);
+  }
+  return *nearest;
+}
+
+/// A point of an edge: at a ridge, or at a share of the way to the next one.
+std::vector<StripPoint::Share> edge_point(int side, int ridge, double share) {
+  if (share == 0.0) return {{side, ridge, 1.0}};
+  return {{side, ridge, 1.0 - share}, {side, ridge + 1, share}};
+}
+
+/// What a point must keep from the other strip: along a direction, from its edge or its surface.
+struct Kept {
+  Vec3 normal;
+  double offset = 0.0;
+  bool from_edge = false;
+  double missing = 0.0;
+};
+
+/// A strip is this much stiffer sideways than across its surface.
+constexpr double kStiffer = 10.0;
+
+/// Also of a point that keeps it now, so that it does when strips move.
+std::optional<Kept> kept_from(const Foot& foot, double sense, double thickness, double width) {
+  const double above = sense * foot.above;
+  if (std::abs(foot.above) > width || std::abs(foot.out) >= width) return std::nullopt;
+  if (above < 0.0 && -kStiffer * foot.out < -above)
+    return Kept{foot.sideways, 0.0, true, std::max(0.0, -foot.out)};
+  if (-foot.out >= thickness)
+    return Kept{sense * foot.normal, thickness, false, std::max(0.0, thickness - above)};
+  constexpr double kRoot = std::numbers::sqrt2 / 2.0;
+  return Kept{kRoot * (sense * foot.normal + foot.sideways), 0.0, true,
+              std::max(0.0, -kRoot * (above + foot.out))};
+}
+
+/// A place along a strip: at a ridge, or in the middle between two.
+struct Station {
+  int number = 0;
+
+  int ridge() const { return number / 2; }
+  std::vector<StripPoint::Share> point(int side) const {
+    return edge_point(side, ridge(), number % 2 == 0 ? 0.0 : 0.5);
+  }
+};
+
+int stations(const FoldedStrip& strip) { return 2 * static_cast<int>(strip.quads.size()) + 1; }
+
+/// One strip of a pair, and the other from which its points must keep.
+class Side {
+ public:
+  /// `is_left`: the strip is the left one of the pair.
+  Side(bool is_left, const FoldedStrip& strip, const FoldedStrip& other, double thickness)
+      : is_left_(is_left), strip_(strip), other_(other), thickness_(thickness) {}
+
+  /// Which edge faces the other strip.
+  int facing() const { return is_left_ ? 1 : 0; }
+
+  Foot foot_of_point(const std::vector<StripPoint::Share>& point) const {
+    return foot_of(other_, 1 - facing(), point_of(strip_, point));
+  }
+
+  bool is_over(const Foot& foot) const {
+    const double far = width_of(other_);
+    return std::abs(foot.above) < far && foot.out < 0.0 && foot.out > -far;
+  }
+
+  std::optional<Kept> kept(const Foot& foot, OnTop on_top) const {
+    const double sense = (on_top == OnTop::left) == is_left_ ? 1.0 : -1.0;
+    return kept_from(foot, sense, thickness_, width_of(other_));
+  }
+
+  /// Where the facing edge goes through the plane of the other strip between two stations it does
+  /// so beside it. Calls f(point, foot, what is kept).
+  template <typename F>
+  void aside(const Station& before, const Foot& from, const Foot& to, const F& f) const {
+    if (!(from.above * to.above < 0.0)) return;
+    const double begin = before.number % 2 == 0 ? 0.0 : 0.5;
+    const auto point = edge_point(facing(), before.ridge(),
+                                  begin + 0.5 * from.above / (from.above - to.above));
+    const Foot at = foot_of_point(point);
+    const double far = width_of(other_);
+    if (std::abs(at.above) < far && std::abs(at.out) < far)
+      f(point, at, Kept{at.sideways, 0.0, true, std::max(0.0, -at.out)});
+  }
+
+  /// Where an edge goes through the other strip between two stations, which both may keep.
+  template <typename F>
+  void pierced(int side, const Station& before, OnTop on_top, const F& f) const {
+    const double begin = before.number % 2 == 0 ? 0.0 : 0.5;
+    const Vec3 from = point_of(strip_, edge_point(side, before.ridge(), begin)),
+               to = point_of(strip_, Station{before.number + 1}.point(side));
+    for (int quad = 0; quad < std::ssize(other_.quads); ++quad) {
+      const Frame& frame = other_.quads[quad];
+      const double a = frame.local(from).z(), b = frame.local(to).z();
+      if (!(a * b < 0.0)) continue;
+      const double share = a / (a - b);
+      const Vec3 through = from + share * (to - from);
+      const Foot foot = foot_on(other_, quad, 1 - facing(), through);
+      const double along = along_quad(other_, quad, frame.local(through).head<2>());
+      if (along < 0.0 || along > 1.0 || !is_over(foot)) continue;
+      const auto point = edge_point(side, before.ridge(), begin + 0.5 * share);
+      if (const auto kept_there = kept(foot, on_top)) f(point, foot, *kept_there);
+    }
+  }
+
+  /// Calls f(point, foot, what is kept) for all points of the strip; where it begins it touches.
+  template <typename F>
+  void each(const std::vector<OnTop>& on_top, const F& f) const {
+    for (int side = 0; side < 2; ++side) {
+      Foot before = foot_of_point(Station{0}.point(side));
+      for (int number = 1; number < stations(strip_); ++number) {
+        const auto point = Station{number}.point(side);
+        Foot now = foot_of_point(point);
+        if (const auto kept_there = kept(now, on_top[number])) f(point, now, *kept_there);
+        if (side == facing()) aside({number - 1}, before, now, f);
+        pierced(side, {number - 1}, on_top[number], f);
+        before = std::move(now);
+      }
+    }
+  }
+
+ private:
+  bool is_left_;
+  const FoldedStrip &strip_, &other_;
+  double thickness_;
+};
+
+/// Calls f(point here, point there, what is kept) for both strips.
+template <typename F>
+void for_points(const StripPair& pair, const FoldedStrip& left, const FoldedStrip& right,
+                double thickness, const F& f) {
+  for (const bool is_left : {true, false}) {
+    const auto pass = [&](const std::vector<StripPoint::Share>& point, const Foot& foot,
+                          const Kept& kept) {
+      f(StripPoint{is_left ? pair.left : pair.right, point},
+        StripPoint{is_left ? pair.right : pair.left, kept.from_edge ? foot.on_edge : foot.below},
+        kept);
+    };
+    const Side side = is_left ? Side(true, left, right, thickness)
+                              : Side(false, right, left, thickness);
+    side.each(pair.on_top, pass);
+  }
+}
+
+/// What a station lacks if the one strip is on top, and if the other is; whether they overlap.
+struct Lack {
+  double left = 0.0, right = 0.0;
+  bool over = false;
+
+  std::optional<OnTop> nearer() const {
+    if (left == right) return std::nullopt;
+    return right < left ? OnTop::right : OnTop::left;
+  }
+};
+
+Lack lack_at(const Station& station, const Side& side) {
+  const Foot foot = side.foot_of_point(station.point(side.facing()));
+  Lack lack;
+  lack.over = side.is_over(foot);
+  const auto square = [&](OnTop on_top) {
+    const auto kept = side.kept(foot, on_top);
+    return kept ? kept->missing * kept->missing : 0.0;
+  };
+  lack.left = square(OnTop::left);
+  lack.right = square(OnTop::right);
+  return lack;
+}
+
+/// Stations at which neither is nearer go with those before them, the first ones with those behind:
+/// strips may come to overlap there.
+std::vector<OnTop> filled(std::vector<std::optional<OnTop>> on_top) {
+  for (int i = 1; i < std::ssize(on_top); ++i)
+    if (!on_top[i]) on_top[i] = on_top[i - 1];
+  std::vector<OnTop> all(on_top.size());
+  OnTop next = OnTop::left;
+  for (int i = static_cast<int>(on_top.size()) - 1; i >= 0; --i)
+    all[i] = next = on_top[i].value_or(next);
+  return all;
+}
+
+}  // namespace
+
+StripPair pair_of(int left, int right, const FoldedStrip& shape, OnTop on_top) {
+  return {left, right, std::vector<OnTop>(stations(shape), on_top)};
+}
+
+StripPair nearest_pair(int left, int right, const FoldedStrip& left_shape,
+                       const FoldedStrip& right_shape, double thickness) {
+  const Side of_left(true, left_shape, right_shape, thickness),
+      of_right(false, right_shape, left_shape, thickness);
+  std::vector<std::optional<OnTop>> on_top;
+  Lack run;
+  const auto end_run = [&](int end) {
+    on_top.resize(end, run.nearer());
+    run = {};
+  };
+  for (int number = 0; number < stations(left_shape); ++number) {
+    const Lack a = lack_at({number}, of_left), b = lack_at({number}, of_right);
+    if (!a.over && !b.over) end_run(number);
+    run.left += a.left + b.left;
+    run.right += a.right + b.right;
+  }
+  end_run(stations(left_shape));
+  return {left, right, filled(on_top)};
+}
+
+std::vector<Contact> contacts_of(const StripPair& pair, const FoldedStrip& left,
+                                 const FoldedStrip& right, double thickness) {
+  std::vector<Contact> contacts;
+  for_points(pair, left, right, thickness,
+             [&](const StripPoint& here, const StripPoint& there, const Kept& kept) {
+               contacts.push_back({here, there, kept.normal, kept.offset, 0.0});
+             });
+  return contacts;
+}
+
+Missing missing(const StripPair& pair, const FoldedStrip& left, const FoldedStrip& right,
+                double thickness) {
+  Missing all;
+  for_points(pair, left, right, thickness,
+             [&](const StripPoint&, const StripPoint&, const Kept& kept) {
+               all.squares += kept.missing * kept.missing;
+               all.most = std::max(all.most, kept.missing);
+             });
+  return all;
+}
+
+}  // namespace planish::slit_detail

@@ -1,0 +1,63 @@
+// Several strips and where they touch: a contact is an inequality between points of two of them,
+// counted as an augmented Lagrangian does (math.md#strip-contact).
+#include "strip_system.hpp"
+
+#include "descend.hpp"
+
+#include <algorithm>
+
+namespace planish::slit_detail {
+
+Vec3 StripPoint::in(const StripFold& fold) const {
+  Vec3 point = Vec3::Zero();
+  for (const Share& share : shares)
+    point += share.weight * fold.end(share.side, share.ridge);
+  return point;
+}
+
+double StripSystem::unit() const {
+  double sum = 0.0;
+  for (const StripProblem& problem : strips)
+    sum += problem.base.unit();
+  return sum / count();
+}
+
+Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes) {
+  std::vector<StripFold> folds;
+  for (int strip = 0; strip < system.count(); ++strip)
+    folds.push_back(folded(system.strips[strip].base, shapes[strip]));
+  Eigen::VectorXd values(std::ssize(system.contacts));
+  for (int i = 0; i < std::ssize(system.contacts); ++i) {
+    const Contact& contact = system.contacts[i];
+    values[i] = violation(
+        system, contact,
+        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
+  }
+  return values;
+}
+
+double violation(const StripSystem& system, const Contact& contact, const Vec3& apart) {
+  return (contact.offset - contact.normal.dot(apart)) / system.unit();
+}
+double counted(const StripSystem& system, const Contact& contact, const Vec3& apart) {
+  if (system.penalty == 0.0) return 0.0;
+  return std::max(0.0, violation(system, contact, apart) + contact.multiplier / system.penalty);
+}
+
+double objective_of(const StripSystem& system, const Shapes& shapes) {
+  double sum = 0.0;
+  std::vector<StripFold> folds;
+  for (int strip = 0; strip < system.count(); ++strip) {
+    if (!system.held[strip]) sum += whole_objective(system.strips[strip], shapes[strip]);
+    if (!system.contacts.empty()) folds.push_back(folded(system.strips[strip].base, shapes[strip]));
+  }
+  for (const Contact& contact : system.contacts) {
+    const double violated = counted(
+        system, contact,
+        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
+    sum += 0.5 * system.penalty * violated * violated;
+  }
+  return sum;
+}
+
+}  // namespace planish::slit_detail

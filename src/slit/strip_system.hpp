@@ -1,0 +1,57 @@
+#pragma once
+
+#include "strip_problem.hpp"
+
+#include <vector>
+
+namespace planish::slit_detail {
+
+/// A point of a strip: a combination of ends of its ridges, whose weights add up to 1.
+struct StripPoint {
+  struct Share {
+    int side = 0;
+    int ridge = 0;
+    double weight = 1.0;
+  };
+  int strip = 0;  ///< of the system
+  std::vector<Share> shares;
+
+  Vec3 in(const StripFold& fold) const;
+};
+
+/// A point of one strip must stay beyond one of another: normal · (here − there) ≥ offset, mm. The
+/// direction stays as it is during a descent.
+struct Contact {
+  StripPoint here, there;
+  Vec3 normal = Vec3::Zero();
+  double offset = 0.0;
+  double multiplier = 0.0;
+};
+
+/// Strips whose shapes are sought together, as they touch.
+struct StripSystem {
+  std::vector<StripProblem> strips;
+  std::vector<bool> held;  ///< by strip: it stays as it is
+  std::vector<Contact> contacts;
+  double penalty = 0.0;  ///< of violated contacts, for the augmented Lagrangian
+
+  int count() const { return static_cast<int>(strips.size()); }
+  /// In which contacts count, mm: the mean of the strips' lengths.
+  double unit() const;
+};
+
+using Shapes = std::vector<StripParameters>;  ///< of the strips of a system
+
+/// By how much a contact is violated, in units of the system, if its points are that far apart;
+/// with what its multiplier adds, at least 0.
+double violation(const StripSystem& system, const Contact& contact, const Vec3& apart);
+double counted(const StripSystem& system, const Contact& contact, const Vec3& apart);
+
+/// Violations of the contacts, negative where they hold.
+Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes);
+
+/// The sum of the objectives of strips that move, and the penalty of contacts; infinite where there
+/// is no shape.
+double objective_of(const StripSystem& system, const Shapes& shapes);
+
+}  // namespace planish::slit_detail
