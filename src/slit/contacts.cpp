@@ -18,9 +18,10 @@ namespace {
 struct Foot {
   double out = 0.0, above = 0.0;
   int quad = 0;
+  double along = 0.0, across = 0.0;  ///< where in the quad the strip's point next to it is
+  double along_edge = 0.0;           ///< where the edge's point next to it is
   Vec3 sideways = Vec3::Zero(), normal = Vec3::Zero();
-  std::vector<StripPoint::Share> below;    ///< the strip's point next to it
-  std::vector<StripPoint::Share> on_edge;  ///< the edge's point next to it
+  double distance = 0.0;  ///< from the strip's point next to it
 };
 
 double width_of(const FoldedStrip& strip) {
@@ -53,18 +54,24 @@ Foot foot_on(const FoldedStrip& strip, int quad, int edge, const Vec3& p) {
   const Frame& frame = strip.quads[quad];
   const double left = strip.ridges.front().flat[0].y(), width = width_of(strip);
   const Vec3 local = frame.local(p);
+  const auto along = [&](double share) {
+    return std::clamp(along_quad(strip, quad, {local.x(), left + share * width}), 0.0, 1.0);
+  };
   Foot foot;
   foot.quad = quad;
   foot.above = local.z();
   foot.out = edge == 0 ? left - local.y() : local.y() - left - width;
+  foot.across = std::clamp((local.y() - left) / width, 0.0, 1.0);
+  foot.along = along(foot.across);
+  foot.along_edge = along(edge);
   foot.sideways = edge == 0 ? Vec3(-frame.y) : frame.y;
   foot.normal = frame.z;
-  const double across = std::clamp((local.y() - left) / width, 0.0, 1.0);
-  const auto along = [&](double share) {
-    return std::clamp(along_quad(strip, quad, {local.x(), left + share * width}), 0.0, 1.0);
+  const auto on_ridge = [&](const SlitRidge& ridge) -> Vec2 {
+    return ridge.flat[0] + foot.across * (ridge.flat[1] - ridge.flat[0]);
   };
-  foot.below = shares_of(quad, along(across), across);
-  foot.on_edge = shares_of(quad, along(edge), edge);
+  const Vec2 from = on_ridge(strip.ridges[quad]), to = on_ridge(strip.ridges[quad + 1]),
+             at = from + foot.along * (to - from);
+  foot.distance = (local - Vec3(at.x(), at.y(), 0.0)).norm();
   return foot;
 }
 
@@ -77,16 +84,11 @@ Vec3 point_of(const FoldedStrip& strip, const std::vector<StripPoint::Share>& sh
 
 /// The nearest place of a strip.
 Foot foot_of(const FoldedStrip& strip, int edge, const Vec3& p) {
-  std::optional<Foot> nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (int quad = 0; quad < std::ssize(strip.quads); ++quad) {
-    Foot foot = foot_on(strip, quad, edge, p);
-    const double distance = (p - point_of(strip, foot.below)).norm();
-    if (distance >= least) continue;
-    least = distance;
-    nearest = std::move(foot);
-  }
-  return *nearest;
+  Foot nearest = foot_on(strip, 0, edge, p);
+  for (int quad = 1; quad < std::ssize(strip.quads); ++quad)
+    if (const Foot foot = foot_on(strip, quad, edge, p); foot.distance < nearest.distance)
+      nearest = foot;
+  return nearest;
 }
 
 /// A point of an edge: at a ridge, or at a share of the way to the next one.
@@ -211,20 +213,15 @@ class Side {
   double thickness_;
 };
 
-/// Calls f(point here, point there, what is kept) for both strips.
+/// Calls f(whether of the left strip, point, foot, what is kept) for both strips.
 template <typename F>
 void for_points(const StripPair& pair, const FoldedStrip& left, const FoldedStrip& right,
                 double thickness, const F& f) {
   for (const bool is_left : {true, false}) {
-    const auto pass = [&](const std::vector<StripPoint::Share>& point, const Foot& foot,
-                          const Kept& kept) {
-      f(StripPoint{is_left ? pair.left : pair.right, point},
-        StripPoint{is_left ? pair.right : pair.left, kept.from_edge ? foot.on_edge : foot.below},
-        kept);
-    };
     const Side side = is_left ? Side(true, left, right, thickness)
                               : Side(false, right, left, thickness);
-    side.each(pair.on_top, pass);
+    side.each(pair.on_top, [&](const std::vector<StripPoint::Share>& point, const Foot& foot,
+                               const Kept& kept) { f(is_left, point, foot, kept); });
   }
 }
 
@@ -294,8 +291,16 @@ std::vector<Contact> contacts_of(const StripPair& pair, const FoldedStrip& left,
                                  const FoldedStrip& right, double thickness) {
   std::vector<Contact> contacts;
   for_points(pair, left, right, thickness,
-             [&](const StripPoint& here, const StripPoint& there, const Kept& kept) {
-               contacts.push_back({here, there, kept.normal, kept.offset, 0.0});
+             [&](bool is_left, const std::vector<StripPoint::Share>& point, const Foot& foot,
+                 const Kept& kept) {
+               const int edge = is_left ? 0 : 1;
+               contacts.push_back({{is_left ? pair.left : pair.right, point},
+                                   {is_left ? pair.right : pair.left,
+                                    kept.from_edge ? shares_of(foot.quad, foot.along_edge, edge)
+                                                   : shares_of(foot.quad, foot.along, foot.across)},
+                                   kept.normal,
+                                   kept.offset,
+                                   0.0});
              });
   return contacts;
 }
@@ -304,7 +309,7 @@ Missing missing(const StripPair& pair, const FoldedStrip& left, const FoldedStri
                 double thickness) {
   Missing all;
   for_points(pair, left, right, thickness,
-             [&](const StripPoint&, const StripPoint&, const Kept& kept) {
+             [&](bool, const std::vector<StripPoint::Share>&, const Foot&, const Kept& kept) {
                all.squares += kept.missing * kept.missing;
                all.most = std::max(all.most, kept.missing);
              });

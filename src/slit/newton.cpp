@@ -321,7 +321,7 @@ class Stepping {
       const Eigen::VectorXd step = step_within(model, reach_);
       const double expected = -(model.gradient.dot(step) +
                                 0.5 * step.dot(model.hessian.times(step)));
-      if (expected <= kNothing * model.value) return ended(true);
+      if (expected <= kNothing * model.value || model.value <= kUnbent) return ended(true);
       if (options_.stop && options_.stop()) return ended(false);
       ++descent_.iterations;
       const auto next = led_back(system_, descent_.shapes, model.moved(descent_.shapes, step));
@@ -342,6 +342,7 @@ class Stepping {
 
  private:
   static constexpr double kNothing = 1e-14;  // of the objective: less cannot be seen
+  static constexpr double kUnbent = 1e-20;   // of a quarter turn it is a thousandth
   static constexpr double kNoReach = 1e-9;
   static constexpr double kLeastShare = 1e-3, kPoorShare = 0.25,
                           kGoodShare = 0.75;  // of the gain expected

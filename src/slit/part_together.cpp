@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -21,6 +22,7 @@ namespace {
 constexpr double kFirstPenalty = 1.0, kPenaltyGrowth = 4.0, kMostPenalty = 1000.0;
 constexpr int kMostRounds = 12, kStepsOfRound = 20;
 constexpr double kFine = 1e-6;
+constexpr double kWorth = 20.0;  // times the objective that parting may cost
 
 /// Which strip of a pair lies on the other.
 enum class Choice { nearest, left, right };
@@ -29,11 +31,17 @@ enum class Choice { nearest, left, right };
 struct Parting {
   Shapes shapes;
   std::vector<StripProblem> problems = {};  ///< with the inequalities that were needed
+  std::vector<bool> touches = {};           ///< by strip: contacts keep it where it is
   int together = 0;                         ///< pairs that still need the same space
   bool apart = false;
   double objective = 0.0;  ///< with what contacts cost
   int iterations = 0;
 };
+
+/// Less is better.
+std::tuple<bool, int, double> rank(const Parting& parting) {
+  return {!parting.apart, parting.together, parting.objective};
+}
 
 /// Strips of a snapshot that are solved together.
 class Group {
@@ -43,6 +51,8 @@ class Group {
     for (const int strip : strips_) {
       StripProblem problem = problem_of(now, strip);
       problem.min_radius *= 1.0 + kRadiusMargin;
+      if (now.slot(strip).state.too_tight) give_up_radius(problem);
+      alone_ += now.slot(strip).state.objective;
       system_.strips.push_back(std::move(problem));
       system_.held.push_back(std::ranges::find(moved, strip) == moved.end());
       shapes_.push_back(now.slot(strip).p);
@@ -53,13 +63,16 @@ class Group {
   /// How many pairs need the same space as the strips lie now.
   int together() const { return run_together(pairs_of(Choice::nearest), shapes_); }
 
-  /// Rounds until the strips are apart.
+  /// Rounds until the strips are apart and at rest.
   Parting parted(Choice choice, const DescentOptions& options) const {
-    Parting now{shapes_};
+    Parting now{shapes_}, best{shapes_};
+    best.together = together();
+    best.problems = system_.strips;
+    best.touches.resize(system_.count());
     StripSystem system = system_;
     system.penalty = kFirstPenalty;
     const std::vector<StripPair> pairs = pairs_of(choice);
-    for (int round = 0; round < kMostRounds && !now.apart; ++round) {
+    for (int round = 0; round < kMostRounds; ++round) {
       if (options.stop && options.stop()) break;
       if (round > 0) {
         system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
@@ -75,15 +88,35 @@ class Group {
       now.objective = descent.objective;
       now.together = run_together(pairs, now.shapes);
       now.apart = now.together == 0 && holds_all(system, now.shapes);
+      if (now.objective > kWorth * alone_) break;
+      if (rank(now) <= rank(best))
+        best = now, best.problems = system.strips, best.touches = touching(system);
+      if (now.apart && descent.converged) break;
     }
-    now.problems = std::move(system.strips);
-    return now;
+    best.iterations = now.iterations;
+    return best;
   }
 
  private:
+  /// That a strip could not keep by itself.
+  static void give_up_radius(StripProblem& problem) {
+    problem.min_radius = 0.0;
+    std::erase_if(problem.inequalities, [](const Inequality& known) {
+      return std::holds_alternative<RadiusLimit>(known.what);
+    });
+  }
+
   FoldedStrip folded(const Shapes& shapes, int member) const {
     return folded_strip(system_.strips[member].base, shapes[member]);
   }
+  static std::vector<bool> touching(const StripSystem& system) {
+    std::vector<bool> touches(system.count());
+    for (const Contact& contact : system.contacts)
+      if (contact.multiplier > 0.0)
+        touches[contact.here.strip] = touches[contact.there.strip] = true;
+    return touches;
+  }
+
   bool is_beside(const StripPair& pair) const {
     return strips_[pair.right] == strips_[pair.left] + 1;
   }
@@ -149,17 +182,17 @@ class Group {
     const std::vector<Contact> before = std::exchange(system.contacts, {});
     for (const StripPair& pair : pairs) {
       const FoldedStrip left = folded(shapes, pair.left), right = folded(shapes, pair.right);
-      const auto touched = [&](const Contact& contact) {
+      std::vector<Contact> known;
+      std::ranges::copy_if(before, std::back_inserter(known), [&](const Contact& contact) {
         return std::minmax(contact.here.strip, contact.there.strip) ==
                std::minmax(pair.left, pair.right);
-      };
+      });
       // Strips that are not beside each other have nothing to do with each other until they meet.
-      if (!is_beside(pair) && std::ranges::none_of(before, touched) && !cross(left, right))
-        continue;
+      if (!is_beside(pair) && known.empty() && !cross(left, right)) continue;
       for (Contact& contact : contacts_of(pair, left, right, thickness())) {
-        const auto known = std::ranges::find_if(
-            before, [&](const Contact& other) { return is_same(other, contact); });
-        if (known != before.end()) contact.multiplier = known->multiplier;
+        const auto same = std::ranges::find_if(
+            known, [&](const Contact& other) { return is_same(other, contact); });
+        if (same != known.end()) contact.multiplier = same->multiplier;
         system.contacts.push_back(std::move(contact));
       }
     }
@@ -184,6 +217,7 @@ class Group {
   const std::vector<int>& strips_;
   StripSystem system_;  ///< as it begins
   Shapes shapes_;
+  double alone_ = 0.0;  ///< what the strips' objectives are before they are parted
 };
 
 /// Whether neighbours lie so that their bodies need the same space.
@@ -205,6 +239,7 @@ void add_together(std::vector<bool>& wanted, const Snapshot& now, const std::vec
       if (now.slot(near).p.size() > 0) wanted[near] = true;
   };
   for (int strip = 0; strip < now.count(); ++strip) {
+    if (has_moved[strip] && now.slot(strip).touches) want(strip);
     for (const int other : now.slot(strip).state.crosses)
       if (has_moved[strip] || has_moved[other]) want(strip), want(other);
     const int next = strip + 1;
@@ -225,9 +260,6 @@ std::vector<int> those(const std::vector<bool>& wanted) {
 Parting best_parting(const Group& group, const DescentOptions& options) {
   Parting best = group.parted(Choice::nearest, options);
   if (best.apart) return best;
-  const auto rank = [](const Parting& parting) {
-    return std::tuple(!parting.apart, parting.together, parting.objective);
-  };
   int iterations = best.iterations;
   for (const Choice choice : {Choice::left, Choice::right}) {
     if (options.stop && options.stop()) break;
@@ -253,11 +285,11 @@ int part_together(Snapshot& now, const std::vector<int>& moved, const DescentOpt
     const Group group(now, strips, moved);
     const Parting parting = best_parting(group, options);
     iterations += parting.iterations;
-    if (!parting.apart && parting.together >= group.together()) break;
+    if (!parting.apart && parting.together > 0 && parting.together >= group.together()) break;
     for (int member = 0; member < std::ssize(strips); ++member)
       if (group.moves(member))
         take_shape(now, strips[member], parting.shapes[member],
-                   parting.problems[member].inequalities);
+                   parting.problems[member].inequalities, parting.touches[member]);
     note_crossings(now, moved);
   }
   return iterations;

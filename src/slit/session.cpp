@@ -196,16 +196,17 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
                                }};
   Snapshot& now = content_->now;
   SlitSolveReport report;
+  const bool by_energy = now.design->objective == SlitObjective::energy;
   std::vector<int> moved, begun;
   for (int strip = 0; strip < now.count(); ++strip) {
     if (now.slot(strip).state.status != StripStatus::open) continue;
     if (descent.stop()) break;
     progress.at("strips", static_cast<double>(strip) / now.count());
     if (now.slot(strip).p.size() == 0) begun.push_back(strip);
-    report.iterations += work_on(now, strip, Clear::of_mirror, descent).iterations;
+    if (!by_energy || !goes_on(now, strip))
+      report.iterations += work_on(now, strip, Clear::of_mirror, descent).iterations;
     moved.push_back(strip);
   }
-  const bool by_energy = now.design->objective == SlitObjective::energy;
   if (by_energy) report.iterations += improve_from_neighbours(now, begun, descent);
   note_crossings(now, moved);
   const auto part = by_energy ? part_together : part_neighbours;

@@ -18,6 +18,7 @@ struct Slot {
   std::shared_ptr<const ScannedSurface> scan;
   StripState state;
   Eigen::AlignedBox3d box;  ///< of the folded strip
+  bool touches = false;     ///< others keep it where it is
 };
 
 /// The state of a session. Copies share large data.

@@ -110,6 +110,7 @@ void take(Snapshot& now, int strip, const StripProblem& problem, const StripSolu
   slot.state.runner_up_energy = runner_up;
   slot.inequalities = solution.inequalities;
   slot.box = box_of(problem.base, solution.p);
+  slot.touches = false;
   std::erase_if(slot.inequalities, [](const Inequality& known) {
     return std::holds_alternative<HalfSpace>(known.what);
   });
@@ -176,7 +177,7 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
 }
 
 void take_shape(Snapshot& now, int strip, const StripParameters& p,
-                std::vector<Inequality> inequalities) {
+                std::vector<Inequality> inequalities, bool touches) {
   const StripProblem problem = problem_of(now, strip);
   const StripState& before = now.slot(strip).state;
   StripSolution solution{p, std::move(inequalities), objective(problem, p)};
@@ -184,6 +185,21 @@ void take_shape(Snapshot& now, int strip, const StripParameters& p,
   solution.reached = before.status != StripStatus::out_of_reach;
   solution.converged = before.status == StripStatus::solved;
   take(now, strip, problem, solution);
+  Slot slot = now.slot(strip);
+  slot.touches = touches;
+  now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
+}
+
+bool goes_on(Snapshot& now, int strip) {
+  const Slot& slot = now.slot(strip);
+  if (!slot.touches) return false;
+  Found found = met_from_before(problem_of(now, strip), slot.p);
+  if (!found.met()) return false;
+  take_shape(now, strip, found.solution.p, slot.inequalities, true);
+  Slot next = now.slot(strip);
+  next.state.status = StripStatus::solved;
+  now.slots[strip] = std::make_shared<const Slot>(std::move(next));
+  return true;
 }
 
 int improve_from_neighbours(Snapshot& now, const std::vector<int>& strips,

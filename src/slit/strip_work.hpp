@@ -17,6 +17,10 @@ constexpr double kPressed = 0.25;
 /// Solves one strip of a snapshot and measures it.
 StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOptions& options);
 
+/// Whether a strip that touches others could be led to its end from where it is: what it would do
+/// by itself does not matter. False if it must be solved.
+bool goes_on(Snapshot& now, int strip);
+
 /// Solves strips again from their neighbours' shapes, as long as one bends less then: the
 /// conditions have many solutions, and neighbours show which of them go together. Returns the
 /// iterations taken.
@@ -28,7 +32,7 @@ PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear);
 
 /// Puts another shape that meets the end conditions in the place of a solved strip's, measured.
 void take_shape(Snapshot& now, int strip, const StripParameters& p,
-                std::vector<Inequality> inequalities);
+                std::vector<Inequality> inequalities, bool touches);
 
 /// Records which strips are crossed by those that moved.
 void note_crossings(Snapshot& now, const std::vector<int>& moved);
