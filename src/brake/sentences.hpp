@@ -21,6 +21,8 @@ constexpr Sentence tip_radius{
 constexpr Sentence timed_out{
     "timed_out", "the time of {seconds} ended the search, so the next run may find another plan"};
 constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
+constexpr Sentence rolled_since{
+    "rolled", "no way was found to form {@bend} over a V or by bumps with these tools: roll it"};
 constexpr Sentence bumped{"bumped",
                           "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a "
                           "chord error of {error:3}"};
