@@ -63,6 +63,14 @@ constexpr Sentence no_parallel_edge{"no_parallel_edge",
 constexpr Sentence edge_out_of_range{
     "edge_out_of_range",
     "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};
+constexpr Sentence face_out_of_range{
+    "edge_out_of_range",
+    "the nearest flange that stands upright is {away} from the bend line, and the gauge reaches "
+    "from {from} to {to}"};
+constexpr Sentence face_too_low{
+    "face_too_low",
+    "the fingers touch {touched} of the height of what stands upright, {away} from the bend line, "
+    "less than {least}"};
 constexpr Sentence face_beyond_lift{"face_beyond_lift",
                                     "the fingers, which lift from {lowest} to {highest}, reach "
                                     "less than 5 mm of the height of what "
@@ -70,6 +78,8 @@ constexpr Sentence face_beyond_lift{"face_beyond_lift",
 constexpr Sentence edge_too_short{
     "edge_too_short",
     "the longest edge in its range is {longest}, less than half of the finger's width, {width}"};
+constexpr Sentence finger_in_tool{
+    "finger_in_tool", "at the edge, {away} from the bend line, the fingers would stand in {tool}"};
 constexpr Sentence finger_blocked{"finger_blocked",
                                   "the part is in the way of the fingers at each edge"};
 
