@@ -159,11 +159,13 @@ bool GaugeStops::is_clear_of(ToolKind kind, int tool, const Place& place) {
 
 /// What of the tools such a place is in.
 std::optional<ToolKind> GaugeStops::tool_at(Place& place, int punch, int die) {
+  const BrakeTools& tools = cache_.inputs().tools;
   for (const ToolKind row : {ToolKind::die, ToolKind::punch}) {
     const int tool = row == ToolKind::punch ? punch : die;
     auto& known = place.clear[row == ToolKind::punch ? 0 : 1];
-    if (std::ssize(known) <= tool) known.resize(static_cast<std::size_t>(tool) + 1);
-    auto& clear = known[static_cast<std::size_t>(tool)];
+    if (known.empty())
+      known.resize(row == ToolKind::punch ? tools.punches.size() : tools.dies.size());
+    auto& clear = known[tool];
     if (!clear) clear = is_clear_of(row, tool, place) && is_clear_of(beam_of(row), tool, place);
     if (!*clear) return row;
   }
@@ -209,6 +211,22 @@ std::vector<GaugeEdge> all_facing(StageCache& cache, const Setting& stroke,
   return all;
 }
 
+/// Of faces that are touched too little: that the fingers' lift ends before one, or that there is
+/// nothing else.
+std::optional<Remark> untouched(const std::vector<GaugeEdge>& edges, const BackGauge& gauge) {
+  const auto beyond = std::ranges::find_if(
+      edges, [&](const GaugeEdge& edge) { return is_beyond_lift(edge, gauge); });
+  if (beyond != edges.end())
+    return remark_of(say::face_beyond_lift, {{"away", beyond->away, unit::mm},
+                                             {"lowest", gauge.lowest, unit::mm},
+                                             {"highest", gauge.highest, unit::mm}});
+  if (std::ranges::none_of(edges, is_touched))
+    return remark_of(say::face_too_low, {{"away", edges.front().away, unit::mm},
+                                         {"touched", edges.front().touched, unit::mm},
+                                         {"least", kLeastTouch, unit::mm}});
+  return std::nullopt;
+}
+
 }  // namespace
 
 Remark why_ungauged(StageCache& cache, const Setting& stroke) {
@@ -232,16 +250,7 @@ Remark why_ungauged(StageCache& cache, const Setting& stroke) {
                       {"from", gauge.from, unit::mm},
                       {"to", gauge.to, unit::mm}});
   std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
-  const auto beyond = std::ranges::find_if(
-      edges, [&](const GaugeEdge& edge) { return is_beyond_lift(edge, gauge); });
-  if (beyond != edges.end())
-    return remark_of(say::face_beyond_lift, {{"away", beyond->away, unit::mm},
-                                             {"lowest", gauge.lowest, unit::mm},
-                                             {"highest", gauge.highest, unit::mm}});
-  if (std::ranges::none_of(edges, is_touched))
-    return remark_of(say::face_too_low, {{"away", edges.front().away, unit::mm},
-                                         {"touched", edges.front().touched, unit::mm},
-                                         {"least", kLeastTouch, unit::mm}});
+  if (const auto faces = untouched(edges, gauge)) return *faces;
   std::erase_if(edges, [](const GaugeEdge& edge) { return !is_touched(edge); });
   const double longest = length(*std::ranges::max_element(edges, {}, length));
   if (longest < kLeastTouching * gauge.finger_width)
