@@ -234,12 +234,14 @@ Remark why_ungauged(StageCache& cache, const Setting& stroke) {
   if (!machine.gauge) return remark_of(say::no_back_gauge);
   const BackGauge& gauge = *machine.gauge;
   std::vector<GaugeEdge> edges = all_facing(cache, stroke, gauge);
+  Setting told = stroke;
   if (edges.empty()) {  // the sheet lies either way
-    Setting turned = stroke;
-    turned.direction = -stroke.direction;
-    edges = all_facing(cache, turned, gauge);
+    told.direction = -stroke.direction;
+    edges = all_facing(cache, told, gauge);
+    if (brake_detail::gauge(cache, told)) return remark_of(say::edge_on_other_side);
   }
-  if (edges.empty()) return remark_of(say::no_parallel_edge);
+  if (edges.empty())
+    return remark_of(has_edge_aside(cache, stroke) ? say::edge_leans : say::no_parallel_edge);
   const auto off = [&](const GaugeEdge& edge) {
     return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});
   };
@@ -256,7 +258,7 @@ Remark why_ungauged(StageCache& cache, const Setting& stroke) {
   if (longest < kLeastTouching * gauge.finger_width)
     return remark_of(say::edge_too_short,
                      {{"longest", longest, unit::mm}, {"width", gauge.finger_width, unit::mm}});
-  if (const auto in = GaugeStops(cache, stroke).in_tool(stroke.punch, stroke.die))
+  if (const auto in = GaugeStops(cache, told).in_tool(stroke.punch, stroke.die))
     return remark_of(say::finger_in_tool,
                      {{"away", in->away, unit::mm},
                       {"tool", text_of(cache.tools().name(in->kind, tool_of(in->kind, stroke)))}});

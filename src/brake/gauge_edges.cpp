@@ -165,4 +165,19 @@ std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
   return lines;
 }
 
+bool has_edge_aside(StageCache& cache, const Setting& stroke) {
+  const PartTree& tree = cache.tree(stroke.line);
+  for (int part = 0; part < std::ssize(tree.parts()); ++part) {
+    const PartTree::Part& at = tree.parts()[part];
+    const PlacedPart& placed = *cache.parts(stroke)[part];
+    if (at.is_zone || placed.flat) continue;
+    for (const FreeEdge& edge : cache.inputs().work.bodies[at.index].edges) {
+      const Vec2 along = (edge.b - edge.a).normalized();
+      const Vec3 seen = placed.at.linear() * Vec3(along.x(), along.y(), 0.0);
+      if (seen.tail<2>().norm() < std::sin(kParallel)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace planish::brake_detail

@@ -27,4 +27,7 @@ std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke);
 std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
                                     const BackGauge& gauge);
 
+/// Whether a straight edge on some formed flange is parallel to the line.
+bool has_edge_aside(StageCache& cache, const Setting& stroke);
+
 }  // namespace planish::brake_detail

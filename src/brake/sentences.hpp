@@ -60,6 +60,12 @@ constexpr std::string_view at_turn = "at {turn:3}";
 constexpr Sentence no_back_gauge{"no_back_gauge", "the press has no back gauge"};
 constexpr Sentence no_parallel_edge{"no_parallel_edge",
                                     "no straight edge is parallel to the bend line"};
+constexpr Sentence edge_leans{
+    "edge_leans",
+    "each straight edge that is parallel to the bend line is on a formed flange that neither lies "
+    "nor stands upright"};
+constexpr Sentence edge_on_other_side{
+    "edge_on_other_side", "what fingers could touch is on the other side of the bend line"};
 constexpr Sentence edge_out_of_range{
     "edge_out_of_range",
     "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};

@@ -191,6 +191,30 @@ TEST(Gauge, TellsWhyAFormedFlangeIsNoStop) {
   EXPECT_EQ(why(12.0, 80.0, 300.0), "edge_out_of_range");
 }
 
+/// A lip that leans has an edge that is parallel, and nothing that a finger touches. What only the
+/// other side has is told of that.
+TEST(Gauge, TellsOfEdgesElsewhere) {
+  const auto why = [](double lip, double far_slope, double near_slope,
+                      const std::vector<int>& formed) {
+    SheetBuilder builder(1.5);
+    const FaceId web = builder.flange(Frame{}, {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 60}})});
+    builder.flange_behind(
+        builder.bend(builder.rim(web, 0), {Angle::degrees(90), 2, BendDirection::up}),
+        {polygon({{0, 0}, {80, 0}, {80, 50 + near_slope}, {0, 50}})});
+    builder.flange_behind(
+        builder.bend(builder.rim(web, 2), {Angle::degrees(lip), 2, BendDirection::up}),
+        {polygon({{0, 0}, {80, 0}, {80, 30 + far_slope}, {0, 30}})});
+    for (const Stroke& stroke : strokes_of(builder.finish(), gauged_tools(), formed))
+      if (stroke.to_gauge == FlangeId(0))
+        return std::string(stroke.ungauged ? stroke.ungauged->code : "gauged");
+    return std::string("no way");
+  };
+  EXPECT_EQ(why(60.0, 0.0, 5.0, {}), "gauged");
+  EXPECT_EQ(why(60.0, 0.0, 5.0, {2}), "edge_leans");
+  EXPECT_EQ(why(60.0, 5.0, 5.0, {2}), "no_parallel_edge");
+  EXPECT_EQ(why(60.0, 5.0, 0.0, {2}), "edge_on_other_side");
+}
+
 TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
   const auto gauged = [](double width, double flange) {
     Room room(
