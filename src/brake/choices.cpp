@@ -37,24 +37,19 @@ StrokeChoice with_tools(const StrokeInputs& inputs, StrokeChoice choice, const T
 }
 
 /// A stroke on lines towards a direction, with each pair of tools that fits one of them and that
-/// the press can bring down on all.
-void add_pairs(const StrokeInputs& inputs, const FittingTools& fitting, StrokeChoice choice,
-               std::vector<StrokeChoice>& all) {
+/// the press can bring down on all. A hem that is closed counts as gauged.
+void add_pairs(StageCache& cache, const LineSet& formed, const FittingTools& fitting,
+               StrokeChoice choice, std::vector<StrokeChoice>& all) {
+  const StrokeInputs& inputs = cache.inputs();
+  const Setting stroke = setting(inputs, formed, choice);
+  const bool closes = inputs.work.lines[stroke.line].closes.has_value();
+  GaugeStops stops(cache, stroke);
   const bool alone = count(choice.lines) == 1;  // its pairs were held against the press
   for (const ToolPair& pair : fitting.pairs) {
     if (!alone && force_on(inputs, choice.lines, pair.die) > inputs.tools.machine.force) continue;
+    choice.gauged = closes || stops.with(pair.punch, pair.die).has_value();
     all.push_back(with_tools(inputs, choice, pair));
   }
-}
-
-/// An edge for the gauge is looked for once: it does not depend on the tools.
-bool is_gauged(StageCache& cache, const LineSet& formed, StrokeChoice choice, int first) {
-  const StrokeInputs& inputs = cache.inputs();
-  const FittingTools& fitting = inputs.fitting[first];
-  if (inputs.work.lines[first].closes) return true;
-  if (fitting.pairs.empty()) return true;
-  choice = with_tools(inputs, std::move(choice), fitting.pairs.front());
-  return gauge(cache, setting(inputs, formed, choice)).has_value();
 }
 
 /// Each pair of tools that fits one of these lines, which are bent alike.
@@ -75,8 +70,7 @@ void add_strokes_on(StageCache& cache, const LineSet& formed, const std::vector<
   choice.reference_up = first.reference_up;
   for (const int direction : {1, -1}) {
     choice.direction = direction_number(inputs, direction * first.across());
-    choice.gauged = is_gauged(cache, formed, choice, lines.front());
-    add_pairs(inputs, inputs.fitting[lines.front()], choice, all);
+    add_pairs(cache, formed, inputs.fitting[lines.front()], choice, all);
   }
 }
 

@@ -1,7 +1,7 @@
 // Bends of a radius that no usual V leaves: over a wider V if a tool of the shop leaves it within a
 // third, else by bumps, n small bends of α/n at the pitch BA/n. With the chord error e the most
-// that a bump may turn is 2 acos(1 − e/R). Where that takes more bumps than anybody presses, the
-// bend is rolled (math.md#large-radii).
+// that a bump may turn is 2 acos(1 − e/R). Where that takes more bumps than anybody presses, or no
+// order of strokes makes them, the bend is rolled (math.md#large-radii).
 #include "large_radius.hpp"
 
 #include "fits.hpp"
@@ -70,6 +70,11 @@ std::vector<LargeBend> large_bends(const Sheet& sheet, const Layout& layout,
   for (const BendId id : sheet.bends.ids()) {
     const Bend& bend = sheet[id];
     if (!is_asked(bend) || !is_large(bend, sheet.thickness, options)) continue;
+    const auto known = std::ranges::find(options.large, id, &LargeBend::bend);
+    if (known != options.large.end()) {
+      large.push_back(*known);
+      continue;
+    }
     const Forming forming = options.large_radii.value_or(
         has_v(bend, sheet.thickness, tools, options) ? Forming::over_v : Forming::bumps);
     if (forming == Forming::bumps)
@@ -87,6 +92,23 @@ bool take_next(std::vector<LargeBend>& large, BendId bend, const Sheet& sheet, c
     return false;
   *found = found->forming == Forming::over_v ? by_bumps(bend, sheet, layout, options)
                                              : LargeBend{bend, Forming::rolled};
+  return true;
+}
+
+bool has_next(const std::vector<LargeBend>& large, const PlanOptions& options) {
+  return !options.large_radii && std::ranges::any_of(large, [](const LargeBend& one) {
+    return one.forming != Forming::rolled;
+  });
+}
+
+bool take_next(std::vector<LargeBend>& large, const std::vector<BendId>& unformed,
+               const Sheet& sheet, const Layout& layout, const PlanOptions& options) {
+  bool taken = false;
+  for (const BendId bend : unformed)
+    taken = take_next(large, bend, sheet, layout, options) || taken;
+  if (taken || !has_next(large, options)) return taken;
+  for (const BendId bend : mapped(large, &LargeBend::bend))
+    take_next(large, bend, sheet, layout, options);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #include "bed.hpp"
 #include "describe.hpp"
+#include "large_radius.hpp"
 #include "plan_search.hpp"
 #include "preferred_tools.hpp"
 #include "prepared.hpp"
@@ -88,7 +89,9 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
 void note_large(const StrokeInputs& inputs, Plan& plan) {
   for (const LargeBend& large : inputs.work.large) {
     const Fact bend("bend", place::bend(name_of(large.bend)));
-    if (large.forming == Forming::rolled) plan.remarks.push_back(remark_of(say::rolled, {bend}));
+    if (large.forming == Forming::rolled)
+      plan.remarks.push_back(
+          remark_of(inputs.options.large_radii ? say::rolled : say::rolled_since, {bend}));
     if (large.forming == Forming::bumps)
       plan.remarks.push_back(
           remark_of(say::bumped, {bend,
@@ -157,6 +160,15 @@ void note_furthest(StageCache& cache, const LineSet& furthest, Clock::time_point
   }
 }
 
+/// What is left in the stage that got furthest.
+void add_unformed(const StrokeInputs& inputs, const StrokeSearch& search, Plan& plan) {
+  for (int i = 0; i < inputs.lines(); ++i)
+    if (!holds(search.furthest, i)) {
+      for (const BendId bend : inputs.work.lines[i].bends)
+        if (!std::ranges::count(plan.unformed, bend)) plan.unformed.push_back(bend);
+    }
+}
+
 /// What every stage hits, told for the stage that got furthest.
 void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_point until,
                  Plan& plan) {
@@ -170,11 +182,6 @@ void add_blocked(StageCache& cache, const StrokeSearch& search, Clock::time_poin
       plan.blocked.push_back(blocked);
     }
   }
-  for (int i = 0; i < std::ssize(lines); ++i)
-    if (!holds(search.furthest, i)) {
-      for (const BendId bend : lines[i].bends)
-        if (!std::ranges::count(plan.unformed, bend)) plan.unformed.push_back(bend);
-    }
   if (search.blocked.empty() && search.none_last) plan.remarks.push_back(remark_of(say::none_last));
   if (search.blocked.empty()) note_furthest(cache, search.furthest, until, plan);
 }
@@ -192,18 +199,19 @@ bool is_made_otherwise(const Stroke& stroke, double thickness) {
              std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness);
 }
 
-Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
-                          const PlanOptions& options, const Progress& progress) {
-  const auto inputs = prepared(sheet, layout, tools, options);
-  if (!inputs) return pass_on(inputs);
-  StageCache cache(*inputs);
+namespace {
+
+/// The plan for what is prepared; without reasons where these are not wanted.
+Result<Plan> planned(const StrokeInputs& inputs, const Progress& progress) {
+  const PlanOptions& options = inputs.options;
+  StageCache cache(inputs);
   Plan plan;
-  plan.large = inputs->work.large;
-  note_large(*inputs, plan);
+  plan.large = inputs.work.large;
+  note_large(inputs, plan);
   const Clock::time_point until = options.limits.end(Clock::now());
   auto search = search_plan(cache, progress);
   if (!search) return pass_on(search);
-  if (search->furthest.empty()) search->furthest = no_lines(inputs->lines());
+  if (search->furthest.empty()) search->furthest = no_lines(inputs.lines());
   plan.status = search->status;
   plan.cost = search->cost;
   plan.turn_overs = search->turn_overs;
@@ -216,9 +224,37 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
     plan.remarks.push_back(
         remark_of(say::timed_out, {{"seconds", options.limits.seconds, unit::seconds}}));
   add_strokes(cache, *search, plan);
-  note_tools(*inputs, plan);
-  if (plan.status == PlanStatus::infeasible) add_blocked(cache, *search, until, plan);
+  note_tools(inputs, plan);
+  if (plan.status != PlanStatus::infeasible) return plan;
+  add_unformed(inputs, *search, plan);
+  if (options.limits.reasons) add_blocked(cache, *search, until, plan);
   return plan;
+}
+
+bool has_order(const Plan& plan) {
+  return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
+}
+
+}  // namespace
+
+Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                          const PlanOptions& options, const Progress& progress) {
+  PlanOptions tried = options;
+  tried.limits.until = options.limits.end(Clock::now());
+  std::optional<StrokeInputs> first;  // told if no way of forming large radii helps
+  for (;;) {
+    auto inputs = prepared(sheet, layout, tools, tried);
+    if (!inputs) return pass_on(inputs);
+    const bool is_last = !has_next(inputs->work.large, options);
+    if (!is_last && !first) first.emplace(*inputs);
+    inputs->options.limits.reasons = options.limits.reasons && is_last && !first;
+    auto plan = planned(*inputs, progress);
+    const bool ended = !plan || has_order(*plan) || Clock::now() > tried.limits.until;
+    if (ended || (is_last && !first)) return plan;
+    if (is_last) return plan->status == PlanStatus::infeasible ? planned(*first, progress) : plan;
+    tried.large = plan->large;
+    take_next(tried.large, plan->unformed, sheet, layout, options);
+  }
 }
 
 }  // namespace planish

@@ -6,6 +6,7 @@
 
 #include "check.hpp"
 #include "fits.hpp"
+#include "gauge.hpp"
 
 #include <planish/base/tolerance.hpp>
 
@@ -105,7 +106,10 @@ class Preferring {
       if (!std::ranges::count(cache_.inputs().fitting[line].pairs,
                               ToolPair{pair.punch, pair.die, choice.v_away}))
         return false;
-    return check(cache_, formed_[s], choice).feasible;
+    const Setting stroke = setting(cache_.inputs(), formed_[s], choice);
+    const bool keeps_gauge = cache_.inputs().work.lines[stroke.line].closes ||
+                             gauge(cache_, stroke).has_value() == choice.gauged;
+    return keeps_gauge && check(cache_, formed_[s], choice).feasible;
   }
 
   void take(std::size_t s, const Pair& pair) {

@@ -80,6 +80,13 @@ const Refusal& refusal_of(std::string_view why) {
   return why == say::kWeakPress ? refuse::press_too_weak : refuse::no_tool_bears;
 }
 
+/// What is asked for over a V or by bumps may still be rolled.
+const Refusal& refusal_of(std::string_view why, const BrakeLine& line) {
+  const Refusal& refusal = refusal_of(why);
+  const bool is_large = line.is_large || line.bump_pitch;
+  return is_large && &refusal == &refuse::no_tool_bears ? refuse::no_tool_bears_large : refusal;
+}
+
 }  // namespace
 
 std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
@@ -89,7 +96,7 @@ std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
     const BrakeLine& line = inputs.work.lines[i];
     const std::string name = name_of(line.bends.front());
     const Told& why = fitting.why->told;
-    Error error = error_of(refusal_of(fitting.why->code),
+    Error error = error_of(refusal_of(fitting.why->code, line),
                            {{"bend", place::bend(name)},
                             {"angle", line.angle.degrees(), unit::degrees},
                             {"radius", line.drawn_radius, unit::mm},

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace planish {
 namespace {
@@ -63,7 +64,7 @@ class Trying {
         progress_(progress),
         until_(trying.until),
         left_(trying.checks) {
-    auto work = work_for(options);
+    auto work = work_for(options, plan_.large);
     if (work) work_ = std::move(*work);
     obstacles_ = std::make_shared<ToolRoom>(tools, options.clearance);
   }
@@ -71,8 +72,8 @@ class Trying {
   std::vector<Proposal> all() {
     if (work_.lines.empty()) return {};
     const std::vector<void (Trying::*)()> kinds{
-        &Trying::try_orders, &Trying::try_openings, &Trying::try_longer, &Trying::try_punches,
-        &Trying::try_taller, &Trying::try_shorter,  &Trying::try_split};
+        &Trying::try_rolled,  &Trying::try_orders, &Trying::try_openings, &Trying::try_longer,
+        &Trying::try_punches, &Trying::try_taller, &Trying::try_shorter,  &Trying::try_split};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       // What one kind leaves of its share the others may use.
       share_ = left_ / static_cast<std::int64_t>(kinds.size() - i);
@@ -84,9 +85,10 @@ class Trying {
   }
 
  private:
-  Result<Workpiece> work_for(const PlanOptions& options) const {
+  Result<Workpiece> work_for(const PlanOptions& options,
+                             const std::vector<LargeBend>& large) const {
     return workpiece_of(sheet_, layout_,
-                        workpiece_options(sheet_.thickness, tools_, options, plan_.large));
+                        workpiece_options(sheet_.thickness, tools_, options, large));
   }
 
   /// Whether an order is found in what is left of the share; if not, `reasons` gets what is in the
@@ -116,6 +118,18 @@ class Trying {
     return found;
   }
   bool can_bend(const BrakeTools& tools) { return can_bend(work_, tools, options_); }
+
+  /// Where another way was asked for: else these bends are rolled already.
+  void try_rolled() {
+    Proposal proposal{.kind = Kind::rolled};
+    std::vector<LargeBend> large = plan_.large;
+    for (LargeBend& one : large)
+      if (std::exchange(one, {one.bend, Forming::rolled}).forming != Forming::rolled)
+        proposal.bends.push_back(one.bend);
+    if (proposal.bends.empty()) return;
+    auto work = work_for(options_, large);
+    if (work && can_bend(std::move(*work), tools_, options_)) found_.push_back(std::move(proposal));
+  }
 
   void try_orders() {
     const std::vector<BendId>& order = options_.begin_with;
@@ -153,7 +167,7 @@ class Trying {
     for (const double opening : openings) {
       PlanOptions changed = options_;
       changed.opening = opening;
-      auto work = work_for(changed);
+      auto work = work_for(changed, plan_.large);
       if (!work || !can_bend(std::move(*work), tools_, changed)) continue;
       Proposal proposal{.kind = Kind::smaller_v, .opening = opening};
       for (const Die& die : tools_.dies)

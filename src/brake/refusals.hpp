@@ -45,6 +45,10 @@ constexpr Refusal no_tool_bears{
     code::no_tool,
     "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
     "Add such a tool, or change the bend."};
+constexpr Refusal no_tool_bears_large{
+    code::no_tool,
+    "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
+    "Roll it, or add such a tool.", "large_radii", "roll"};
 
 constexpr Refusal press_too_short{code::press_too_small,
                                   "{@bend} is {length} long, but there is {why}.",

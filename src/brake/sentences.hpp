@@ -21,6 +21,8 @@ constexpr Sentence tip_radius{
 constexpr Sentence timed_out{
     "timed_out", "the time of {seconds} ended the search, so the next run may find another plan"};
 constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
+constexpr Sentence rolled_since{
+    "rolled", "no way was found to form {@bend} over a V or by bumps with these tools: roll it"};
 constexpr Sentence bumped{"bumped",
                           "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a "
                           "chord error of {error:3}"};
@@ -58,9 +60,23 @@ constexpr std::string_view at_turn = "at {turn:3}";
 constexpr Sentence no_back_gauge{"no_back_gauge", "the press has no back gauge"};
 constexpr Sentence no_parallel_edge{"no_parallel_edge",
                                     "no straight edge is parallel to the bend line"};
+constexpr Sentence edge_leans{
+    "edge_leans",
+    "each straight edge that is parallel to the bend line is on a formed flange that neither lies "
+    "nor stands upright"};
+constexpr Sentence edge_on_other_side{
+    "edge_on_other_side", "what fingers could touch is on the other side of the bend line"};
 constexpr Sentence edge_out_of_range{
     "edge_out_of_range",
     "the nearest edge is {away} from the bend line, and the gauge reaches from {from} to {to}"};
+constexpr Sentence face_out_of_range{
+    "edge_out_of_range",
+    "the nearest flange that stands upright is {away} from the bend line, and the gauge reaches "
+    "from {from} to {to}"};
+constexpr Sentence face_too_low{
+    "face_too_low",
+    "the fingers touch {touched} of the height of what stands upright, {away} from the bend line, "
+    "less than {least}"};
 constexpr Sentence face_beyond_lift{"face_beyond_lift",
                                     "the fingers, which lift from {lowest} to {highest}, reach "
                                     "less than 5 mm of the height of what "
@@ -68,6 +84,8 @@ constexpr Sentence face_beyond_lift{"face_beyond_lift",
 constexpr Sentence edge_too_short{
     "edge_too_short",
     "the longest edge in its range is {longest}, less than half of the finger's width, {width}"};
+constexpr Sentence finger_in_tool{
+    "finger_in_tool", "at the edge, {away} from the bend line, the fingers would stand in {tool}"};
 constexpr Sentence finger_blocked{"finger_blocked",
                                   "the part is in the way of the fingers at each edge"};
 

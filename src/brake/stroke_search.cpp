@@ -115,7 +115,8 @@ std::chrono::steady_clock::time_point StrokeLimits::end(
     std::chrono::steady_clock::time_point start) const {
   constexpr double kLongest = 1e6;  // s: clocks count in 64 bits
   const std::chrono::duration<double> taken(std::min(seconds, kLongest));
-  return start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(taken);
+  return std::min(until,
+                  start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(taken));
 }
 
 namespace {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 // The flat pattern on the first page. Numbers of strokes stand on their lines, names of flanges in
 // their widest part; where a mark has no room it moves along its line or beside it.
@@ -125,6 +126,15 @@ void name_flanges(Page& page, const BendDrawing& drawing, const Fit& fit,
   }
 }
 
+/// The extents of the pattern as it is drawn, told as that where the blank lies at an angle to it.
+std::pair<std::string, std::string> extents(const BendDrawing& drawing, const Box2& box) {
+  std::string wide = size_text(drawing, box.size().x()), tall = size_text(drawing, box.size().y());
+  const std::string length = size_text(drawing, drawing.size.x()),
+                    width = size_text(drawing, drawing.size.y());
+  if (std::minmax(wide, tall) == std::minmax(length, width)) return {wide, tall};
+  return {wide + " as drawn", tall + " as drawn"};
+}
+
 /// A line without a gauge is marked by hand: that takes its distance from an edge.
 bool has_to_be_marked(const Stroke& stroke) { return !stroke.gauge && !stroke.flattening; }
 
@@ -148,10 +158,9 @@ void draw_flat_pattern(Page& page, const BendDrawing& drawing, const Rectangle& 
   name_flanges(page, drawing, fit, rings, marks);
   if (marked) dimension_bends(page, drawing.flat, fit, schema::Units(drawing.units));
   const Vec2 low = fit(box.lo), high = fit(box.hi);
-  dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0},
-            size_text(drawing, box.hi.x() - box.lo.x()));
-  dimension(page, {low.x(), low.y()}, {low.x(), high.y()}, {-6.0, 0.0},
-            size_text(drawing, box.hi.y() - box.lo.y()));
+  const auto [wide, tall] = extents(drawing, box);
+  dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0}, wide);
+  dimension(page, {low.x(), low.y()}, {low.x(), high.y()}, {-6.0, 0.0}, tall);
   constexpr double kLine = 4.0;
   const Vec2 corner = into.corner + into.size;
   const TextStyle grey{.size = 2.8, .anchor = TextAnchor::end, .colour = kPageGrey};

@@ -103,8 +103,20 @@ void lying(Page& page, const BendDrawing& drawing, std::size_t s, const Rectangl
             size_text(drawing, stroke.gauge->distance));
 }
 
+/// The sheet and the finger before the stroke, where they are to the die that is drawn.
+StrokePicture on_die(StrokePicture picture) {
+  const auto lift = [&](ToolProfile& section) {
+    for (Vec2& corner : section)
+      corner.y() -= picture.die_drop;
+  };
+  std::ranges::for_each(picture.lying, lift);
+  lift(picture.finger);
+  return picture;
+}
+
 /// The workpiece between the tools, the gauge on the right.
-void between_tools(Page& page, const StrokePicture& picture, const Rectangle& into) {
+void between_tools(Page& page, const StrokePicture& as_made, const Rectangle& into) {
+  const StrokePicture picture = on_die(as_made);
   // What is around the workpiece; long tools and beams run out of the picture.
   Box2 box;
   for (const auto* sections : {&picture.lying, &picture.bent})
@@ -125,6 +137,9 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
       profile = clipped(profile, normal, offset);
     return fit(std::move(profile));
   };
+  // A punch that has come down may be where the finger was.
+  if (picture.finger.size() > 2)
+    page.area({clip(picture.finger)}, {.stroke = kAlert, .fill = {}, .width = 0.3});
   const Ink tool{.stroke = kGrey, .fill = kSteel, .width = 0.2};
   for (const ToolProfile* profile :
        {&picture.upper_beam, &picture.lower_beam, &picture.punch, &picture.die})
@@ -133,8 +148,6 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
     page.area({fit(section)}, {.stroke = kBefore, .fill = kBefore, .width = 0.1});
   for (const ToolProfile& section : picture.bent)
     page.area({fit(section)}, {.stroke = kPart, .fill = kPart, .width = 0.1});
-  if (picture.finger.size() > 2)
-    page.area({clip(picture.finger)}, {.stroke = kAlert, .fill = {}, .width = 0.3});
 }
 
 void stroke_row(Page& page, const BendDrawing& drawing, const StrokePicture& picture, std::size_t s,

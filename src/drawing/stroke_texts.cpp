@@ -88,6 +88,8 @@ void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
   lines.emplace_back(gauge_text(drawing, stroke), kPlain);
   if (!stroke.gauge) return;
   const GaugeStop& stop = *stroke.gauge;
+  if (!stop.flange && stop.height > 0.0)
+    lines.emplace_back("  fingers " + with_unit(drawing, stop.height) + " up, on the die", kSmall);
   if (stop.in_opening) lines.emplace_back("  in the opening, by the nose", kSmall);
   if (stop.flange)
     lines.emplace_back(

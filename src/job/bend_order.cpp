@@ -85,6 +85,16 @@ struct BendOrder::State {
   Bending bending;
   const BrakeTools& tools() const { return tools_of(bending); }
   std::optional<OrderChecker> checker = {};
+
+  /// Orders are checked with large bends formed as in the plan.
+  Result<void> form_as(const Plan& plan) {
+    if (plan.large.empty() || bending.plan.large_radii) return {};
+    bending.plan.large = plan.large;
+    auto made = OrderChecker::make(report.sheet, report.layout, tools(), bending.plan);
+    if (!made) return pass_on(made);
+    checker = std::move(*made);
+    return {};
+  }
 };
 
 BendOrder::BendOrder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -111,6 +121,7 @@ Result<std::string> BendOrder::plan(const Progress& progress) {
   auto plan = plan_bending(report.sheet, report.layout, state_->tools(), state_->bending.plan,
                            progress);
   if (!plan) return pass_on(plan);
+  if (auto formed = state_->form_as(*plan); !formed) return pass_on(formed);
   auto order = mapped(plan->strokes, [&](const Stroke& stroke) { return ordered(stroke); });
   if (order.empty())
     for (const BendId bend : state_->bending.plan.begin_with)

@@ -147,10 +147,11 @@ const std::vector<Option>& bending_options() {
            row::flag("as_drawn",
                      "take only tools that leave the drawn inside radius, within a third of it",
                      set_as_drawn),
-           row::word("large_radii", {"v", "bump", "roll"}, "",
-                     "form a radius that no usual V leaves over a wider V, by bumps, or not on the "
-                     "press brake; otherwise over a V that the shop has, else by bumps",
-                     set_large_radii),
+           row::word(
+               "large_radii", {"v", "bump", "roll"}, "",
+               "form a radius that no usual V leaves over a wider V, by bumps, or not on the "
+               "press brake; otherwise over a V that the shop has, else by bumps, else rolled",
+               set_large_radii),
            row::number("chord_error", kAboveZero,
                        "distance of the drawn radius from the pieces between bumps, at most, in mm",
                        stored<&Request::bending, &Bending::plan, &PlanOptions::chord_error>, "0.2"),

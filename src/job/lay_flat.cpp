@@ -16,6 +16,7 @@
 #include <planish/sheet/codes.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 // From a sheet to the finished report, the same for every maker: pattern, certificate, overlaps,
@@ -249,7 +250,9 @@ std::optional<Error> plan_over(const Report& made, Report& report, const Bending
   report.certificate = made.certificate;
   if (auto refusal = plan_strokes(report, bending, progress)) return refusal;
   if (has_order(*report.plan)) return std::nullopt;
-  return error_of(refuse::no_plan_as_made, {});
+  const StrokeLimits& limits = bending.plan.limits;
+  if (std::chrono::steady_clock::now() < limits.until) return error_of(refuse::no_plan_as_made, {});
+  return error_of(refuse::no_time_as_made, {{"seconds", limits.seconds, unit::seconds}});
 }
 
 /// The pattern for the radii that the plan makes; if the plan is to be over that, the report

@@ -31,9 +31,9 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   json["distance"] = number_json(units.length(gauge->distance));
   json["edge"] = Json::array({point_json(gauge->edge.a, units), point_json(gauge->edge.b, units)});
   if (gauge->in_opening) json["opening"] = true;
-  if (!gauge->flange) return json;
-  json["flange"] = flange_id(*gauge->flange);
-  json["height"] = number_json(units.length(gauge->height));
+  if (gauge->flange) json["flange"] = flange_id(*gauge->flange);
+  if (gauge->flange || gauge->height != 0.0)
+    json["height"] = number_json(units.length(gauge->height));
   return json;
 }
 

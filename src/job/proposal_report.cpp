@@ -21,7 +21,7 @@ constexpr int kDigits = 6;  // of an opening that is given as an option
 
 const std::vector<std::string_view> kKinds{"smaller_v",      "punch",          "taller_punches",
                                            "shorter_flange", "longer_flanges", "swap",
-                                           "any_order",      "split"};
+                                           "any_order",      "split",          "rolled"};
 
 std::string with_unit(double mm, const Units& units) {
   return fmt::format("{} {}", units.short_text(mm), units.symbol());
@@ -71,6 +71,8 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
       return fmt::format("with {} swapped in the order you gave", fmt::join(bends, " and "));
     case Kind::any_order:
       return "in another order than you gave";
+    case Kind::rolled:
+      return fmt::format("with {} rolled", fmt::join(bends, " and "));
     case Kind::split:
       break;
   }
@@ -84,6 +86,7 @@ std::vector<Remedy> remedies_of(const std::vector<Proposal>& proposals, const Re
       remedy.option = "opening";
       remedy.value = number_text(proposal.opening, kDigits);
     }
+    if (proposal.kind == Kind::rolled) remedy.option = "large_radii", remedy.value = "roll";
     return remedy;
   });
 }

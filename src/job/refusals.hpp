@@ -143,6 +143,10 @@ constexpr Refusal no_bends{code::bad_option, "There is no {@bend}: the sheet has
 constexpr Refusal no_such_bend{code::bad_option, "There is no {@bend}; the bends are {known}."};
 constexpr Refusal no_plan_as_made{code::cannot_bend,
                                   "No order was found that bends the flat pattern as made."};
+constexpr Refusal no_time_as_made{
+    code::cannot_bend,
+    "The time of {seconds} ended before an order was found that bends the flat pattern as made.",
+    "Give it more (`--time-limit`)."};
 constexpr Refusal made_otherwise_again{
     code::cannot_bend, "For the flat pattern as made other tools are cheaper, which make others."};
 constexpr Refusal plan_as_drawn{code::bad_option,

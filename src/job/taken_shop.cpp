@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace planish::job {
 using namespace shop;
@@ -74,6 +75,8 @@ void enter_material(Report& report, const Request& request) {
 
 Result<Request> request_of_part(const Request& request, Report& report) {
   Request mine = request;
+  StrokeLimits& limits = mine.bending.plan.limits;  // one time for all pieces and rounds
+  limits.until = limits.end(std::chrono::steady_clock::now());
   enter_material(report, request);
   const PartMaterial* row = row_of(request, report);
   if (mine.shop && (row || !mine.shop->material)) {

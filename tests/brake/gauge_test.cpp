@@ -104,6 +104,117 @@ TEST(Gauge, TouchesTheOuterFaceOfAFormedFlange) {
   }
 }
 
+/// A strip whose sides end so far from the bend line, on both sides of it.
+Sheet short_sides(double reach) {
+  return strip({Straight{reach - kHalfZone}, Turn{Angle::degrees(90), 2, BendDirection::up},
+                Straight{reach - kHalfZone}},
+               80, 1.5);
+}
+
+BrakeTools tools_for_short_sides(double lift, const PlainPunch& upper = {.half_width = 4.0}) {
+  BrakeTools tools = plain_tools(upper);  // dies of 20 to either side
+  tools.machine.gauge = gauged_tools().machine.gauge;
+  tools.machine.gauge->from = 5.0;
+  tools.machine.gauge->highest = lift;
+  return tools;
+}
+
+/// The strokes of both ways to press the only bend, or of two with other tools.
+std::vector<Stroke> strokes_of(const Sheet& sheet, const BrakeTools& tools,
+                               const std::vector<int>& formed = {}, int bend = 1) {
+  Room room(sheet, tools);
+  std::vector<Stroke> strokes;
+  for (const StrokeChoice& choice : room.ways(bend, formed)) {
+    strokes.push_back(describe(room.cache(), room.lines(formed), choice));
+    EXPECT_EQ(strokes.back().gauge.has_value(), choice.gauged);
+  }
+  return strokes;
+}
+
+/// Nearer than the side of the die, a finger 20 high has to be 20 − T higher to lie on the die.
+TEST(Gauge, LiftsTheFingerOntoTheDie) {
+  for (const double reach : {12.0, 19.7, 20.2, 40.0})
+    for (const Stroke& stroke : strokes_of(short_sides(reach), tools_for_short_sides(80.0))) {
+      ASSERT_TRUE(stroke.gauge) << reach;
+      EXPECT_NEAR(stroke.gauge->distance, reach, 1e-9);
+      EXPECT_NEAR(stroke.gauge->height, reach < 20.0 ? 18.5 : 0.0, 1e-9) << reach;
+    }
+  for (const double lift : {18.4, 18.6})
+    for (const Stroke& stroke : strokes_of(short_sides(12.0), tools_for_short_sides(lift))) {
+      EXPECT_EQ(stroke.gauge.has_value(), lift > 18.5);
+      if (!stroke.gauge) {
+        EXPECT_EQ(stroke.ungauged->code, "finger_in_tool");
+      }
+    }
+}
+
+/// Lifted, it is beside the body of the punch. Of two punches the thin one leaves it room.
+TEST(Gauge, LeavesAFingerOutOfThePunch) {
+  for (const double reach : {9.8, 10.2}) {
+    BrakeTools tools = tools_for_short_sides(80.0, {.half_width = 10.0});
+    tools.punches.push_back(punch({.half_width = 4.0}));
+    tools.punches.back().id = "thin";
+    const auto strokes = strokes_of(short_sides(reach), tools);
+    EXPECT_EQ(strokes.size(), 4u);
+    for (const Stroke& stroke : strokes)
+      EXPECT_EQ(stroke.gauge.has_value(), reach > 10.0 || stroke.punch == "thin") << reach;
+  }
+}
+
+/// A finger whose body is lower behind its front touches the lower half of the edge at least.
+TEST(Gauge, TouchesHalfOfTheEdgeFromTheDie) {
+  for (const double lower : {0.7, 0.8}) {
+    BrakeTools tools = tools_for_short_sides(80.0);
+    tools.machine.gauge->finger = {{0, 0}, {0, -20}, {2, -20 - lower}, {80, -20 - lower}, {80, 0}};
+    for (const Stroke& stroke : strokes_of(short_sides(12.0), tools))
+      EXPECT_EQ(stroke.gauge.has_value(), lower < 0.75);
+  }
+}
+
+/// Of what stands upright it is told whether it is too low, too narrow or out of range: its outer
+/// face begins R above the sheet's upper skin, and stands R + T beyond the tangent line.
+TEST(Gauge, TellsWhyAFormedFlangeIsNoStop) {
+  const auto why = [](double lip, double width, double web) {
+    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+    const Sheet sheet = strip({Straight{lip}, turn, Straight{web}, turn, Straight{60}}, width, 1.5);
+    BrakeTools tools = gauged_tools();
+    tools.machine.gauge->highest = 80.0;
+    for (const Stroke& stroke : strokes_of(sheet, tools, {1}, 2))
+      if (stroke.to_gauge == FlangeId(1))
+        return std::string(stroke.ungauged ? stroke.ungauged->code : "gauged");
+    return std::string("no way");
+  };
+  EXPECT_EQ(why(12.0, 80.0, 60.0), "gauged");
+  EXPECT_EQ(why(5.1, 80.0, 60.0), "gauged");
+  EXPECT_EQ(why(4.9, 80.0, 60.0), "face_too_low");
+  EXPECT_EQ(why(12.0, 14.9, 60.0), "edge_too_short");
+  EXPECT_EQ(why(12.0, 80.0, 300.0), "edge_out_of_range");
+}
+
+/// A lip that leans has an edge that is parallel, and nothing that a finger touches. What only the
+/// other side has is told of that.
+TEST(Gauge, TellsOfEdgesElsewhere) {
+  const auto why = [](double lip, double far_slope, double near_slope,
+                      const std::vector<int>& formed) {
+    SheetBuilder builder(1.5);
+    const FaceId web = builder.flange(Frame{}, {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 60}})});
+    builder.flange_behind(
+        builder.bend(builder.rim(web, 0), {Angle::degrees(90), 2, BendDirection::up}),
+        {polygon({{0, 0}, {80, 0}, {80, 50 + near_slope}, {0, 50}})});
+    builder.flange_behind(
+        builder.bend(builder.rim(web, 2), {Angle::degrees(lip), 2, BendDirection::up}),
+        {polygon({{0, 0}, {80, 0}, {80, 30 + far_slope}, {0, 30}})});
+    for (const Stroke& stroke : strokes_of(builder.finish(), gauged_tools(), formed))
+      if (stroke.to_gauge == FlangeId(0))
+        return std::string(stroke.ungauged ? stroke.ungauged->code : "gauged");
+    return std::string("no way");
+  };
+  EXPECT_EQ(why(60.0, 0.0, 5.0, {}), "gauged");
+  EXPECT_EQ(why(60.0, 0.0, 5.0, {2}), "edge_leans");
+  EXPECT_EQ(why(60.0, 5.0, 5.0, {2}), "no_parallel_edge");
+  EXPECT_EQ(why(60.0, 5.0, 0.0, {2}), "edge_on_other_side");
+}
+
 TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
   const auto gauged = [](double width, double flange) {
     Room room(

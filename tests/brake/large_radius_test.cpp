@@ -2,6 +2,8 @@
 
 #include "brake/stroke_room.hpp"
 
+#include <planish/brake/proposals.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -123,7 +125,7 @@ TEST(LargeRadius, IsPlannedBumpByBump) {
 /// A V of 50 needs a side of 25 mm and its shoulder: beside shorter ones the bend is bumped, and
 /// rolled where not even bumps have room.
 TEST(LargeRadius, IsBumpedOrRolledWhereSidesAreShort) {
-  BrakeTools tools = plain_tools();
+  BrakeTools tools = plain_tools({.half_width = 4.0});
   tools.dies.push_back(die({50.0, Angle::degrees(80), 1.0, 40.0}));
   tools.dies.back().id = "V50";
   const auto formed = [&](double flange) {
@@ -135,6 +137,77 @@ TEST(LargeRadius, IsBumpedOrRolledWhereSidesAreShort) {
   EXPECT_EQ(formed(80.0), Forming::over_v);
   EXPECT_EQ(formed(12.0), Forming::bumps);
   EXPECT_EQ(formed(1.0), Forming::rolled);
+}
+
+/// When the last of 4 bumps is pressed, the middle of the sheet lies on pieces p = BA/4 long with
+/// slopes of 11.25° + i · 22.5°, then the other side stands: its inside K T before that. Where the
+/// wedge of a punch 2 b wide ends, b / tan 40° high, that is b away at b = 8.3; bumps are a little
+/// round. Wider punches leave rolling only, which the plan proposes if it is asked for bumps.
+TEST(LargeRadius, IsRolledWhereTheOtherSideRunsIntoThePunch) {
+  const Sheet sheet = bent_by(8.0, 30.0);
+  const Layout layout = flat_sheet(sheet)->layout;
+  const double bump = kPi / 8.0, pitch = kPi / 2.0 * (8.0 + 0.44 * 2.0) / 4.0;
+  double across = -0.44 * 2.0 * std::sin(3.5 * bump), up = 0.44 * 2.0 * std::cos(3.5 * bump);
+  for (int piece = 0; piece < 3; ++piece) {
+    across += pitch * std::cos((piece + 0.5) * bump);
+    up += pitch * std::sin((piece + 0.5) * bump);
+  }
+  const double slope = std::tan(3.5 * bump), wedge = 1.0 / std::tan(kPi * 40.0 / 180.0);
+  const double limit = (across - up / slope) / (1.0 - wedge / slope);
+  for (const double half_width : {limit - 0.7, limit + 0.7}) {
+    const BrakeTools tools = plain_tools({.half_width = half_width});
+    const bool is_wide = half_width > limit;
+    PlanOptions options;
+    const auto plan = plan_bending(sheet, layout, tools, options);
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->status, PlanStatus::optimal);
+    EXPECT_EQ(plan->large.at(0).forming, is_wide ? Forming::rolled : Forming::bumps);
+    EXPECT_EQ(plan->strokes.empty(), is_wide);
+    EXPECT_EQ(plan->remarks.at(0).code, is_wide ? "rolled" : "bumped");
+    options.large_radii = Forming::bumps;
+    const auto asked = plan_bending(sheet, layout, tools, options);
+    ASSERT_TRUE(asked) << asked.error().message;
+    EXPECT_EQ(asked->status, is_wide ? PlanStatus::infeasible : PlanStatus::optimal);
+    if (!is_wide) continue;
+    const auto helps = proposals(sheet, layout, tools, options, *asked);
+    ASSERT_FALSE(helps.empty());
+    EXPECT_EQ(helps[0].kind, Proposal::Kind::rolled);
+    EXPECT_EQ(helps[0].bends, std::vector{BendId(0)});
+  }
+}
+
+/// Of a U of 180° the other side lies over the last bump, whatever punch there is: it is rolled.
+TEST(LargeRadius, IsRolledWhereTheOtherSideLiesOverTheLastBump) {
+  for (const double radius : {6.0, 25.0}) {
+    const Sheet sheet = strip({Straight{80}, Turn{Angle::degrees(180), radius}, Straight{80}}, 50,
+                              2.0);
+    const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout,
+                                   plain_tools({.half_width = 1.0}));
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->status, PlanStatus::optimal);
+    EXPECT_EQ(plan->large.at(0).forming, Forming::rolled) << radius;
+  }
+}
+
+/// First the bends that no order forms; where it leaves others only, all.
+TEST(LargeRadius, TakesTheNextWayOfWhatIsLeft) {
+  const Turn turn{Angle::degrees(90), 8.0, BendDirection::up},
+      small{Angle::degrees(90), 2.0, BendDirection::up};
+  const Sheet sheet = strip(
+      {Straight{80}, turn, Straight{80}, turn, Straight{80}, small, Straight{80}}, 50, 2.0);
+  const Layout layout = flat_sheet(sheet)->layout;
+  const std::vector<LargeBend> bumped = large_bends(sheet, layout, plain_tools(), {});
+  const auto next = [&](std::vector<LargeBend> large, const std::vector<BendId>& left) {
+    EXPECT_TRUE(take_next(large, left, sheet, layout, {}));
+    return mapped(large, &LargeBend::forming);
+  };
+  using Ways = std::vector<Forming>;
+  EXPECT_EQ(next(bumped, {BendId(1)}), (Ways{Forming::bumps, Forming::rolled}));
+  EXPECT_EQ(next(bumped, {BendId(2)}), (Ways{Forming::rolled, Forming::rolled}));
+  EXPECT_EQ(next({{BendId(0)}, {BendId(1)}}, {BendId(0), BendId(2)}),
+            (Ways{Forming::bumps, Forming::over_v}));
+  std::vector<LargeBend> rolled{{BendId(0), Forming::rolled}};
+  EXPECT_FALSE(take_next(rolled, {BendId(0)}, sheet, layout, {}));
 }
 
 }  // namespace

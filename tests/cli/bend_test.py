@@ -368,6 +368,20 @@ class WrongRequests(BendTest):
         self.assertEqual(len(warning), 1)
         self.assertNotIn("no V", warning[0]["message"])
 
+    def test_what_takes_no_bumps_is_rolled(self):
+        # The other side of a U lies over its last bump, so no punch reaches that.
+        side = lambda z: [[30, 0, z], [120, 0, z], [120, 100, z], [30, 100, z]]
+        part = {"thickness": 2, "defaults": {"inside_radius": 25}, "bends": [{"between": ["a", "b"]}],
+                "plates": [{"id": "a", "outline": side(0)}, {"id": "b", "outline": side(52)}]}
+        plan = self.plan(part)["plan"]
+        self.assertEqual((plan["status"], [one["formed"] for one in plan["large_radii"]]),
+                         ("nothing_to_bend", ["rolled"]))
+        self.assertEqual([remark["code"] for remark in plan["remarks"]], ["rolled"])
+        report = self.plan(part, "--large-radii", "bump", status=4)
+        self.assertEqual(report["plan"]["large_radii"][0]["formed"], "bumps")
+        remedy = report["reason"]["remedy"]
+        self.assertEqual((remedy["option"], remedy["value"]), ("--large-radii", "roll"))
+
     def test_bumps_without_a_gauge_are_one_finding(self):
         # The gauge reaches 50 mm, and each bump is at another distance from the edges.
         tools = self.tools()

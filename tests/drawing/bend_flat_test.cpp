@@ -4,6 +4,9 @@
 #include <planish/geometry/region.hpp>
 #include <planish/schema/units.hpp>
 
+#include <cmath>
+#include <numbers>
+
 namespace planish::drawing {
 namespace {
 
@@ -42,6 +45,34 @@ TEST_F(BendFlat, DimensionLinesThatAreToBeMarked) {
   EXPECT_EQ(times(pages(), distance), 1) << "there is no gauge";
   plan_.strokes[0].gauge = GaugeStop{20.0, line};
   EXPECT_EQ(times(pages(), distance), 0);
+}
+
+/// A square stands on its corner: it is a blank of 10 by 10, and √2 times as wide as it is drawn.
+TEST_F(BendFlat, TellExtentsAsDrawnFromTheBlank) {
+  const auto drawn = [](double degrees) {
+    FlatPattern flat;
+    const double turn = degrees * std::numbers::pi / 180.0;
+    std::vector<Vec2> corners;
+    for (int i = 0; i < 4; ++i) {
+      const double at = turn + i * 0.5 * std::numbers::pi;
+      corners.push_back(std::sqrt(50.0) * Vec2(std::cos(at), std::sin(at)));
+    }
+    flat.outer.loop = polygon(corners);
+    const Layout layout;
+    return bend_pages({.title = "square",
+                       .metal = "steel",
+                       .thickness = 1.0,
+                       .size = {10.0, 10.0},
+                       .mass = {},
+                       .flat = flat,
+                       .layout = layout,
+                       .blocked = {},
+                       .obstacles = {},
+                       .proposals = {}},
+                      {});
+  };
+  EXPECT_EQ(times(drawn(45.0), "10.0"), 2);
+  EXPECT_EQ(times(drawn(0.0), "14.1 as drawn"), 2);
 }
 
 TEST_F(BendFlat, ShowBendsThatTakeNoStroke) {

@@ -476,6 +476,20 @@ TEST(DrawnStrokes, ShowTheWorkpieceBetweenTheTools) {
   EXPECT_NEAR(box_of(*fingers[0]).size().x(), 5.0 * scale, 1e-9);
 }
 
+/// The die is drawn where it is after the stroke, 5 higher to the punch than before: the sheet that
+/// lies on it, and the finger at its edge, are moved by as much.
+TEST(DrawnStrokes, ShowTheSheetAndTheFingerOnTheDie) {
+  StrokePicture picture = picture_of_a_stroke();
+  picture.die = block(-8, -195, 8, 5);
+  picture.die_drop = -5.0;
+  const Page page = pages_of(planned_report(), {picture, picture}).front();
+  const Box2 sheet = box_of(*filled_with(page, kLyingSheet)[0]),
+             die = box_of(*filled_with(page, kToolSteel)[2]),
+             finger = box_of(*drawn_with(page, kPageAlert, 0.3)[0]);
+  EXPECT_NEAR(sheet.hi.y(), die.lo.y(), 1e-9);
+  EXPECT_NEAR(finger.hi.y(), die.lo.y(), 1e-9);
+}
+
 TEST(DrawnStrokes, LeaveRoomForToolsAroundLargeWorkpieces) {
   const Report report = planned_report();
   StrokePicture picture;

@@ -71,6 +71,9 @@ TEST_F(StrokeTexts, SayThatTheNoseTouchesInTheOpening) {
   take(l_bracket());
   plan_.strokes[0].gauge = GaugeStop{75.25, {}};
   EXPECT_EQ(times(pages(), "  in the opening, by the nose"), 0);
+  plan_.strokes[0].gauge->height = 18.5;
+  EXPECT_EQ(times(pages(), "  fingers 18.5 mm up, on the die"), 1);
+  plan_.strokes[0].gauge->height = 0.0;
   plan_.strokes[0].gauge->in_opening = true;
   EXPECT_EQ(times(pages(), "gauge 75.2 mm"), 1);
   EXPECT_EQ(times(pages(), "  in the opening, by the nose"), 1);

@@ -56,6 +56,25 @@ TEST(BendOrder, IsCheckedAsItIsGiven) {
   EXPECT_EQ(json::parse(*rest)["strokes"].size(), 2u) << "what it leaves out follows";
 }
 
+/// Of a U with a foot the other side lies over the last bump: the plan rolls it, and so do orders
+/// that are checked after it.
+TEST(BendOrder, FormsLargeBendsAsThePlan) {
+  const auto made = test::made_from("u.json", R"({"thickness": 2, "plates": [
+      {"id": "a", "outline": [[30, 0, 0], [120, 0, 0], [120, 90, 0], [30, 90, 0]]},
+      {"id": "b", "outline": [[30, 0, 52], [120, 0, 52], [120, 90, 52], [30, 90, 52]]},
+      {"id": "c", "outline": [[125, 0, -5], [125, 0, -40], [125, 90, -40], [125, 90, -5]]}],
+      "bends": [{"between": ["a", "b"], "inside_radius": 25},
+                {"between": ["a", "c"], "inside_radius": 2}]})");
+  auto order = BendOrder::make(made->report(), {});
+  ASSERT_TRUE(order) << order.error().message;
+  const json plan = json::parse(*order->plan({}));
+  EXPECT_EQ(plan["status"], "optimal");
+  ASSERT_EQ(plan["strokes"].size(), 1u);
+  EXPECT_EQ(plan["strokes"][0]["bends"], json({"B2"}));
+  const json checked = json::parse(*order->check(R"([{"bends": ["B2"]}])", {}));
+  EXPECT_EQ(checked["strokes"].size(), 1u);
+}
+
 TEST(BendOrder, BeginsAsItIsTold) {
   Bending bending;
   bending.begin_with = {"B2"};

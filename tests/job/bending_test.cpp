@@ -269,6 +269,36 @@ TEST(Bending, SaysWhatTheTimeEnded) {
   }
 }
 
+/// All rounds of a plan over the flat as made have one time: it is over before the second begins.
+TEST(Bending, PlansTheFlatAsMadeWithinTheSameTime) {
+  for (const bool late : {false, true}) {
+    Request request;
+    request.input = "channel.json";
+    request.bending.ask = Bending::Ask::plan;
+    request.bending.as_made = true;
+    request.bending.plan.opening = 20.0;  // leaves 3.2 mm, and 2 mm is drawn
+    request.bending.plan.limits.seconds = 5.0;
+    int rounds = 0;
+    Progress progress;
+    progress.report = [&](std::string_view stage, double) {
+      if (stage == "ordering the bends" && ++rounds == 2 && late)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5'000));
+    };
+    const std::string input = channel(60);
+    const auto work = (*built_in().maker_for("channel.json", input))
+                          ->open({"channel.json", input, {}}, {});
+    ASSERT_TRUE(work);
+    const auto made = shown((*work)->make(request, progress));
+    ASSERT_TRUE(made && (*made)->report().plan);
+    EXPECT_EQ(rounds, 2);
+    const auto& missing = (*made)->report().not_as_made;
+    ASSERT_EQ(missing.has_value(), late);
+    if (late) {
+      EXPECT_NE(missing->message.find("5 s"), std::string::npos) << missing->message;
+    }
+  }
+}
+
 /// The V that differs, and the press that is too weak, as a person is told them.
 TEST(Bending, HoldsTheForceAgainstThePress) {
   BrakeTools tools = default_tools();

@@ -96,6 +96,9 @@ TEST(PlanReport, TellsTheFlangeThatTouchesTheGauge) {
   Report report = planned_report();
   report.units = LengthUnit::inch;
   EXPECT_FALSE(plan_of(report)["strokes"][0]["gauge"].contains("flange"));
+  EXPECT_FALSE(plan_of(report)["strokes"][0]["gauge"].contains("height"));
+  report.plan->strokes[0].gauge->height = 25.4;
+  EXPECT_DOUBLE_EQ(plan_of(report)["strokes"][0]["gauge"]["height"], 1.0);
   report.plan->strokes[0].gauge->flange = FlangeId{2};
   report.plan->strokes[0].gauge->height = -25.4;
   const Json plan = plan_of(report);

@@ -35,6 +35,7 @@ std::vector<Proposal> one_of_each() {
   add(Kind::swap).bends = {BendId{1}, BendId{0}};
   add(Kind::any_order);
   add(Kind::split).bends = {BendId{1}};
+  add(Kind::rolled).bends = {BendId{0}, BendId{1}};
   return all;
 }
 
@@ -58,7 +59,8 @@ TEST(ProposalReport, HasTheKeysOfEachKind) {
                                   {"kind": "longer_flanges", "by": 0.1, "flanges": ["F1", "F3"]},
                                   {"kind": "swap", "bends": ["B2", "B1"]},
                                   {"kind": "any_order"},
-                                  {"kind": "split", "bends": ["B2"]}])"));
+                                  {"kind": "split", "bends": ["B2"]},
+                                  {"kind": "rolled", "bends": ["B1", "B2"]}])"));
 }
 
 TEST(ProposalReport, NamesToolsLengthsFlangesAndBends) {
@@ -77,17 +79,18 @@ TEST(ProposalReport, NamesToolsLengthsFlangesAndBends) {
 TEST(ProposalReport, IsARemedyEach) {
   const Report report = infeasible_report();
   const auto remedies = remedies_of(one_of_each(), report);
-  ASSERT_EQ(remedies.size(), 8U);
+  ASSERT_EQ(remedies.size(), 9U);
   EXPECT_EQ(remedies[0],
             (Remedy{"opening", "10.16", "Bend it over a V of 10.16 mm (V10-88, V10-85)"}));
   EXPECT_EQ(remedies[7], (Remedy{{}, {}, "Bend it as two parts, cut at B2"}));
+  EXPECT_EQ(remedies[8], (Remedy{"large_radii", "roll", "Bend it with B1 and B2 rolled"}));
 }
 
 TEST(ProposalReport, IsALineEachOnTheTerminal) {
   Report report = infeasible_report();
   report.plan->proposals = one_of_each();
   const std::string text = proposals_text(*report.plan, report);
-  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 8);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 9);
   for (const Proposal& one : report.plan->proposals)
     EXPECT_THAT(text, HasSubstr("  " + proposal_sentence(one, report) + "\n"));
   report.plan->proposals.clear();

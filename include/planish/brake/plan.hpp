@@ -30,6 +30,17 @@ enum class RadiusWanted {
 /// How a bend whose drawn radius no usual V leaves is formed (math.md#large-radii).
 enum class Forming { over_v, bumps, rolled };
 
+/// A bend of large radius. Of bumps `pitch` is that along the neutral surface, and `chord_error`
+/// how far the drawn radius lies from the plane pieces between them.
+struct LargeBend {
+  BendId bend;
+  Forming forming = Forming::over_v;
+  int bumps = 0;
+  double pitch = 0.0;  ///< mm
+  Angle angle = {};    ///< of each bump
+  double chord_error = 0.0;
+};
+
 /// How a sheet is to be bent. Lengths in mm.
 struct PlanOptions {
   double clearance = 0.0;                ///< kept between the workpiece and the tools
@@ -41,7 +52,9 @@ struct PlanOptions {
   std::optional<double> opening = {};    ///< wanted of the V; empty: by thickness
   VChoice v = VChoice::any;
   RadiusWanted radius = RadiusWanted::made;
-  std::optional<Forming> large_radii = {};  ///< empty: over a V that leaves them, else by bumps
+  std::optional<Forming> large_radii = {};  ///< empty: over a V that leaves them, else by
+                                            ///< bumps, else rolled
+  std::vector<LargeBend> large = {};        ///< what is known of some of them: as in `Plan`
   double chord_error = 0.2;                 ///< of bumps, from the drawn inside radius
   bool gauge_openings = false;              ///< the gauge's nose may touch within openings
   std::vector<BendId> begin_with = {};      ///< bends that come first, in this order
@@ -140,6 +153,7 @@ struct Proposal {
     swap,            ///< the two `bends` swapped in the order that was asked for
     any_order,       ///< without the order that was asked for
     split,           ///< two parts, cut at `bends`, each of which can be bent
+    rolled,          ///< `bends`, of large radius, rolled and not bent
   };
   Kind kind = Kind::smaller_v;
   double opening = 0.0;  ///< mm
@@ -148,17 +162,6 @@ struct Proposal {
   bool ears = false;
   std::vector<FlangeId> flanges = {};
   std::vector<BendId> bends = {};
-};
-
-/// A bend of large radius. Of bumps `pitch` is that along the neutral surface, and `chord_error`
-/// how far the drawn radius lies from the plane pieces between them.
-struct LargeBend {
-  BendId bend;
-  Forming forming = Forming::over_v;
-  int bumps = 0;
-  double pitch = 0.0;  ///< mm
-  Angle angle = {};    ///< of each bump
-  double chord_error = 0.0;
 };
 
 /// The order in which a sheet is bent, or why there is none.

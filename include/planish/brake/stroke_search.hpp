@@ -49,6 +49,8 @@ struct StrokeLimits {
   std::int64_t stages = 300'000;  ///< looked at
   std::int64_t checks = 40'000;   ///< of a tool in a stroke, as `StrokeProblem::checks` counts
   double seconds = 60.0;          ///< of all, with the reasons
+  /// When it ends in any case, with all that it is a part of.
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 
   /// When the time is over of what starts then.
   std::chrono::steady_clock::time_point end(std::chrono::steady_clock::time_point start) const;

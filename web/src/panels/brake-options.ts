@@ -99,7 +99,7 @@ function waysToBend(ui: Ui, brake: BrakeOptions, set: (patch: Partial<BrakeOptio
       'large-radii',
       brake.large_radii ?? '',
       [
-        ['', 'over a V, else by bumps'],
+        ['', 'over a V, by bumps, or rolled'],
         ['v', 'over a V'],
         ['bump', 'by bumps'],
         ['roll', 'rolled'],

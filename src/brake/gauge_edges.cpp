@@ -1,0 +1,183 @@
+// What the fingers of the back gauge may touch: straight borders of what lies in the plane of the
+// sheet, neighbours on one line as one, and outer faces of flanges that stand upright
+// (math.md#gauging).
+#include "gauge_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kParallel = 0.1 * 3.14159265358979 / 180.0;  // edges that a finger touches flat
+constexpr double kOneEdge = 1e-3;                             // mm: edges that go on
+
+/// The edges of a body or zone, seen from the line; `left`: those that face away to the left.
+void add_gauge_edges(const std::vector<FreeEdge>& edges, const Eigen::Isometry3d& frame, bool left,
+                     std::vector<GaugeEdge>& found) {
+  for (const FreeEdge& edge : edges) {
+    const Vec3 a = frame * Vec3(edge.a.x(), edge.a.y(), 0.0),
+               b = frame * Vec3(edge.b.x(), edge.b.y(), 0.0);
+    const Vec2 outward(edge.b.y() - edge.a.y(), edge.a.x() - edge.b.x());
+    const double out = (frame.linear() * Vec3(outward.x(), outward.y(), 0.0)).y();
+    if (std::abs(b.y() - a.y()) > std::tan(kParallel) * std::abs(b.x() - a.x())) continue;
+    if ((left ? out : -out) <= 0.0) continue;
+    const double away = left ? std::max(a.y(), b.y()) : std::max(-a.y(), -b.y());
+    found.push_back({away,
+                     {std::min(a.x(), b.x()), std::max(a.x(), b.x())},
+                     Segment{edge.a, edge.b},
+                     edge.in_opening});
+  }
+}
+
+/// Neighbouring edges on one line as one.
+std::vector<GaugeEdge> joined_edges(std::vector<GaugeEdge> edges) {
+  std::ranges::sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
+    if (std::abs(a.away - b.away) > kOneEdge) return a.away < b.away;
+    return a.along.lo < b.along.lo;
+  });
+  std::vector<GaugeEdge> joined;
+  for (const GaugeEdge& edge : edges) {
+    GaugeEdge* last = joined.empty() ? nullptr : &joined.back();
+    if (!last || std::abs(last->away - edge.away) > kOneEdge ||
+        std::abs(edge.along.lo - last->along.hi) > kOneEdge) {
+      joined.push_back(edge);
+      continue;
+    }
+    last->along.hi = edge.along.hi;
+    const bool goes_on = (last->in_pattern.b - edge.in_pattern.a).norm() < kOneEdge;
+    last->in_pattern = goes_on ? Segment{last->in_pattern.a, edge.in_pattern.b}
+                               : Segment{edge.in_pattern.a, last->in_pattern.b};
+  }
+  return joined;
+}
+
+/// How high a finger is, as near to the lying sheet as can be, to touch a face between two heights
+/// with all its front, or over all the face if that is lower; where its lift ends before, as near
+/// to that as it gets.
+double height_at(const Interval& face, const BackGauge& gauge) {
+  const Interval front = front_of(gauge);
+  const double a = face.lo - front.lo, b = face.hi - front.hi;
+  return std::clamp(std::clamp(0.0, std::min(a, b), std::max(a, b)), gauge.lowest, gauge.highest);
+}
+
+/// Where a level line crosses a polygon in (x, z).
+std::optional<Interval> crossing(const std::vector<Vec2>& polygon, double level) {
+  std::optional<Interval> found;
+  const auto take = [&](double x) {
+    found = found ? Interval{std::min(found->lo, x), std::max(found->hi, x)} : Interval{x, x};
+  };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a.y() - level) * (b.y() - level) > 0.0 || a.y() == b.y()) continue;
+    take(a.x() + (level - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+  return found;
+}
+
+/// A flange that stands upright at the gauge: its plane pieces in (x, z).
+struct UprightFace {
+  std::vector<std::vector<Vec2>> pieces;
+  Interval heights;
+  double away = 0.0;  ///< of its outer face from the bend line
+  std::optional<FlangeId> flange;
+};
+
+std::vector<UprightFace> upright_faces(StageCache& cache, const Setting& stroke) {
+  const Workpiece& work = cache.inputs().work;
+  const PartTree& tree = cache.tree(stroke.line);
+  const double side = stroke.direction > 0 ? 1.0 : -1.0;
+  std::vector<UprightFace> faces;
+  for (int part = 0; part < std::ssize(tree.parts()); ++part) {
+    const PartTree::Part& at = tree.parts()[part];
+    const PlacedPart& placed = *cache.parts(stroke)[part];
+    const Vec3 normal = placed.at.linear().col(2);
+    if (at.is_zone || placed.flat || placed.left != (stroke.direction > 0)) continue;
+    if (std::abs(normal.x()) > kParallel || std::abs(normal.z()) > kParallel) continue;
+    const Body& body = work.bodies[at.index];
+    UprightFace face{{}, {kEverywhere.hi, kEverywhere.lo}, 0.0, body.flange};
+    for (const Convex& piece : body.pieces)
+      face.pieces.push_back(mapped(piece, [&](const Vec2& corner) {
+        const Vec3 p = placed.at * Vec3(corner.x(), corner.y(), 0.0);
+        face.heights = {std::min(face.heights.lo, p.z()), std::max(face.heights.hi, p.z())};
+        face.away = side * p.y() + 0.5 * work.thickness;
+        return Vec2(p.x(), p.z());
+      }));
+    if (face.away > 0.0) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+}  // namespace
+
+Interval front_of(const BackGauge& gauge) {
+  constexpr double kAtFront = 1e-6;  // mm
+  Interval front{0.0, 0.0};
+  for (const Vec2& corner : gauge.finger)
+    if (std::abs(corner.x()) < kAtFront)
+      front = {std::min(front.lo, corner.y()), std::max(front.hi, corner.y())};
+  return front;
+}
+
+std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke) {
+  const Workpiece& work = cache.inputs().work;
+  const PartTree& tree = cache.tree(stroke.line);
+  const std::vector<const PlacedPart*>& parts = cache.parts(stroke);
+  std::vector<GaugeEdge> edges;
+  const Eigen::Isometry3d frame = line_frame(work.lines[stroke.line]);
+  for (int part = 0; part < std::ssize(tree.parts()); ++part)
+    if (parts[part]->flat) {
+      const PartTree::Part& at = tree.parts()[part];
+      add_gauge_edges(at.is_zone ? work.zones[at.index].edges : work.bodies[at.index].edges, frame,
+                      stroke.direction > 0, edges);
+    }
+  edges = joined_edges(std::move(edges));
+  std::erase_if(edges, [](const GaugeEdge& edge) { return edge.away <= 0.0; });
+  return edges;
+}
+
+std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
+                                    const BackGauge& gauge) {
+  const Eigen::Isometry3d lying = line_frame(cache.inputs().work.lines[stroke.line]);
+  const double side = stroke.direction > 0 ? 1.0 : -1.0, middle = lying.translation().z();
+  const Interval front = front_of(gauge);
+  std::vector<GaugeEdge> lines;
+  for (const UprightFace& face : upright_faces(cache, stroke)) {
+    const double height = height_at(face.heights, gauge);
+    const Interval touched{std::max(face.heights.lo, height + front.lo),
+                           std::min(face.heights.hi, height + front.hi)};
+    const double level = std::clamp(0.5 * (touched.lo + touched.hi), face.heights.lo,
+                                    face.heights.hi);
+    std::vector<Interval> along;
+    for (const std::vector<Vec2>& piece : face.pieces)
+      if (const auto one = crossing(piece, level)) along.push_back(*one);
+    const auto in_pattern = [&](double x) {
+      return Vec2((lying.inverse() * Vec3(x, side * face.away, middle)).head<2>());
+    };
+    for (const Interval& one : joined(std::move(along), kOneEdge))
+      lines.push_back({.away = face.away,
+                       .along = one,
+                       .in_pattern = Segment{in_pattern(one.lo), in_pattern(one.hi)},
+                       .height = height,
+                       .flange = face.flange,
+                       .touched = std::max(0.0, touched.hi - touched.lo)});
+  }
+  return lines;
+}
+
+bool has_edge_aside(StageCache& cache, const Setting& stroke) {
+  const PartTree& tree = cache.tree(stroke.line);
+  for (int part = 0; part < std::ssize(tree.parts()); ++part) {
+    const PartTree::Part& at = tree.parts()[part];
+    const PlacedPart& placed = *cache.parts(stroke)[part];
+    if (at.is_zone || placed.flat) continue;
+    for (const FreeEdge& edge : cache.inputs().work.bodies[at.index].edges) {
+      const Vec2 along = (edge.b - edge.a).normalized();
+      const Vec3 seen = placed.at.linear() * Vec3(along.x(), along.y(), 0.0);
+      if (seen.tail<2>().norm() < std::sin(kParallel)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "stage_cache.hpp"
+
+namespace planish::brake_detail {
+
+/// What a finger may touch, in the frame of the line: an edge that faces the gauge, or a level line
+/// on the outer face of a flange that stands upright.
+struct GaugeEdge {
+  double away = 0.0;  ///< from the bend line
+  Interval along;
+  Segment in_pattern;
+  bool in_opening = false;
+  double height = 0.0;                  ///< of the finger
+  std::optional<FlangeId> flange = {};  ///< of whose outer face it is a level line
+  double touched = 0.0;                 ///< of that face, across the line
+};
+
+/// The front of a finger, from its lowest to its highest corner there.
+Interval front_of(const BackGauge& gauge);
+
+/// The straight edges of all flat parts that face the gauge, parallel to the line.
+std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke);
+
+/// Level lines on the outer faces of upright flanges, where a finger comes nearest to touching them
+/// with all its front; of some it may touch nothing.
+std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
+                                    const BackGauge& gauge);
+
+/// Whether a straight edge on some formed flange is parallel to the line.
+bool has_edge_aside(StageCache& cache, const Setting& stroke);
+
+}  // namespace planish::brake_detail
