@@ -270,6 +270,16 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   return result;
 }
 
+/// A hole, of one within a bend its narrowest section.
+ReadLoop read_hole(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
+                   double u_near) {
+  const auto opening = std::ranges::find(of.bend_openings, ref, &BendOpening::here);
+  if (opening == of.bend_openings.end() || opening->cut.empty())
+    return read_loop(of, ref, surface, u_near);
+  const size_t uses = of.model.faces[ref.face].loops[ref.loop].size();
+  return {opening->cut, std::vector<int>(uses, -1), {}, {}, false};
+}
+
 /// The sheet's face without loops.
 Face empty_face(const SolidModel& model, int f, int leader) {
   const SolidFace& stands = model.faces[leader];
@@ -350,7 +360,7 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
   const double u_near = middle_u(result.face.loops.front());
   for (int l = 0; l < std::ssize(result.loops); ++l) {
     if (l == outer) continue;
-    ReadLoop hole = read_loop(of, {f, l}, surface, u_near);
+    ReadLoop hole = read_hole(of, {f, l}, surface, u_near);
     // A hole, read from its own first point, may lie a turn away from the face's outer loop.
     if (repeats(result.face.surface)) {
       const double turns = std::round((u_near - middle_u(hole.borders)) / kTurn);

@@ -206,6 +206,34 @@ std::set<int> add_tangent_openings(SheetBuilder& builder, const SheetMap& map,
   return parts;
 }
 
+/// The same of openings within bends, where no outlines are drawn.
+std::set<int> add_bend_openings(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                                std::set<LoopRef>& widened) {
+  std::set<int> parts;
+  for (const BendOpening& opening : of.bend_openings) {
+    const BorderRef first = map.cut_loops.at(opening.here);
+    if (opening.up || opening.down) {
+      const FormSide side = !opening.down ? FormSide::up
+                            : opening.up  ? FormSide::both
+                                          : FormSide::down;
+      FormedFeature feature = feature_of("countersink", side,
+                                         of.rim.parts[opening.part].faces.front(), first.face);
+      feature.along = {first};
+      builder.add_feature(std::move(feature));
+    }
+    widened.erase(opening.here);
+    parts.insert(opening.part);
+  }
+  return parts;
+}
+
+std::set<int> add_openings_at_bends(SheetBuilder& builder, const SheetMap& map,
+                                    const Recognition& of, std::set<LoopRef>& widened) {
+  std::set<int> parts = add_tangent_openings(builder, map, of, widened);
+  parts.merge(add_bend_openings(builder, map, of, widened));
+  return parts;
+}
+
 /// The part of the rim along a loop of a skin.
 std::optional<int> part_along(const Recognition& of, const LoopRef& ref) {
   for (const CoEdge& use : loop_of(of, ref))
@@ -223,6 +251,8 @@ std::set<int> chamfered_here(const Recognition& of, const std::set<LoopRef>& wid
     if (const auto part = part_along(of, ref)) parts.insert(*part);
   for (const TangentOpening& opening : of.tangent_openings)
     if (!volume_beyond_cut(of, opening)) parts.insert(opening.part);
+  for (const BendOpening& opening : of.bend_openings)
+    parts.insert(opening.part);
   return parts;
 }
 
@@ -274,13 +304,13 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const Recog
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   std::set<LoopRef> widened = map.widened;
-  const std::set<int> beside_bends = add_tangent_openings(builder, map, of, widened);
+  const std::set<int> at_bends = add_openings_at_bends(builder, map, of, widened);
   std::set<int> chamfered_there;
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
     const RimPart& part = of.rim.parts[p];
     const auto& here = loops_here(of, part);
     const auto& there = loops_there(of, part);
-    if (beside_bends.contains(p) || is_all_seen(map, here)) continue;
+    if (at_bends.contains(p) || is_all_seen(map, here)) continue;
     const bool several = part.within && has_several_holes(of, part);
     if (part.within && !several && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))

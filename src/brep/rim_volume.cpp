@@ -61,11 +61,7 @@ std::optional<double> area_cut_along(const Sheet& sheet, const SheetMap& map, co
   const Face& face = sheet[map.face_id.at(ref.face)];
   if (of.outlines[ref.face].outer == ref.loop)
     return std::abs(signed_middle_area(of, leader, face.loops.front()));
-  for (const CoEdge& use : loop_of(of, ref))
-    if (const auto at = map.borders.find({ref.face, use.edge, use.forward});
-        at != map.borders.end())
-      return -std::abs(signed_middle_area(of, leader, face.loops[at->second.loop]));
-  return {};
+  return -std::abs(signed_middle_area(of, leader, face.loops[map.cut_loops.at(ref).loop]));
 }
 
 /// The volume of the sheet as it is cut along a rim, and of what its tangent openings account for.

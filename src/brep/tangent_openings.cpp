@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 // Openings beside bends. Chamfers and countersinks round a hole of a flange may cross the tangent
 // line, so that it has no outline of its own on that skin: the plane's outline runs along it, and
@@ -166,23 +165,6 @@ std::vector<SectionPiece> divided(const Recognition& of, const TangentOpening& o
   return pieces;
 }
 
-/// Whether walls along an outline end before they reach the other one, as what is machined does.
-bool is_machined(const Recognition& of, int part, const SkinOutline& outline,
-                 const SkinOutline& other) {
-  const auto walls_along = [&](const SkinOutline& one) {
-    std::set<int> walls;
-    for (const auto& run : {std::optional(one.on_plane), one.on_bend})
-      if (run)
-        for (const CoEdge& use : uses_of(of, *run))
-          walls.insert(face_across(of.model.edges[use.edge], run->loop.face));
-    return walls;
-  };
-  const std::set<int> beyond = walls_along(other);
-  return std::ranges::none_of(walls_along(outline), [&](int wall) {
-    return of.rim.part_of[wall] != part || beyond.contains(wall);
-  });
-}
-
 /// Sets what is cut to the parts of a section over the flange and over the bend; returns whether it
 /// crosses the tangent line just once each way.
 bool divide(const Recognition& of, TangentOpening& opening, const Frame& across,
@@ -265,8 +247,8 @@ bool cut_across(const Recognition& of, TangentOpening& opening) {
   const bool above = is_wider(seen_here(of, opening), opening.cut_seen);
   const bool below = is_wider(seen_there(of, opening), opening.cut_seen);
   // What is wider on one skin alone may be drilled at a slant.
-  if ((above && !below && !is_machined(of, opening.part, opening.here, opening.there)) ||
-      (below && !above && !is_machined(of, opening.part, opening.there, opening.here)))
+  if (above != below &&
+      !is_machined(of, of.rim.parts[opening.part], above ? of.skin : other_skin(of.skin)))
     return false;
   TangentOpening drawn = opening;
   std::vector<CoEdge> outline = uses_of(of, opening.here.on_plane);
