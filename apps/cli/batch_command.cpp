@@ -82,7 +82,10 @@ std::string summary_text(const batch::BatchResult& result) {
     pattern +=
         "{left:input of an earlier run is/inputs of earlier runs are} not among these; the files "
         "are still there\n";
-  return tell(pattern, counts).sentence +
+  std::string notes;
+  for (const std::string& note : result.notes)
+    notes += note + "\n";
+  return tell(pattern, counts).sentence + notes +
          fmt::format("wrote {}\n", (result.out / "index.html").string()) +
          left_out_text(result.refused_for, result.passed_over);
 }

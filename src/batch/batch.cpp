@@ -4,6 +4,7 @@
 
 #include <planish/batch/codes.hpp>
 #include <planish/batch/options.hpp>
+#include <planish/batch/parts.hpp>
 #include <planish/brep/step_archive.hpp>
 #include <planish/job/options.hpp>
 #include <planish/schema/text_file.hpp>
@@ -315,6 +316,13 @@ Result<BatchResult> run_batch(const Inputs& inputs, const fs::path& out,
   if (!result) return result;
   record.finished = true;
   if (auto written = state->record(record); !written) return pass_on(written);
+  if (const auto request = request_of(options.options, catalogue);
+      request && request->materials && shard.of == 1) {
+    const auto lines = unused_rows(result->out, *request->materials);
+    if (!lines) return pass_on(lines);
+    for (const int line : *lines)
+      result->notes.push_back(shop::unused_row_text(*request->materials, line));
+  }
   result->resumed = running.progress().resumed;
   result->left = state->journal().names().size() - record.names.size();
   return result;

@@ -100,10 +100,25 @@ std::optional<Error> nobody_chooses(const std::vector<Input>& inputs, const job:
   return error_of(refuse::no_input_says, {{"known", shop::material_names(shop)}}, "material");
 }
 
+bool orders_pieces(const shop::PartMaterials& list) {
+  return std::ranges::any_of(list.rows(), [](const auto& row) { return row.quantity.has_value(); });
+}
+
+/// A list that orders pieces, but none of any of these parts; one of materials alone may be kept
+/// for other jobs.
+std::optional<Error> about_nothing(const std::vector<Input>& inputs, const job::Request& request) {
+  if (!request.materials || !orders_pieces(*request.materials) ||
+      std::ranges::any_of(
+          inputs, [&](const Input& input) { return may_be_listed(input, *request.materials); }))
+    return std::nullopt;
+  return error_of(
+      refuse::no_row_fits,
+      {{"list", request.materials->name()}, {"pattern", request.materials->rows().front().pattern}},
+      "materials");
+}
+
 std::optional<Error> said_twice(const std::vector<Input>& inputs, const job::Request& request) {
-  const bool listed = request.materials &&
-                      std::ranges::any_of(request.materials->rows(),
-                                          [](const auto& row) { return row.quantity.has_value(); });
+  const bool listed = request.materials && orders_pieces(*request.materials);
   const auto counted = std::ranges::find_if(
       inputs, [](const Input& input) { return !input.said_by.empty(); });
   if (!listed || counted == inputs.end()) return std::nullopt;
@@ -135,7 +150,8 @@ std::optional<Error> useless_options(const std::vector<Input>& inputs, const std
   if (!request) return request.error();
   if (auto wrong = job::unstocked(*request)) return wrong;
   if (auto wrong = said_twice(inputs, *request)) return wrong;
-  return nobody_chooses(inputs, *request);
+  if (auto wrong = nobody_chooses(inputs, *request)) return wrong;
+  return about_nothing(inputs, *request);
 }
 
 }  // namespace planish::batch

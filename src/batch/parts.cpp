@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace planish::batch {
 namespace {
 
@@ -39,6 +41,23 @@ Result<void> for_each_part(const std::filesystem::path& out,
     }
   }
   return {};
+}
+
+Result<std::vector<int>> unused_rows(const std::filesystem::path& out,
+                                     const shop::PartMaterials& list) {
+  std::set<int> used;
+  const auto taken = for_each_part(out, [&](const BatchPart& part) -> Result<void> {
+    const std::filesystem::path input(part.record.input);
+    const auto* row = list.find(
+        {part.record.body, input.stem().string(), input.filename().string()}, part.record.colour);
+    if (row) used.insert(row->line);
+    return {};
+  });
+  if (!taken) return pass_on(taken);
+  std::vector<int> unused;
+  for (const shop::PartMaterial& row : list.rows())
+    if (!used.contains(row.line)) unused.push_back(row.line);
+  return unused;
 }
 
 }  // namespace planish::batch

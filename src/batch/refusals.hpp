@@ -43,6 +43,9 @@ constexpr Refusal not_in_list{
     code::bad_option,
     "{list} has no row for {count:input}, {files}, and no material of the shop is named there.",
     "Add rows for them or one for *, or choose a material with `material`."};
+constexpr Refusal no_row_fits{
+    code::bad_option, "No row of {list} is about any of these parts: none is called {pattern}.",
+    "Write the names of bodies or files in its column part; * stands for any letters."};
 constexpr Refusal list_in_itself{code::cannot_read, "The list {file} names itself."};
 constexpr Refusal output_in_input{
     code::bad_option, "The results would go into {output}, which is in the input folder {folder}.",

@@ -48,6 +48,7 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
       map.face_id.emplace(f, id);
       for (int l = 0; l < std::ssize(read.loops); ++l) {
         const ReadFace::Loop& loop = read.loops[l];
+        map.cut_loops[{f, l}] = {id, loop.place, 0};
         const auto& uses = of.model.faces[f].loops[l];
         for (size_t i = 0; i < uses.size(); ++i)
           if (loop.borders[i] >= 0)
@@ -213,6 +214,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
   if (auto other = standing_across(recognition)) return tl::unexpected(std::move(*other));
   Recognition of = recognition;
   of.tangent_openings = tangent_openings(recognition);
+  of.bend_openings = bend_openings(recognition);
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);

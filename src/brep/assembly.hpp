@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bend_openings.hpp"
 #include "grouping.hpp"
 #include "rim.hpp"
 #include "tangent_openings.hpp"
@@ -18,6 +19,7 @@ struct Recognition {
   Skin skin;         ///< the reference skin
   double tolerance;  ///< to which borders are read, mm
   std::vector<TangentOpening> tangent_openings = {};
+  std::vector<BendOpening> bend_openings = {};
 };
 
 /// Loops that a part touches on the reference skin, and on the other one.

@@ -128,7 +128,7 @@ int opening_at(const Recognition& of, const LoopRef& ref, int use) {
   const int count = static_cast<int>(of.model.faces[ref.face].loops[ref.loop].size());
   for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
     const SkinOutline& here = of.tangent_openings[i].here;
-    if (!here.on_bend) continue;
+    if (!of.tangent_openings[i].leads_over()) continue;
     for (const LoopRun& run : {here.on_plane, *here.on_bend})
       if (run.loop == ref && run.holds((use + count) % count, count)) return i;
   }
@@ -210,6 +210,7 @@ struct ReadLoop {
   BorderLoop borders;
   std::vector<int> places;                  // in `borders`, by use
   std::map<int, std::vector<int>> bridges;  // in `borders`, by tangent opening
+  std::map<int, int> cuts;                  // where what is cut of it begins
   bool widened = false;
 };
 
@@ -221,7 +222,9 @@ void lead_over(const Recognition& of, int number, const SolidSurface& surface, R
   const bool flat = std::holds_alternative<Frame>(surface);
   BorderLoop cut;
   if (!opening.cut_of_bend.empty()) cut = flat ? opening.cut : opening.cut_of_bend;
+  result.bridges[number];
   const auto lead = [&](const Vec2& from, const Vec2& to) {
+    if (!opening.has_room) return;
     result.bridges[number].push_back(static_cast<int>(result.borders.size()));
     result.borders.push_back({Segment{from, to}});
   };
@@ -230,6 +233,7 @@ void lead_over(const Recognition& of, int number, const SolidSurface& surface, R
     cut = shifted(std::move(cut),
                   kTurn * std::round((start.x() - start_of(cut.front().curve).x()) / kTurn));
   lead(start, start_of(cut.front().curve));
+  result.cuts[number] = static_cast<int>(result.borders.size());
   std::ranges::copy(cut, std::back_inserter(result.borders));
   lead(end_of(cut.back().curve), end);
 }
@@ -264,6 +268,16 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   }
   if (result.widened) connect(result.borders, Border(result.borders.front()));
   return result;
+}
+
+/// A hole, of one within a bend its narrowest section.
+ReadLoop read_hole(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
+                   double u_near) {
+  const auto opening = std::ranges::find(of.bend_openings, ref, &BendOpening::here);
+  if (opening == of.bend_openings.end() || opening->cut.empty())
+    return read_loop(of, ref, surface, u_near);
+  const size_t uses = of.model.faces[ref.face].loops[ref.loop].size();
+  return {opening->cut, std::vector<int>(uses, -1), {}, {}, false};
 }
 
 /// The sheet's face without loops.
@@ -317,11 +331,8 @@ void take_silhouette(ReadFace& read, Silhouette silhouette, int outer) {
 void take_tangent_cuts(ReadFace& result, const Recognition& of, int f) {
   for (int i = 0; i < std::ssize(of.tangent_openings); ++i)
     if (const TangentOpening& opening = of.tangent_openings[i];
-        opening.here.on_bend && opening.here.on_plane.loop.face == f) {
-      if (!opening.cut_of_bend.empty()) {
-        result.openings[i] = {0, result.bridges.at(i).front() + 1};
-        continue;
-      }
+        opening.leads_over() && opening.here.on_plane.loop.face == f) {
+      if (!opening.cut_of_bend.empty()) continue;
       result.openings[i] = {static_cast<int>(result.face.loops.size()), 0};
       result.face.loops.push_back(opening.cut);
     }
@@ -342,11 +353,14 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
   };
   ReadLoop outline = read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle);
   result.bridges = std::move(outline.bridges);
+  if (std::holds_alternative<Frame>(surface))
+    for (const auto& [opening, border] : outline.cuts)
+      result.openings[opening] = {0, border};
   add(outer, std::move(outline));
   const double u_near = middle_u(result.face.loops.front());
   for (int l = 0; l < std::ssize(result.loops); ++l) {
     if (l == outer) continue;
-    ReadLoop hole = read_loop(of, {f, l}, surface, u_near);
+    ReadLoop hole = read_hole(of, {f, l}, surface, u_near);
     // A hole, read from its own first point, may lie a turn away from the face's outer loop.
     if (repeats(result.face.surface)) {
       const double turns = std::round((u_near - middle_u(hole.borders)) / kTurn);

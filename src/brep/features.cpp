@@ -9,6 +9,7 @@
 #include "narrowest.hpp"
 #include "plane_opening.hpp"
 #include "refusals.hpp"
+#include "rim_volume.hpp"
 #include "silhouette_features.hpp"
 #include "skin_outlines.hpp"
 #include "slanted_cuts.hpp"
@@ -170,23 +171,23 @@ void add_tangent_opening(SheetBuilder& builder, const SheetMap& map, const Recog
                          int number) {
   const TangentOpening& at = of.tangent_openings[number];
   const RimPart& part = of.rim.parts[at.part];
-  const CoEdge& use = loop_of(of, at.here.on_plane.loop).front();
-  const BorderRef first = at.here.on_bend
-                              ? map.tangent_cuts.at(number)
-                              : map.borders.at({at.here.on_plane.loop.face, use.edge, use.forward});
+  const LoopRun& run = at.here.on_plane;
+  const CoEdge& use = loop_of(of, run.loop)[run.first];
+  const BorderRef first = at.leads_over() ? map.tangent_cuts.at(number)
+                                          : map.borders.at({run.loop.face, use.edge, use.forward});
   const bool across = !at.cut_of_bend.empty();
   if (!across) builder[first.face].loops[first.loop] = at.cut;
   const PlaneOpening opening{part, at.here.on_plane.loop, at.there.on_plane.loop, seen_here(of, at),
                              seen_there(of, at)};
   for (FormedFeature& feature : widenings(opening, first, at.cut_seen))
     builder.add_feature(std::move(feature));
-  const double depth = seen_depth(of, opening.there, at.plane);
-  const double plug = cut_area(of, at) * depth;
-  const auto lacking = lacking_volume(of, at);
-  builder.add_form_volume(lacking ? std::optional(plug - *lacking) : std::nullopt);
+  const double depth = depth_of(of, at);
+  const auto beyond = volume_beyond_cut(of, at);
+  if (beyond) builder.add_form_volume(beyond);
   if (across) return;
   MeasuredOpening measured{first.face, first.loop};
-  measured.lacking = lacking.value_or(plug) * of.skins.thickness / depth;
+  const double area = cut_area(of, at);
+  measured.lacking = (area - beyond.value_or(0.0) / depth) * of.skins.thickness;
   measured.beyond = std::max(0.0, measured.lacking - loop_area(at.cut) * of.skins.thickness);
   measured.intrusion = intrusion_into(of, part, at.plane, at.cut);
   builder.add_opening(measured);
@@ -205,32 +206,73 @@ std::set<int> add_tangent_openings(SheetBuilder& builder, const SheetMap& map,
   return parts;
 }
 
+/// The same of openings within bends, where no outlines are drawn.
+std::set<int> add_bend_openings(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                                std::set<LoopRef>& widened) {
+  std::set<int> parts;
+  for (const BendOpening& opening : of.bend_openings) {
+    const BorderRef first = map.cut_loops.at(opening.here);
+    if (opening.up || opening.down) {
+      const FormSide side = !opening.down ? FormSide::up
+                            : opening.up  ? FormSide::both
+                                          : FormSide::down;
+      FormedFeature feature = feature_of("countersink", side,
+                                         of.rim.parts[opening.part].faces.front(), first.face);
+      feature.along = {first};
+      builder.add_feature(std::move(feature));
+    }
+    widened.erase(opening.here);
+    parts.insert(opening.part);
+  }
+  return parts;
+}
+
+std::set<int> add_openings_at_bends(SheetBuilder& builder, const SheetMap& map,
+                                    const Recognition& of, std::set<LoopRef>& widened) {
+  std::set<int> parts = add_tangent_openings(builder, map, of, widened);
+  parts.merge(add_bend_openings(builder, map, of, widened));
+  return parts;
+}
+
 /// The part of the rim along a loop of a skin.
-const RimPart* part_along(const Recognition& of, const LoopRef& ref) {
+std::optional<int> part_along(const Recognition& of, const LoopRef& ref) {
   for (const CoEdge& use : loop_of(of, ref))
     if (const int wall = face_across(of.model.edges[use.edge], ref.face);
         wall >= 0 && of.rim.part_of[wall] >= 0)
-      return &of.rim.parts[of.rim.part_of[wall]];
-  return nullptr;
+      return of.rim.part_of[wall];
+  return {};
 }
 
-/// A chamfer or fillet around a contour: the skin's own outline is drawn.
-void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
-                       const LoopRef& ref) {
-  const FaceId face = map.face_id.at(ref.face);
-  FormedFeature feature = feature_of("chamfer", FormSide::up, ref.face, face);
-  if (const auto* plane = std::get_if<Frame>(&builder[face].surface))
-    feature.outlines.push_back(read_borders(of.model, loop_of(of, ref), *plane, 0.0, of.tolerance));
-  const auto& borders = builder[face].loops;
-  const RimPart* part = part_along(of, ref);
-  builder.add_form_volume(part ? rim_volume(of, *part, loop_area(borders.front())) : std::nullopt);
-  builder.add_feature(std::move(feature));
+/// The parts along loops that are cut wider than the skin, and openings over tangent lines that are
+/// not measured yet.
+std::set<int> chamfered_here(const Recognition& of, const std::set<LoopRef>& widened) {
+  std::set<int> parts;
+  for (const LoopRef& ref : widened)
+    if (const auto part = part_along(of, ref)) parts.insert(*part);
+  for (const TangentOpening& opening : of.tangent_openings)
+    if (!volume_beyond_cut(of, opening)) parts.insert(opening.part);
+  for (const BendOpening& opening : of.bend_openings)
+    parts.insert(opening.part);
+  return parts;
 }
 
-/// Chamfers along the other skin, by which the blank stays as it is.
-void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+/// Chamfers and fillets around contours: the skin's own outlines are drawn.
+void add_chamfered_rims(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                        const std::set<LoopRef>& widened) {
+  for (const LoopRef& ref : widened) {
+    const FaceId face = map.face_id.at(ref.face);
+    FormedFeature feature = feature_of("chamfer", FormSide::up, ref.face, face);
+    if (const auto* plane = std::get_if<Frame>(&builder[face].surface))
+      feature.outlines.push_back(
+          read_borders(of.model, loop_of(of, ref), *plane, 0.0, of.tolerance));
+    builder.add_feature(std::move(feature));
+  }
+}
+
+/// Chamfers along the other skin, by which the blank stays as it is. Returns whether there are any.
+bool add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                       const RimPart& part) {
-  if (!part.within) return;
+  if (!part.within) return false;
   bool found = false;
   for (const LoopRef& ref : loops_there(of, part))
     if (is_chamfered(of, part, ref)) {
@@ -238,10 +280,7 @@ void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognit
       found = true;
     }
   const auto& here = loops_here(of, part);
-  if (!found || here.empty() || map.widened.contains(here.front())) return;
-  const FaceId face = map.face_id.at(here.front().face);
-  if (const auto volume = rim_volume(of, part, loop_area(builder[face].loops.front())))
-    builder.add_form_volume(volume);
+  return found && !here.empty() && !map.widened.contains(here.front());
 }
 
 /// Whether all that is cut along these loops is taken from silhouettes.
@@ -251,8 +290,10 @@ bool is_all_seen(const SheetMap& map, const std::vector<LoopRef>& loops) {
 }
 
 /// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
-void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part,
-                         int openings) {
+void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                         const RimPart& part) {
+  const int openings = hidden_openings(of, part);
+  if (openings <= 0) return;
   FormedFeature feature = feature_of("formed", FormSide::down, part.faces.front(),
                                      map.face_id.begin()->second);
   feature.own_openings = openings;
@@ -263,25 +304,25 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPa
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   std::set<LoopRef> widened = map.widened;
-  const std::set<int> beside_bends = add_tangent_openings(builder, map, of, widened);
+  const std::set<int> at_bends = add_openings_at_bends(builder, map, of, widened);
+  std::set<int> chamfered_there;
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
     const RimPart& part = of.rim.parts[p];
     const auto& here = loops_here(of, part);
     const auto& there = loops_there(of, part);
-    if (beside_bends.contains(p) || is_all_seen(map, here)) continue;
+    if (at_bends.contains(p) || is_all_seen(map, here)) continue;
     const bool several = part.within && has_several_holes(of, part);
     if (part.within && !several && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))
         widened.erase(here.front());
-      else
-        add_far_chamfers(builder, map, of, part);
+      else if (add_far_chamfers(builder, map, of, part))
+        chamfered_there.insert(p);
     } else if (here.empty()) {
       if (part.within || !formed_here(of, part))
         for (const LoopRef& ref : there)
           if (opening_in_plane(of, ref))
             add_far_outline(builder, map, of, part.within ? "pocket" : "formed", part, ref);
-      if (const int hidden = hidden_openings(of, part); hidden > 0)
-        add_hidden_openings(builder, map, part, hidden);
+      add_hidden_openings(builder, map, of, part);
       builder.add_form_volume(form_volume(of, part));
     } else if (!part.within) {
       add_marked(builder, map, of, p, "formed", raised_side(of, part), part.refusal);
@@ -289,17 +330,17 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     } else if (there.empty() || several) {
       add_marked(builder, map, of, p, "pocket", FormSide::up, recess_at_rim(of.model, part));
       builder.add_form_volume(form_volume(of, part));
-    } else {
-      add_far_chamfers(builder, map, of, part);
+    } else if (add_far_chamfers(builder, map, of, part)) {
+      chamfered_there.insert(p);
     }
   }
   for (const auto& [face, silhouette] : map.silhouettes)
     add_silhouette(builder, map, of, face);
   measure_outlines(builder, map, of);
   add_contacts(builder, map, of);
-  add_slanted_cuts(builder, map, of);
-  for (const LoopRef& ref : widened)
-    add_chamfered_rim(builder, map, of, ref);
+  add_slanted_cuts(builder, map, of,
+                   add_rim_volumes(builder, map, of, chamfered_here(of, widened), chamfered_there));
+  add_chamfered_rims(builder, map, of, widened);
 }
 
 }  // namespace planish::brep

@@ -15,6 +15,7 @@ namespace planish::brep {
 struct SheetMap {
   std::map<int, FaceId> face_id;                            ///< by face of the solid
   std::map<std::tuple<int, int, bool>, BorderRef> borders;  ///< by face, edge and sense of the use
+  std::map<LoopRef, BorderRef> cut_loops;                   ///< the first border of each loop
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
   std::map<int, Silhouette> silhouettes;  ///< by face of the solid: loops are taken from it
   /// By tangent opening, whose outline on the reference skin crosses the tangent line: the borders

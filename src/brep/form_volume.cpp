@@ -51,6 +51,16 @@ double signed_loop_area(const BorderLoop& borders) {
 
 double loop_area(const BorderLoop& borders) { return std::abs(signed_loop_area(borders)); }
 
+double signed_middle_area(const Recognition& of, int face, const BorderLoop& borders) {
+  const auto* surface = std::get_if<Developable>(&of.model.faces[face].surface);
+  if (!surface) return signed_loop_area(borders);
+  const Development middle(*surface, -of.model.faces[face].sense * of.skins.thickness / 2,
+                           of.outlines[face].u_middle);
+  return sum_of(borders, [&](const Border& border) {
+    return green_area(middle.develop(border.curve, of.tolerance));
+  });
+}
+
 bool opening_in_plane(const Recognition& of, const LoopRef& ref) {
   return std::holds_alternative<Frame>(of.model.faces[ref.face].surface) &&
          of.outlines[ref.face].outer != ref.loop;
@@ -81,7 +91,7 @@ double opening_volume(const Recognition& of, const RimPart& part,
   return excess + cut * depth * 2 / 3;
 }
 
-std::optional<double> rim_volume(const Recognition& of, const RimPart& part, double cut) {
+std::optional<double> plate_rim_volume(const Recognition& of, const RimPart& part, double cut) {
   if (!is_plate_rim(of, part)) return {};
   double excess = volume_under(of, part);
   for (const LoopRef& ref : {part.first.front(), part.second.front()}) {

@@ -10,6 +10,9 @@ namespace planish::brep {
 double signed_loop_area(const BorderLoop& borders);
 double loop_area(const BorderLoop& borders);
 
+/// With its sign, half-way between the skins, of borders on the surface of a skin's face.
+double signed_middle_area(const Recognition& of, int face, const BorderLoop& borders);
+
 /// Whether the loop is an opening of a plane.
 bool opening_in_plane(const Recognition& of, const LoopRef& ref);
 
@@ -25,6 +28,6 @@ double opening_volume(const Recognition& of, const RimPart& part,
 
 /// The same along the rim of a plate, cut with the area `cut` inside its outline; empty along
 /// others.
-std::optional<double> rim_volume(const Recognition& of, const RimPart& part, double cut);
+std::optional<double> plate_rim_volume(const Recognition& of, const RimPart& part, double cut);
 
 }  // namespace planish::brep

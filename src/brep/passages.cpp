@@ -160,8 +160,9 @@ std::vector<std::vector<CoEdge>> chained_cut(const Recognition& of, const RimPar
 
 /// The cut where an edge costs so much a millimetre and areas count `area_share`.
 std::vector<std::vector<CoEdge>> cheapest_cut(const Recognition& of, const RimPart& part,
-                                              const std::vector<double>& areas, double by_length,
-                                              double area_share) {
+                                              const std::vector<double>& areas,
+                                              const EdgeLength& length_of, double area_share) {
+  constexpr double kEdgeShare = 0.01;  // of the thickness: as much area as a mm of edge costs
   const int count = static_cast<int>(part.faces.size());
   const int source = count;
   const int sink = count + 1;
@@ -179,7 +180,7 @@ std::vector<std::vector<CoEdge>> cheapest_cut(const Recognition& of, const RimPa
         const SolidEdge& edge = of.model.edges[use.edge];
         const int other = face_across(edge, part.faces[i]);
         if (other < 0 || other == part.faces[i] || !met.insert(use.edge).second) continue;
-        const double cost = by_length * edge.curve.length();
+        const double cost = kEdgeShare * of.skins.thickness * length_of(use.edge);
         if (const auto node = node_of.find(other); node != node_of.end())
           graph.add(i, node->second, cost, cost);
         else if (of.skins.skin_of[other] == of.skin)
@@ -196,12 +197,15 @@ std::vector<std::vector<CoEdge>> cheapest_cut(const Recognition& of, const RimPa
 
 std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
                                           const Frame& plane) {
+  return passages(of, part, plane, [&](int e) { return of.model.edges[e].curve.length(); });
+}
+
+std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
+                                          const Frame& plane, const EdgeLength& length_of) {
   const auto areas = mapped(part.faces, [&](int f) { return projected_area(of.model, f, plane); });
-  constexpr double kEdgeShare = 0.01;  // of the thickness: as much area as a mm of edge costs
-  const double by_length = kEdgeShare * of.skins.thickness;
   // A rolled lip looks both ways, and areas part it as well; the shortest edges then decide.
   for (const double area_share : {1.0, 0.0}) {
-    auto chains = cheapest_cut(of, part, areas, by_length, area_share);
+    auto chains = cheapest_cut(of, part, areas, length_of, area_share);
     if (std::ssize(chains) == part.openings) return chains;
   }
   return {};

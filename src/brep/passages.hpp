@@ -2,6 +2,7 @@
 
 #include "assembly.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace planish::brep {
@@ -14,5 +15,11 @@ namespace planish::brep {
 /// costs a little of its length. Empty where no cut gives as many chains as `RimPart::openings`.
 std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
                                           const Frame& plane);
+
+/// The same where an edge counts another length, mm: of all the ends of an upright wall, which are
+/// seen alike, the chain runs along the shortest.
+using EdgeLength = std::function<double(int edge)>;
+std::vector<std::vector<CoEdge>> passages(const Recognition& of, const RimPart& part,
+                                          const Frame& plane, const EdgeLength& length_of);
 
 }  // namespace planish::brep

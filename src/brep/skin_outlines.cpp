@@ -6,6 +6,7 @@
 #include <planish/geometry/plane.hpp>
 
 #include <algorithm>
+#include <set>
 
 // Outlines of both skins as they lie on the reference skin, and whether one is wider than another:
 // what is drawn of it and not cut.
@@ -30,6 +31,17 @@ std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point
   return {};
 }
 
+/// The faces of a part that lie along a skin.
+std::set<int> walls_along(const Recognition& of, const RimPart& part, Skin skin) {
+  std::set<int> walls;
+  for (const LoopRef& ref : skin == Skin::first ? part.first : part.second)
+    for (const CoEdge& use : loop_of(of, ref))
+      if (const int wall = face_across(of.model.edges[use.edge], ref.face);
+          std::ranges::count(part.faces, wall) > 0)
+        walls.insert(wall);
+  return walls;
+}
+
 }  // namespace
 
 const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
@@ -40,6 +52,12 @@ double perimeter(const BorderLoop& borders) { return length(mapped(borders, &Bor
 
 bool is_wider(const BorderLoop& outline, const BorderLoop& than) {
   return loop_area(outline) - loop_area(than) > kWiderOutline * perimeter(than);
+}
+
+bool is_machined(const Recognition& of, const RimPart& part, Skin skin) {
+  const std::set<int> beyond = walls_along(of, part, other_skin(skin));
+  return std::ranges::none_of(walls_along(of, part, skin),
+                              [&](int wall) { return beyond.contains(wall); });
 }
 
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {

@@ -15,6 +15,9 @@ inline constexpr double kWiderOutline = 1e-3;
 double perimeter(const BorderLoop& borders);
 bool is_wider(const BorderLoop& outline, const BorderLoop& than);
 
+/// Whether the walls along a skin end before they reach the other one, as what is machined does.
+bool is_machined(const Recognition& of, const RimPart& part, Skin skin);
+
 /// A loop of the other skin as seen on this one: reversed, a thickness below.
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane);
 

@@ -71,20 +71,15 @@ std::vector<BorderRef> slanted_borders(const SheetMap& map, const Recognition& o
 }
 
 /// Area of a skin face half-way to the other skin, its openings in planes filled.
-double middle_area(const Recognition& of, int f) {
+double filled_area(const Recognition& of, int f) {
   const SolidFace& face = of.model.faces[f];
-  const Outline& outline = of.outlines[f];
-  const auto* surface = std::get_if<Developable>(&face.surface);
-  std::optional<Development> middle;
-  if (surface) middle.emplace(*surface, -face.sense * of.skins.thickness / 2, outline.u_middle);
-  double sum = 0.0;
-  for (int l = 0; l < std::ssize(face.loops); ++l) {
-    if (opening_in_plane(of, {f, l})) continue;
-    for (const Border& border :
-         read_borders(of.model, face.loops[l], face.surface, outline.u_middle, of.tolerance))
-      sum += green_area(middle ? middle->develop(border.curve, of.tolerance) : border.curve);
-  }
-  return std::abs(sum);
+  const double u_near = of.outlines[f].u_middle;
+  double area = 0.0;
+  for (int l = 0; l < std::ssize(face.loops); ++l)
+    if (!opening_in_plane(of, {f, l}))
+      area += signed_middle_area(
+          of, f, read_borders(of.model, face.loops[l], face.surface, u_near, of.tolerance));
+  return std::abs(area);
 }
 
 /// What the solid holds beyond the reference skin's outline over the whole thickness: straight
@@ -93,7 +88,7 @@ double slanted_volume(const Recognition& of) {
   double difference = 0.0;
   for (int f = 0; f < std::ssize(of.model.faces); ++f)
     if (of.skins.skin_of[f] != Skin::none)
-      difference += (of.skins.skin_of[f] == of.skin ? -1.0 : 1.0) * middle_area(of, f);
+      difference += (of.skins.skin_of[f] == of.skin ? -1.0 : 1.0) * filled_area(of, f);
   return difference * of.skins.thickness / 2;
 }
 
@@ -109,10 +104,12 @@ bool is_chamfered(const Recognition& of, const RimPart& part, const LoopRef& ref
   });
 }
 
-void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                      const std::set<int>& measured) {
   if (!map.widened.empty() || !of.skins.sharp.empty()) return;
   bool found = false;
-  for (const RimPart& part : of.rim.parts) {
+  for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
+    const RimPart& part = of.rim.parts[p];
     if (!is_plain_cut(of, part)) continue;
     for (const FormSide side : {FormSide::up, FormSide::down}) {
       FormedFeature feature;
@@ -123,17 +120,17 @@ void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognit
       feature.source_face = part.faces.front() + 1;
       feature.face = feature.along.front().face;
       builder.add_feature(std::move(feature));
-      found = true;
+      found |= !measured.contains(p);
     }
   }
   // The skins of formed sheets differ by their forms too.
   const auto& features = builder.sheet().features;
   const bool formed = std::ranges::any_of(
       features, [](const FormedFeature& one) { return one.kind == "formed"; });
-  // Skins differ by what is machined over tangent lines, too, which counts already.
+  // Skins differ by chamfers and by what is machined over tangent lines, too, which count already.
+  const bool alone = of.tangent_openings.empty() && measured.empty();
   if (found && !formed)
-    builder.add_form_volume(of.tangent_openings.empty() ? std::optional(slanted_volume(of))
-                                                        : std::nullopt);
+    builder.add_form_volume(alone ? std::optional(slanted_volume(of)) : std::nullopt);
 }
 
 }  // namespace planish::brep

@@ -12,6 +12,8 @@ bool is_chamfered(const Recognition& of, const RimPart& part, const LoopRef& ref
 /// cuts, mitres. The blank keeps the reference skin's outline there; the feature names the borders,
 /// and the sheet gets the volume by which the solid differs from it, from the areas of both skins.
 /// Nothing is noted of sheets with chamfered rims or sharp bends, whose skins differ otherwise.
-void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of);
+/// `measured`: parts of the rim whose volume counts already.
+void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                      const std::set<int>& measured);
 
 }  // namespace planish::brep

@@ -7,6 +7,7 @@
 #include "plane_opening.hpp"
 #include "projection.hpp"
 #include "skin_outlines.hpp"
+#include "tangent_runs.hpp"
 
 #include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
@@ -46,19 +47,6 @@ std::optional<LoopRun> run_along(const Recognition& of, int part, const LoopRef&
   return run;
 }
 
-std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run) {
-  const auto& loop = loop_of(of, run.loop);
-  std::vector<CoEdge> uses;
-  for (int i = 0; i < run.count; ++i)
-    uses.push_back(loop[(run.first + i) % loop.size()]);
-  return uses;
-}
-
-Vec3 point_of(const Recognition& of, const CoEdge& use, bool after) {
-  const SpaceCurve& curve = of.model.edges[use.edge].curve;
-  return use.forward == after ? curve.end : curve.start;
-}
-
 int vertex_of(const Recognition& of, const CoEdge& use, bool after) {
   return of.model.edges[use.edge].vertices[use.forward == after ? 1 : 0];
 }
@@ -74,11 +62,6 @@ bool is_between_joints(const Recognition& of, const LoopRun& run, int other) {
 
 bool is_outer(const Recognition& of, const LoopRun& run) {
   return of.outlines[run.loop.face].outer == run.loop.loop;
-}
-
-const Cylinder* cylinder_of(const Recognition& of, int face) {
-  const auto* surface = std::get_if<Developable>(&of.model.faces[face].surface);
-  return surface ? std::get_if<Cylinder>(surface) : nullptr;
 }
 
 std::optional<SkinOutline> outline_on(const Recognition& of, int part,
@@ -106,22 +89,6 @@ std::optional<SkinOutline> outline_on(const Recognition& of, int part,
   return SkinOutline{*plane, *bend};
 }
 
-/// A flange and the bend beside it: x across the tangent line, above 0 over the bend, z the outward
-/// normal of the reference skin.
-Frame across_tangent(const Recognition& of, const Frame& plane, const SkinOutline& outline) {
-  const auto uses = uses_of(of, *outline.on_bend);
-  const Vec3 from = point_of(of, uses.front(), false), to = point_of(of, uses.back(), true);
-  Vec3 x = (to - from).cross(plane.z).normalized();
-  const SpaceCurve& curve = of.model.edges[uses[uses.size() / 2].edge].curve;
-  if (x.dot(curve.point((curve.t0 + curve.t1) / 2) - from) < 0.0) x = -x;
-  Frame frame;
-  frame.origin = from - (from - plane.origin).dot(plane.z) * plane.z;
-  frame.x = x;
-  frame.y = plane.z.cross(x);
-  frame.z = plane.z;
-  return frame;
-}
-
 /// The outline that crosses the tangent line.
 const SkinOutline& crossing_outline(const TangentOpening& opening) {
   return opening.here.on_bend ? opening.here : opening.there;
@@ -134,22 +101,6 @@ double reach_over(const BorderLoop& loop, const Frame& plane, const Frame& acros
       across.y.dot(plane.y);
   const Box2 box = bounds(transformed(mapped(loop, &Border::curve), turn));
   return box.hi.x() - (turn * plane.local2(across.origin)).x();
-}
-
-/// A loop of the other skin, or one over both faces, as it is seen along the normal.
-BorderLoop seen(const Recognition& of, const SkinOutline& outline, const Frame& plane,
-                bool other_skin) {
-  std::vector<CoEdge> uses = uses_of(of, outline.on_plane);
-  if (outline.on_bend) std::ranges::copy(uses_of(of, *outline.on_bend), std::back_inserter(uses));
-  if (other_skin) {
-    std::ranges::reverse(uses);
-    for (CoEdge& use : uses)
-      use.forward = !use.forward;
-  }
-  BorderLoop loop = read_borders(of.model, uses, plane, 0.0, of.tolerance);
-  for (Border& border : loop)
-    border.edge_depth = other_skin ? of.skins.thickness : 0.0;
-  return loop;
 }
 
 /// The least of what may be cut; empty where nothing closed lies in the flange.
@@ -214,34 +165,12 @@ std::vector<SectionPiece> divided(const Recognition& of, const TangentOpening& o
   return pieces;
 }
 
-/// Whether the runs on both skins have room round a section at the tangent line.
-bool is_within_runs(const Recognition& of, const TangentOpening& opening, const Frame& across,
-                    const Vec2& from, const Vec2& to) {
-  const auto y_of = [&](const Vec2& p) {
-    return (opening.plane.point(p) - across.origin).dot(across.y);
-  };
-  const auto [low, high] = std::minmax({y_of(from), y_of(to)});
-  const auto holds = [&](const SkinOutline& outline) {
-    const auto uses = uses_of(of, outline.on_plane);
-    const auto [a, b] = std::minmax({across.local(point_of(of, uses.front(), false)).y(),
-                                     across.local(point_of(of, uses.back(), true)).y()});
-    return a < low - kWiderOutline && b > high + kWiderOutline;
-  };
-  return holds(opening.here) && holds(opening.there);
-}
-
-/// Sets what is cut to the narrowest section across the tangent line; returns whether there is one.
-bool cut_across(const Recognition& of, TangentOpening& opening) {
-  if (!opening.here.on_bend || !opening.there.on_bend) return false;
-  const Frame across = across_tangent(of, opening.plane, opening.here);
-  const auto chains = passages(of, of.rim.parts[opening.part], opening.plane);
-  if (chains.size() != 1) return false;
-  opening.cut_seen = read_borders(of.model, chains.front(), opening.plane, 0.0, of.tolerance);
-  if (!is_wider(seen_here(of, opening), opening.cut_seen) ||
-      !is_wider(seen_there(of, opening), opening.cut_seen))
-    return false;
+/// Sets what is cut to the parts of a section over the flange and over the bend; returns whether it
+/// crosses the tangent line just once each way.
+bool divide(const Recognition& of, TangentOpening& opening, const Frame& across,
+            const std::vector<CoEdge>& section) {
   std::vector<SectionPiece> pieces;
-  for (const CoEdge& use : chains.front()) {
+  for (const CoEdge& use : section) {
     if (length(read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front().curve) <=
         of.tolerance)
       continue;
@@ -261,16 +190,82 @@ bool cut_across(const Recognition& of, TangentOpening& opening) {
   std::ranges::rotate(pieces, pieces.begin() + static_cast<std::ptrdiff_t>(start));
   for (SectionPiece& piece : pieces)
     (piece.over_bend ? opening.cut_of_bend : opening.cut).push_back(std::move(piece.border));
-  const bool within = is_within_runs(of, opening, across, start_of(opening.cut.front().curve),
-                                     end_of(opening.cut.back().curve));
-  if (!within) opening.cut = opening.cut_of_bend = {};
-  return within;
+  return true;
+}
+
+/// How long an edge is once the bend lies flat. Of the ends of a wall that is drilled along the
+/// normal of the flange the outermost is the least, and all that is cut passes through the others.
+double length_when_flat(const Recognition& of, const SkinOutline& outline, const Frame& across,
+                        const SpaceCurve& curve) {
+  constexpr int kSteps = 128;
+  const Vec3 axis = across.local(cylinder_of(of, outline.on_bend->loop.face)->frame.origin);
+  const double middle = middle_radius(of, outline);
+  const auto image = [&](int step) {
+    const Vec3 p = across.local(
+        curve.point(std::lerp(curve.t0, curve.t1, static_cast<double>(step) / kSteps)));
+    const double height = std::copysign(1.0, -axis.z()) * (p.z() - axis.z());
+    return Vec2(p.x() > 0.0 ? middle * std::atan2(p.x(), height) : p.x(), p.y());
+  };
+  double length = 0.0, farthest = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2 from = image(i), to = image(i + 1);
+    length += (to - from).norm();
+    farthest = std::max({farthest, from.x(), to.x()});
+  }
+  return farthest > 0.0 ? length : curve.length();
 }
 
 /// Of borders closed by a straight one.
 double closed_area(const BorderLoop& borders) {
   const Segment closing{end_of(borders.back().curve), start_of(borders.front().curve)};
   return std::abs(signed_loop_area(borders) + green_area(closing));
+}
+
+/// How far what is cut ends within an outline at the tangent line: the nearer end, the other one.
+Interval room_within(const Recognition& of, const TangentOpening& opening,
+                     const SkinOutline& outline, const Frame& across) {
+  const auto y_of = [&](const Vec2& p) {
+    return (opening.plane.point(p) - across.origin).dot(across.y);
+  };
+  const auto uses = uses_of(of, outline.on_plane);
+  const auto [low, high] = std::minmax({across.local(point_of(of, uses.front(), false)).y(),
+                                        across.local(point_of(of, uses.back(), true)).y()});
+  const auto [first, last] = std::minmax(
+      {y_of(start_of(opening.cut.front().curve)), y_of(end_of(opening.cut.back().curve))});
+  return {std::min(first - low, high - last), std::max(first - low, high - last)};
+}
+
+/// Sets what is cut to the narrowest section across the tangent line; returns whether there is one.
+bool cut_across(const Recognition& of, TangentOpening& opening) {
+  if (!opening.here.on_bend || !opening.there.on_bend) return false;
+  const Frame across = across_tangent(of, opening.plane, opening.here);
+  const auto chains = passages(of, of.rim.parts[opening.part], opening.plane, [&](int edge) {
+    return length_when_flat(of, opening.here, across, of.model.edges[edge].curve);
+  });
+  if (chains.size() != 1) return false;
+  opening.cut_seen = read_borders(of.model, chains.front(), opening.plane, 0.0, of.tolerance);
+  const bool above = is_wider(seen_here(of, opening), opening.cut_seen);
+  const bool below = is_wider(seen_there(of, opening), opening.cut_seen);
+  // What is wider on one skin alone may be drilled at a slant.
+  if (above != below &&
+      !is_machined(of, of.rim.parts[opening.part], above ? of.skin : other_skin(of.skin)))
+    return false;
+  TangentOpening drawn = opening;
+  std::vector<CoEdge> outline = uses_of(of, opening.here.on_plane);
+  std::ranges::copy(uses_of(of, *opening.here.on_bend), std::back_inserter(outline));
+  if (!divide(of, drawn, across, outline) || !divide(of, opening, across, chains.front()))
+    return false;
+  const double width = (cut_area(of, drawn) - cut_area(of, opening)) / perimeter(opening.cut_seen);
+  if (width <= kWiderOutline) {
+    drawn.as_drawn = true;
+    opening = std::move(drawn);
+    return below;
+  }
+  const Interval here = room_within(of, opening, opening.here, across);
+  opening.has_room = here.lo > kWiderOutline;
+  const bool ends_alike = here.lo >= -of.tolerance && here.hi <= of.tolerance;
+  return (opening.has_room || ends_alike) &&
+         room_within(of, opening, opening.there, across).lo >= -of.tolerance;
 }
 
 /// ∫ f(x) dy along a run, as its face runs along it.
@@ -316,18 +311,18 @@ class HeightIntegral {
 /// The volume between the plane and the skin's faces carried on over an opening, above 0 where they
 /// lie above it and look up, or below and down.
 std::optional<double> volume_over_skin(const Recognition& of, const SkinOutline& outline,
-                                       const Frame& plane, const Frame& across, bool other_skin) {
-  const double outwards = other_skin ? -1.0 : 1.0;
+                                       const Frame& plane, const Frame& across, Skin skin) {
+  const double outwards = skin == of.skin ? 1.0 : -1.0;
   const Vec3 tangent = point_of(of, uses_of(of, outline.on_plane).front(), false);
   const double level = plane.local(tangent).z();
-  if (!outline.on_bend) return outwards * level * loop_area(seen(of, outline, plane, other_skin));
+  if (!outline.on_bend) return outwards * level * loop_area(seen_outline(of, outline, plane, skin));
   const double start = across.local(tangent).x();
   // Seen from outside, each skin's faces lie on the left of its runs, and the opening on the right.
   double volume = -along(of, outline.on_plane, across,
                          [&](double x) { return level * (x - start); });
   const Cylinder& cylinder = *cylinder_of(of, outline.on_bend->loop.face);
   constexpr double kSteepest = 0.99;  // of the radius: beyond, a column meets the bend again
-  const Box2 box = bounds(seen(of, outline, across, other_skin));
+  const Box2 box = bounds(seen_outline(of, outline, across, skin));
   if (box.hi.x() > kSteepest * cylinder.radius) return {};
   volume -= along(of, *outline.on_bend, across, HeightIntegral(cylinder, across, tangent));
   return volume;
@@ -335,29 +330,26 @@ std::optional<double> volume_over_skin(const Recognition& of, const SkinOutline&
 
 }  // namespace
 
-BorderLoop seen_here(const Recognition& of, const TangentOpening& opening) {
-  return seen(of, opening.here, opening.plane, false);
-}
-BorderLoop seen_there(const Recognition& of, const TangentOpening& opening) {
-  return seen(of, opening.there, opening.plane, true);
+double cut_area(const Recognition& of, const TangentOpening& opening) {
+  if (opening.cut_of_bend.empty()) return loop_area(opening.cut);
+  return closed_area(opening.cut) +
+         middle_radius(of, opening.here) * closed_area(opening.cut_of_bend);
 }
 
-std::optional<double> lacking_volume(const Recognition& of, const TangentOpening& opening) {
+double depth_of(const Recognition& of, const TangentOpening& opening) {
+  const LoopRef& there = opening.there.on_plane.loop;
+  return -opening.plane.local(of.outlines[there.face].rings[there.loop].front()).z();
+}
+
+std::optional<double> volume_beyond_cut(const Recognition& of, const TangentOpening& opening) {
   const Frame across = across_tangent(of, opening.plane, crossing_outline(opening));
-  const auto here = volume_over_skin(of, opening.here, opening.plane, across, false);
-  const auto there = volume_over_skin(of, opening.there, opening.plane, across, true);
+  const auto here = volume_over_skin(of, opening.here, opening.plane, across, of.skin);
+  const auto there = volume_over_skin(of, opening.there, opening.plane, across,
+                                      other_skin(of.skin));
   if (!here || !there) return {};
   const double walls = sum_of(of.rim.parts[opening.part].faces,
                               [&](int f) { return volume_over(of.model, f, opening.plane); });
-  return *here + *there - walls;
-}
-
-double cut_area(const Recognition& of, const TangentOpening& opening) {
-  if (opening.cut_of_bend.empty()) return loop_area(opening.cut);
-  const int face = opening.here.on_bend->loop.face;
-  const double middle = cylinder_of(of, face)->radius -
-                        of.model.faces[face].sense * of.skins.thickness / 2;
-  return closed_area(opening.cut) + middle * closed_area(opening.cut_of_bend);
+  return cut_area(of, opening) * depth_of(of, opening) + walls - *here - *there;
 }
 
 std::vector<TangentOpening> tangent_openings(const Recognition& of) {

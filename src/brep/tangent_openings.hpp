@@ -30,7 +30,8 @@ struct SkinOutline {
 /// An opening of a flange that reaches into the bend beside it, on one skin at least, if only by
 /// what is machined round it. What is cut is the narrowest section: a clockwise loop of the flange,
 /// beside which the tangent line is whole; or, where that crosses the tangent line too, its parts
-/// over the flange and over the bend, as their faces run.
+/// over the flange and over the bend, as their faces run. If the other skin alone is machined
+/// there, those parts are the reference skin's own outline.
 struct TangentOpening {
   int part = 0;             ///< of the rim
   SkinOutline here, there;  ///< on the reference skin and on the other one
@@ -38,10 +39,14 @@ struct TangentOpening {
   BorderLoop cut;           ///< in that plane
   BorderLoop cut_of_bend;   ///< in (u, v) of the bend, at any turn; empty: the loop is closed
   BorderLoop cut_seen;      ///< all of it, along the normal of the flange
+  bool as_drawn = false;    ///< it is cut along the reference skin's own edges
+  bool has_room = true;     ///< at the tangent line it ends within the reference skin's outline
+
+  /// Whether the tangent line goes on beside what is cut, over what is machined on this skin.
+  bool leads_over() const { return here.on_bend && !as_drawn; }
 };
 
-/// Those of a solid. Openings over a tangent line that are cut across it are taken only where both
-/// skins are machined: else one skin's outline is what is cut. May throw the kernel's exceptions.
+/// Those of a solid that are machined, on one skin or both. May throw the kernel's exceptions.
 std::vector<TangentOpening> tangent_openings(const Recognition& of);
 
 /// The area of what is cut, mm²; over the bend half-way between the skins.
@@ -51,8 +56,12 @@ double cut_area(const Recognition& of, const TangentOpening& opening);
 BorderLoop seen_here(const Recognition& of, const TangentOpening& opening);
 BorderLoop seen_there(const Recognition& of, const TangentOpening& opening);
 
-/// How much of the sheet the solid lacks there, mm³: what its faces, the planes and the cylinders
-/// that go on over it enclose. Empty where it goes beyond a quarter turn of the bend.
-std::optional<double> lacking_volume(const Recognition& of, const TangentOpening& opening);
+/// How far the other skin lies below the plane, mm.
+double depth_of(const Recognition& of, const TangentOpening& opening);
+
+/// What the solid has beyond what is cut, mm³, below 0 where more is machined off: by its faces,
+/// and the planes and cylinders that go on over it. Empty where it goes beyond a quarter turn of
+/// the bend.
+std::optional<double> volume_beyond_cut(const Recognition& of, const TangentOpening& opening);
 
 }  // namespace planish::brep

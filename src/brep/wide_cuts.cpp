@@ -69,16 +69,10 @@ double width_within(const Recognition& of, int skin_face, const CoEdge& use,
   return widest;
 }
 
-/// Points of what passes through, seen along the normal of a flange beside the opening.
+/// Points of what passes through.
 std::vector<Vec3> section_points(const Recognition& of, const RimPart& part) {
-  const auto& here = loops_here(of, part);
-  const auto flange = std::ranges::find_if(here, [&](const LoopRef& ref) {
-    return std::holds_alternative<Frame>(of.model.faces[ref.face].surface);
-  });
-  if (flange == here.end()) return {};
   std::vector<Vec3> points;
-  for (const auto& chain :
-       passages(of, part, std::get<Frame>(of.model.faces[flange->face].surface)))
+  for (const auto& chain : passages(of, part, plane_across(of, part)))
     for (const CoEdge& use : chain)
       std::ranges::copy(points_of(of.model.edges[use.edge].curve, kFine),
                         std::back_inserter(points));
@@ -91,6 +85,7 @@ bool is_at_bend(const Recognition& of, const SheetMap& map, int p) {
   const auto& here = loops_here(of, part);
   return part.within && part.openings == 1 && !loops_there(of, part).empty() &&
          std::ranges::count(of.tangent_openings, p, &TangentOpening::part) == 0 &&
+         std::ranges::count(of.bend_openings, p, &BendOpening::part) == 0 &&
          std::ranges::none_of(here, [&](const LoopRef& ref) { return map.is_seen(ref); }) &&
          std::ranges::any_of(here, [&](const LoopRef& ref) {
            return !std::holds_alternative<Frame>(of.model.faces[ref.face].surface);

@@ -77,8 +77,7 @@ class Making {
     const DxfOptions& dxf = request.dxf;
     list_ = std::move(list);
     for (const int line : list_.unused_rows)
-      notes_.push_back(fmt::format("{}, line {}: no part takes its material from this row",
-                                   request.materials->name(), line));
+      notes_.push_back(shop::unused_row_text(*request.materials, line));
     if (auto drawn = write_patterns(dxf); !drawn) return pass_on(drawn);
     if (options_.drawings)
       if (auto drawn = write_drawings(); !drawn) return pass_on(drawn);

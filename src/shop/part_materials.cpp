@@ -126,6 +126,13 @@ Result<PartMaterial> row_of(const ListFile& file, const CsvRecord& record,
 
 }  // namespace
 
+std::string unused_row_text(const PartMaterials& list, int line) {
+  const auto row = std::ranges::find(list.rows(), line, &PartMaterial::line);
+  const bool counts = row != list.rows().end() && row->quantity;
+  return fmt::format("{}, line {}: no part takes its material{} from this row", list.name(), line,
+                     counts ? " and quantity" : "");
+}
+
 bool fits(const std::string& pattern, const std::string& name) {
   const std::string wanted = lower_case(pattern), given = lower_case(name);
   std::size_t w = 0, g = 0, star = std::string::npos, behind = 0;

@@ -54,13 +54,23 @@ TEST_F(BatchOptionsOf, ChooseAmongTheMaterialsOfAShop) {
   EXPECT_EQ(wrong({input("plain.step")}, {{"k", 0.4}}), "");
 }
 
+TEST_F(BatchOptionsOf, OrderPiecesOfSomePartAtLeast) {
+  write("legs.csv", "part,material,quantity\nleg*,Steel,\nseat,Steel,4\n");
+  EXPECT_EQ(wrong({input("plain.step")}, {{"materials", at("list.csv")}}), "materials");
+  EXPECT_EQ(wrong({input("plain.step")}, {{"materials", at("exact.csv")}}), "") << "no order";
+  const nlohmann::json legs{{"materials", at("legs.csv")}};
+  EXPECT_EQ(wrong({input("plain.step"), input("leg_2.step")}, legs), "");
+  EXPECT_EQ(wrong({input("body.step")}, legs), "") << "a body in it may be meant";
+}
+
 TEST_F(BatchOptionsOf, GiveQuantitiesInOnePlace) {
   Input counted = input("plain.step");
   counted.copies = 20;
   counted.said_by = "parts.txt, line 1";
   EXPECT_EQ(wrong({counted}, {{"materials", at("list.csv")}}), "materials");
   EXPECT_EQ(wrong({counted}, {{"materials", at("no-quantity.csv")}}), "");
-  EXPECT_EQ(wrong({input("plain.step")}, {{"materials", at("list.csv")}}), "");
+  write("a.step", "ISO-10303-21; DATA; ENDSEC;");
+  EXPECT_EQ(wrong({input("a.step")}, {{"materials", at("list.csv")}}), "");
 }
 
 TEST_F(BatchOptionsOf, MakeARequestOfAllMakers) {

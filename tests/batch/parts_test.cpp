@@ -30,5 +30,19 @@ TEST_F(Parts, AreThoseOfAFinishedBatchInTheirOrder) {
   EXPECT_EQ(for_each_part(folder_ / "cut", keep).error().code, code::cannot_read);
 }
 
+TEST_F(Parts, AreMeantByRowsOfAList) {
+  run("one", {1, 1}, {"a", "r"});
+  const auto list = shop::PartMaterials::parse(
+      "part,material,quantity\nz,Steel,3\na,Steel,2\n*,oak,\na,brass,\n", "list.csv");
+  ASSERT_TRUE(list);
+  const auto unused = unused_rows(folder_ / "one", *list);
+  ASSERT_TRUE(unused) << unused.error().message;
+  EXPECT_EQ(*unused, (std::vector<int>{2, 5})) << "no part is called z, and a row before fits a";
+  EXPECT_NE(shop::unused_row_text(*list, 2).find("list.csv, line 2: no part takes its material and "
+                                                 "quantity"),
+            std::string::npos);
+  EXPECT_EQ(shop::unused_row_text(*list, 5).find("quantity"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace planish::batch

@@ -7,6 +7,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <TopExp.hxx>
@@ -14,8 +15,10 @@
 #include <TopoDS.hxx>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -137,15 +140,21 @@ TEST(TangentOpenings, KeepTheHoleOfCountersinksOnEitherSkinOrBoth) {
           BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(profile, hole_at(gap))), gap);
 }
 
-/// A circle whose middle lies `before` the tangent line, its developed area at K = ½ if it is
-/// drilled at that height over the outside: over the flange a segment of the circle, over the bend
-/// ∫ 3 atan(x / (4 − z)) dy by Simpson's rule.
-double area_across(double before, double height) {
+/// Where a drilled wall ends over the bend: at this height over the outside, or on the outside.
+struct WallEnd {
+  std::optional<double> height;
+  /// The turn of the bend at which it is met, over x from the tangent line.
+  double turn(double x) const { return height ? std::atan(x / (4 - *height)) : std::asin(x / 4); }
+};
+
+/// A circle whose middle lies `before` the tangent line, its developed area at K = ½: over the
+/// flange a segment of the circle, over the bend ∫ 3 turn(x) dy by Simpson's rule.
+double area_across(double before, const WallEnd& end) {
   const double half = std::acos(before / kDrilled);
   const double flat = kDrilled * kDrilled * (pi - half + std::sin(half) * std::cos(half));
   const auto reach = [&](double turn) {  // y = r sin(turn)
-    const double x = kDrilled * std::cos(turn) - before;
-    return 3 * std::atan(x / (4 - height)) * kDrilled * std::cos(turn);
+    const double x = std::max(0.0, kDrilled * std::cos(turn) - before);
+    return 3 * end.turn(x) * kDrilled * std::cos(turn);
   };
   constexpr int kSteps = 2000;
   double sum = 0.0;
@@ -154,23 +163,71 @@ double area_across(double before, double height) {
   return flat + sum * (2 * half / kSteps) / 3;
 }
 
+constexpr double kBlank = 50 * (40 + 30 + pi / 2 * 3);
+
+/// The hole is cut at the outermost end of its drilled wall, which the blank's wall must not pass.
+void expect_cut_across(const TopoDS_Shape& part, double gap, const WallEnd& end, size_t sinks) {
+  const auto made = unfolded_shape(part);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_NEAR(made->sheet[BendId{0}].angle.degrees(), 90, 1e-6);
+  ASSERT_EQ(made->flat.openings.size(), 1u);
+  const double area = area_across(kDrilled + gap, end);
+  EXPECT_NEAR(std::abs(signed_area(made->flat.openings.front().loop)), area, 1e-3);
+  EXPECT_NEAR(made->flat.area, kBlank - area, 1e-3);
+  EXPECT_NEAR(made->certificate.explained_ratio.value_or(0), 1, 1e-6);
+  EXPECT_LT(made->certificate.refold_deviation.value_or(1), 1e-4);
+  const auto is_sink = [](const FlatFeature& feature) { return feature.kind == "countersink"; };
+  EXPECT_EQ(std::ranges::count_if(made->flat.features, is_sink), std::ptrdiff_t(sinks));
+}
+
+const ToolProfile kInsideSink{{0, -1}, {kDrilled, -1}, {kDrilled, 1.4}, {3.1, 2}, {3.1, 6}, {0, 6}};
+const ToolProfile kOutsideSink{{0, -1}, {3.5, -1}, {3.5, 0}, {kDrilled, 1}, {kDrilled, 6}, {0, 6}};
+const ToolProfile kInsideBore{{0, -1}, {kDrilled, -1}, {kDrilled, 1}, {3.5, 1}, {3.5, 6}, {0, 6}};
+const ToolProfile kOutsideBore{{0, -1}, {3.5, -1}, {3.5, 1}, {kDrilled, 1}, {kDrilled, 6}, {0, 6}};
+
 TEST(TangentOpenings, AreCutAcrossTheLineWhereTheHoleCrossesIt) {
   const ToolProfile both{{0, -1},         {3.5, -1}, {3.5, 0}, {kDrilled, 1},
                          {kDrilled, 1.4}, {3.1, 2},  {3.1, 6}, {0, 6}};
-  for (const double gap : {-0.1, -0.5}) {
-    const auto made = unfolded_shape(
-        BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(both, hole_at(gap))));
-    ASSERT_TRUE(made) << made.error().message;
-    EXPECT_NEAR(made->sheet[BendId{0}].angle.degrees(), 90, 1e-6);
-    ASSERT_EQ(made->flat.openings.size(), 1u);
-    const double lower = area_across(kDrilled + gap, 1.0), upper = area_across(kDrilled + gap, 1.4);
-    const double area = std::abs(signed_area(made->flat.openings.front().loop));
-    EXPECT_GT(area, lower - 1e-4);
-    EXPECT_LT(area, upper + 1e-4);
-    EXPECT_LT(std::min(area - lower, upper - area), 1e-4) << "at an end of the drilled wall";
-    EXPECT_NEAR(made->certificate.explained_ratio.value_or(0), 1, 1e-7);
-    EXPECT_LT(made->certificate.refold_deviation.value_or(1), 1e-4);
-  }
+  for (const double gap : {-0.1, -0.5})
+    expect_cut_across(BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(both, hole_at(gap))),
+                      gap, {1.0}, 2);
+}
+
+TEST(TangentOpenings, AreCutAcrossTheLineWhereOneSkinIsMachined) {
+  for (const double gap : {-0.1, -0.5})
+    for (const ToolProfile& profile : {kInsideSink, kOutsideSink, kInsideBore, kOutsideBore}) {
+      const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
+                                                turned_tool(profile, hole_at(gap)));
+      const bool outermost = profile[1].first == kDrilled;
+      expect_cut_across(part, gap, outermost ? WallEnd{} : WallEnd{1.0}, 1);
+    }
+}
+
+TEST(TangentOpenings, AreCutAcrossTheLineWhicheverSkinIsWider) {
+  // A chamfer along the outside of the end makes the inside the reference.
+  const auto on_end = [](const gp_Pnt& p) { return std::abs(p.X()) + std::abs(p.Z()) < 1e-6; };
+  const auto expect_cut = [&](const ToolProfile& profile, const WallEnd& end, size_t sinks) {
+    const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
+                                              turned_tool(profile, hole_at(-0.5)));
+    BRepFilletAPI_MakeChamfer make(part);
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(part, TopAbs_EDGE, edges);
+    for (int i = 1; i <= edges.Extent(); ++i) {
+      const BRepAdaptor_Curve curve(TopoDS::Edge(edges(i)));
+      if (on_end(curve.Value(curve.FirstParameter())) && on_end(curve.Value(curve.LastParameter())))
+        make.Add(0.5, TopoDS::Edge(edges(i)));
+    }
+    expect_cut_across(make.Shape(), -0.5, end, sinks);
+  };
+  expect_cut(kInsideSink, {}, 1);
+  expect_cut(kOutsideSink, {1.0}, 1);
+  expect_cut({{0, -1}, {kDrilled, -1}, {kDrilled, 6}, {0, 6}}, {}, 0);
+}
+
+TEST(TangentOpenings, AreCutAcrossTheLineWhereTheyReachFarRoundTheBend) {
+  const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
+                                            turned_tool(kOutsideSink, hole_at(-1.5)));
+  expect_cut_across(part, -1.5, {1.0}, 1);
 }
 
 TEST(TangentOpenings, AreToldFromPlainHoles) { expect_drilled(drilled_bracket(0.2), 0.2); }

@@ -1,14 +1,17 @@
 #include "wide_cuts.hpp"
 
+#include "support/bent_bracket.hpp"
 #include "support/unfolded_shape.hpp"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <gp_Ax3.hxx>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,6 +71,29 @@ TEST(WideCuts, AreMeasuredWhereAHoleIsMachinedOverAWholeBend) {
   const double error = made->certificate.opening_error.value_or(0);
   EXPECT_GT(error, 0.28) << "in the middle of the bend the chamfer is 0.3 wide";
   EXPECT_LT(error, 1.0);
+}
+
+TEST(WideCuts, AreMeasuredWhereAHoleIsSunkOverBothTangentLines) {
+  // A bend of 90° round 1 mm, drilled square in its middle with 2.5 mm, sunk by 0.8 mm on each
+  // skin.
+  const double root = std::sqrt(0.5), r = 3;
+  const std::vector<std::pair<double, double>> profile{{0, -9},    {3.3, -9}, {3.3, 0}, {2.5, 0.8},
+                                                       {2.5, 1.2}, {3.3, 2},  {3.3, 9}, {0, 9}};
+  BRepBuilderAPI_MakeWire wire;
+  const auto at = [&](size_t i) {
+    return gp_Pnt(profile[i % profile.size()].first, 0, profile[i % profile.size()].second);
+  };
+  for (size_t i = 0; i < profile.size(); ++i)
+    wire.Add(BRepBuilderAPI_MakeEdge(at(i), at(i + 1)).Edge());
+  const auto face = BRepBuilderAPI_MakeFace(wire.Wire()).Face();
+  gp_Trsf placed;
+  placed.SetTransformation(gp_Ax3(gp_Pnt(40 + r * root, 25, r - r * root), gp_Dir(-root, 0, root)),
+                           gp_Ax3());
+  auto drill = BRepBuilderAPI_Transform(BRepPrimAPI_MakeRevol(face, gp::OZ()).Shape(), placed);
+  const auto made = unfolded_shape(
+      BRepAlgoAPI_Cut(bent_bracket({2, 1, 40, 30, 50}), drill.Shape()));
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_NEAR(made->certificate.opening_error.value_or(0), 0.8, 0.05);
 }
 
 }  // namespace

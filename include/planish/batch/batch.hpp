@@ -49,7 +49,8 @@ struct BatchResult {
   std::size_t distinct = 0;             ///< parts made, identical ones counted once
   std::vector<RefusedFor> refused_for;  ///< in the order of the parts
   PassedOver passed_over;
-  std::filesystem::path out;  ///< the folder that was written
+  std::vector<std::string> notes;  ///< rows of `materials` that no part is meant by (not of shards)
+  std::filesystem::path out;       ///< the folder that was written
 };
 
 /// What ends work that was cancelled, and that goes on where it was when it is asked for again.

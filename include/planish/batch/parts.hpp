@@ -3,6 +3,7 @@
 #include <planish/base/result.hpp>
 #include <planish/batch/inputs.hpp>
 #include <planish/batch/part_record.hpp>
+#include <planish/shop/part_materials.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -32,5 +33,10 @@ Result<PassedOver> passed_over_by(const std::filesystem::path& out);
 /// gives an error. Errors: `cannot_read` (also of a batch that is not finished), those of `take`.
 Result<void> for_each_part(const std::filesystem::path& out,
                            const std::function<Result<void>(BatchPart)>& take);
+
+/// Lines of a list of materials that are about no part of a finished batch. Errors: those of
+/// `for_each_part`.
+Result<std::vector<int>> unused_rows(const std::filesystem::path& out,
+                                     const shop::PartMaterials& list);
 
 }  // namespace planish::batch

@@ -41,6 +41,9 @@ class PartMaterials {
   std::vector<PartMaterial> rows_;
 };
 
+/// Says that no part is meant by the row in a line.
+std::string unused_row_text(const PartMaterials& list, int line);
+
 /// Whether a name is like a pattern, in any case of ASCII letters.
 bool fits(const std::string& pattern, const std::string& name);
 

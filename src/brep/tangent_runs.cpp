@@ -1,0 +1,73 @@
+#include "tangent_runs.hpp"
+
+#include "borders.hpp"
+#include "skin_outlines.hpp"
+
+#include <algorithm>
+
+// The outline of an opening over a tangent line has two runs of edges, which end in each other: one
+// of the flange's contour and one of the bend's.
+
+namespace planish::brep {
+
+std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run) {
+  const auto& loop = loop_of(of, run.loop);
+  std::vector<CoEdge> uses;
+  for (int i = 0; i < run.count; ++i)
+    uses.push_back(loop[(run.first + i) % loop.size()]);
+  return uses;
+}
+
+Vec3 point_of(const Recognition& of, const CoEdge& use, bool after) {
+  const SpaceCurve& curve = of.model.edges[use.edge].curve;
+  return use.forward == after ? curve.end : curve.start;
+}
+
+const Cylinder* cylinder_of(const Recognition& of, int face) {
+  const auto* surface = std::get_if<Developable>(&of.model.faces[face].surface);
+  return surface ? std::get_if<Cylinder>(surface) : nullptr;
+}
+
+double middle_radius(const Recognition& of, const SkinOutline& outline) {
+  const int face = outline.on_bend->loop.face;
+  return cylinder_of(of, face)->radius - of.model.faces[face].sense * of.skins.thickness / 2;
+}
+
+Frame across_tangent(const Recognition& of, const Frame& plane, const SkinOutline& outline) {
+  const auto uses = uses_of(of, *outline.on_bend);
+  const Vec3 from = point_of(of, uses.front(), false), to = point_of(of, uses.back(), true);
+  Vec3 x = (to - from).cross(plane.z).normalized();
+  const SpaceCurve& curve = of.model.edges[uses[uses.size() / 2].edge].curve;
+  if (x.dot(curve.point((curve.t0 + curve.t1) / 2) - from) < 0.0) x = -x;
+  Frame frame;
+  frame.origin = from - (from - plane.origin).dot(plane.z) * plane.z;
+  frame.x = x;
+  frame.y = plane.z.cross(x);
+  frame.z = plane.z;
+  return frame;
+}
+
+BorderLoop seen_outline(const Recognition& of, const SkinOutline& outline, const Frame& plane,
+                        Skin skin) {
+  std::vector<CoEdge> uses = uses_of(of, outline.on_plane);
+  if (outline.on_bend) std::ranges::copy(uses_of(of, *outline.on_bend), std::back_inserter(uses));
+  const bool other = skin != of.skin;
+  if (other) {
+    std::ranges::reverse(uses);
+    for (CoEdge& use : uses)
+      use.forward = !use.forward;
+  }
+  BorderLoop loop = read_borders(of.model, uses, plane, 0.0, of.tolerance);
+  for (Border& border : loop)
+    border.edge_depth = other ? of.skins.thickness : 0.0;
+  return loop;
+}
+
+BorderLoop seen_here(const Recognition& of, const TangentOpening& opening) {
+  return seen_outline(of, opening.here, opening.plane, of.skin);
+}
+BorderLoop seen_there(const Recognition& of, const TangentOpening& opening) {
+  return seen_outline(of, opening.there, opening.plane, other_skin(of.skin));
+}
+
+}  // namespace planish::brep
