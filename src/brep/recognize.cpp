@@ -269,10 +269,30 @@ Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& o
   return tl::unexpected(trials.refusal(check_of_ripped(options)));
 }
 
-Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
-                                   const RecognizeOptions& options) {
+/// Whether the same faces are read as surfaces of the same kinds.
+bool reads_alike(const SolidModel& a, const SolidModel& b) {
+  return std::ranges::equal(a.faces, b.faces, [](const SolidFace& f, const SolidFace& g) {
+    const auto *one = std::get_if<Developable>(&f.surface),
+               *other = std::get_if<Developable>(&g.surface);
+    return f.surface.index() == g.surface.index() && (!one || one->index() == other->index());
+  });
+}
+
+/// The sheet of a solid. A general bend may be so near a cone that its splines are taken for cones,
+/// which do not lie a thickness apart: what is no sheet is read again, more finely.
+Result<Recognized> recognize_solid(const TopoDS_Solid& solid, const RecognizeOptions& options) {
+  constexpr double kFiner = 0.1;
+  auto model = std::make_shared<const SolidModel>(read_solid(solid, options.surface_tolerance));
   auto sheet = likeliest_sheet(*model, options);
-  if (!sheet) return pass_on(sheet);
+  if (!sheet) {
+    auto finer = std::make_shared<const SolidModel>(
+        read_solid(solid, kFiner * options.surface_tolerance));
+    if (reads_alike(*model, *finer)) return pass_on(sheet);
+    auto again = likeliest_sheet(*finer, options);
+    if (!again) return pass_on(sheet);
+    sheet = std::move(again);
+    model = std::move(finer);
+  }
   Recognized result;
   result.sheet = std::move(*sheet);
   result.distance = [model](int edge, const Vec3& point) {
@@ -290,13 +310,7 @@ Result<Recognized> recognize(const Body& body, const RecognizeOptions& options) 
     if (!(value > 0.0 && value <= kFarthest))
       return fail(refuse::tolerance_of_recognition,
                   {{"what", name}, {"tolerance", value, measure}});
-  return guarded(
-      [&] {
-        auto model = std::make_shared<const SolidModel>(
-            read_solid(body.shape().solid, options.surface_tolerance));
-        return recognize_model(std::move(model), options);
-      },
-      body.name());
+  return guarded([&] { return recognize_solid(body.shape().solid, options); }, body.name());
 }
 
 }  // namespace planish

@@ -110,17 +110,40 @@ TEST(ConnectRoundTrip, GivesBackEveryLateralBoundary) {
   }
 }
 
-/// A rectangle at the line where two planes meet, turned a little, with random size and distance.
+/// A rectangle at the line where two planes meet, turned a little.
+struct TurnedPlate {
+  double width, height, away, turn, shift;
+
+  Plate plate(const std::string& id, const Vec3& e, const Vec3& d) const {
+    const Vec3 along = std::cos(turn) * d + std::sin(turn) * e,
+               up = std::cos(turn) * e - std::sin(turn) * d;
+    const double lowest = std::min(0.0, std::sin(turn) * width);
+    return rectangle_plate(id, shift * d + (away - lowest) * e, width * along, height * up);
+  }
+};
+
+/// With random size and distance.
 Plate random_plate(const std::string& id, const Vec3& e, const Vec3& d) {
   const auto number = [](int low, int high) {
     return 0.1 * *rc::gen::inRange(10 * low, 10 * high);
   };
   const double width = number(60, 200), height = number(50, 150), away = number(15, 60);
   const double turn = 0.01 * *rc::gen::inRange(-30, 30), shift = number(-40, 40);
-  const Vec3 along = std::cos(turn) * d + std::sin(turn) * e,
-             up = std::cos(turn) * e - std::sin(turn) * d;
-  const double lowest = std::min(0.0, std::sin(turn) * width);
-  return rectangle_plate(id, shift * d + (away - lowest) * e, width * along, height * up);
+  return TurnedPlate{width, height, away, turn, shift}.plate(id, e, d);
+}
+
+/// Its bend is so near a cone that its splines are read as cones, which do not lie a thickness
+/// apart.
+TEST(ConnectRoundTrip, GivesBackAGeneralBendNearACone) {
+  const double beta = 0.6;
+  PlateStructure s;
+  s.thickness = 0.8;
+  s.plates = {TurnedPlate{60.3, 52.3, 15.7, -0.3, -38.2}.plate("A", Vec3::UnitY(), Vec3::UnitX()),
+              TurnedPlate{62.8, 52.0, 15.4, -0.3, -39.3}.plate(
+                  "B", {0, std::cos(beta), std::sin(beta)}, Vec3::UnitX())};
+  const auto connection = connect(s);
+  ASSERT_TRUE(connection);
+  expect_round_trip(connection->sheet, 1e-5);
 }
 
 RC_GTEST_PROP(ConnectRoundTrip, GivesBackRandomPairs, ()) {
