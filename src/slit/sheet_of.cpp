@@ -224,7 +224,8 @@ void add_joints(SheetBuilder& builder, const JoinedRegions& joined,
   }
 }
 
-/// The number of each strip, on the panel below it, where there are no ridges.
+/// The number of each strip as messages count, from 1, on the panel below it, where there are no
+/// ridges.
 void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
   for (std::size_t facet = 0; facet < folded.panel.size(); ++facet) {
     const auto& [corners, frame, strip] = folded.panel[facet];
@@ -232,7 +233,7 @@ void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
     const Vec2 top = 0.5 * (corners[1] + corners[2]), bottom = 0.5 * (corners[0] + corners[3]);
     constexpr double kBelow = 0.1;  // of the panel
     builder.add_label(
-        {static_cast<FaceId>(facet), top + kBelow * (bottom - top), std::to_string(strip)});
+        {static_cast<FaceId>(facet), top + kBelow * (bottom - top), std::to_string(strip + 1)});
   }
 }
 

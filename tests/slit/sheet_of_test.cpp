@@ -53,6 +53,14 @@ TEST(SheetOf, AsymmetricSheetLiesFlatAsItWasCut) {
   expect_to_be_the_cut_sheet(solved(asymmetric()), panel + strips, 560);
 }
 
+TEST(SheetOf, StripsAreLabelledAsMessagesCountThem) {
+  const Sheet sheet = sheet_of(solved(small_chair()).folded());
+  ASSERT_EQ(sheet.labels.size(), 2u);
+  EXPECT_EQ(sheet.labels[0].text, "1");
+  EXPECT_EQ(sheet.labels[1].text, "2");
+  EXPECT_LT(sheet.labels[0].at.y(), sheet.labels[1].at.y());
+}
+
 TEST(SheetOf, SlitsAreBordersThatNothingJoins) {
   const Sheet sheet = sheet_of(solved(chair()).folded());
   EXPECT_EQ(sheet.faces.size(), 2u * (6 + 6 * 10));
