@@ -99,9 +99,13 @@ export async function reorder({ page }) {
   );
   tint.forEach((v, i) => assert.ok(Math.abs(v - red[i]) < 1e-6, 'the flange that collides is red'));
   const told = () => described(page, 'folded');
-  const [bend] = await state(page, 's.order.answer.strokes[1].bends'),
-    said = await told();
-  assert.ok(said.startsWith(`Stroke 2 of 2: bend ${bend} to 90°, bent by `), said);
+  // The words follow the picture.
+  const [bend] = await state(page, 's.order.answer.strokes[1].bends');
+  await page.waitForFunction((begin) => {
+    const canvas = document.querySelector('.folded .canvas');
+    return document.getElementById(canvas.getAttribute('aria-describedby')).textContent.startsWith(begin);
+  }, `Stroke 2 of 2: bend ${bend} to 90°, bent by `);
+  const said = await told();
   assert.match(said, /It collides: .*punch/);
   await page.screenshot({ path: `${folder(page)}/collision.png` });
   // back again by the keyboard
