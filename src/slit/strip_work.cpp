@@ -198,6 +198,7 @@ bool goes_on(Snapshot& now, int strip) {
   take_shape(now, strip, found.solution.p, slot.inequalities, true);
   Slot next = now.slot(strip);
   next.state.status = StripStatus::solved;
+  next.state.too_tight = false;  // whether it must be shows when it is solved with those it touches
   now.slots[strip] = std::make_shared<const Slot>(std::move(next));
   return true;
 }
