@@ -123,13 +123,6 @@ double overlap_area(const Outline& a, const std::vector<std::vector<Vec2>>& b, c
   return sum * (hi - lo) / kLines;
 }
 
-/// Offsets keep a surface's kind: only faces of the same kind can be opposite.
-bool same_kind(const SolidFace& a, const SolidFace& b) {
-  if (a.surface.index() != b.surface.index()) return false;
-  const auto* first = std::get_if<Developable>(&a.surface);
-  return !first || first->index() == std::get<Developable>(b.surface).index();
-}
-
 /// Depth of a point below face A, and its image in A's outline plane.
 struct Projection {
   Vec2 flat;
@@ -147,6 +140,12 @@ Projection project(const SolidFace& face, const Outline& outline, const Vec3& p,
 }
 
 }  // namespace
+
+bool same_kind(const SolidFace& a, const SolidFace& b) {
+  if (a.surface.index() != b.surface.index()) return false;
+  const auto* first = std::get_if<Developable>(&a.surface);
+  return !first || first->index() == std::get<Developable>(b.surface).index();
+}
 
 double depth_below(const SolidFace& face, const Outline& outline, const Vec3& point) {
   return project(face, outline, point, outline.u_middle).depth;

@@ -27,6 +27,9 @@ inline Box3 enlarged(const Box3& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
 }
 
+/// Whether faces lie on surfaces of one kind. Offsets keep it: only such faces can be opposite.
+bool same_kind(const SolidFace& a, const SolidFace& b);
+
 std::vector<Outline> outlines_of(const SolidModel& model);
 
 /// How a face B lies opposite a face A, seen from A through the material.

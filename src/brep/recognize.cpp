@@ -269,15 +269,6 @@ Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& o
   return tl::unexpected(trials.refusal(check_of_ripped(options)));
 }
 
-/// Whether the same faces are read as surfaces of the same kinds.
-bool reads_alike(const SolidModel& a, const SolidModel& b) {
-  return std::ranges::equal(a.faces, b.faces, [](const SolidFace& f, const SolidFace& g) {
-    const auto *one = std::get_if<Developable>(&f.surface),
-               *other = std::get_if<Developable>(&g.surface);
-    return f.surface.index() == g.surface.index() && (!one || one->index() == other->index());
-  });
-}
-
 /// The sheet of a solid. A general bend may be so near a cone that its splines are taken for cones,
 /// which do not lie a thickness apart: what is no sheet is read again, more finely.
 Result<Recognized> recognize_solid(const TopoDS_Solid& solid, const RecognizeOptions& options) {
@@ -287,7 +278,7 @@ Result<Recognized> recognize_solid(const TopoDS_Solid& solid, const RecognizeOpt
   if (!sheet) {
     auto finer = std::make_shared<const SolidModel>(
         read_solid(solid, kFiner * options.surface_tolerance));
-    if (reads_alike(*model, *finer)) return pass_on(sheet);
+    if (std::ranges::equal(model->faces, finer->faces, same_kind)) return pass_on(sheet);
     auto again = likeliest_sheet(*finer, options);
     if (!again) return pass_on(sheet);
     sheet = std::move(again);

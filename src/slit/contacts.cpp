@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -126,8 +125,10 @@ struct Station {
   int number = 0;
 
   int ridge() const { return number / 2; }
+  /// How far on the way to the next ridge.
+  double share() const { return number % 2 == 0 ? 0.0 : 0.5; }
   std::vector<StripPoint::Share> point(int side) const {
-    return edge_point(side, ridge(), number % 2 == 0 ? 0.0 : 0.5);
+    return edge_point(side, ridge(), share());
   }
 };
 
@@ -162,9 +163,8 @@ class Side {
   template <typename F>
   void aside(const Station& before, const Foot& from, const Foot& to, const F& f) const {
     if (!(from.above * to.above < 0.0)) return;
-    const double begin = before.number % 2 == 0 ? 0.0 : 0.5;
     const auto point = edge_point(facing(), before.ridge(),
-                                  begin + 0.5 * from.above / (from.above - to.above));
+                                  before.share() + 0.5 * from.above / (from.above - to.above));
     const Foot at = foot_of_point(point);
     const double far = width_of(other_);
     if (std::abs(at.above) < far && std::abs(at.out) < far)
@@ -174,8 +174,7 @@ class Side {
   /// Where an edge goes through the other strip between two stations, which both may keep.
   template <typename F>
   void pierced(int side, const Station& before, OnTop on_top, const F& f) const {
-    const double begin = before.number % 2 == 0 ? 0.0 : 0.5;
-    const Vec3 from = point_of(strip_, edge_point(side, before.ridge(), begin)),
+    const Vec3 from = point_of(strip_, before.point(side)),
                to = point_of(strip_, Station{before.number + 1}.point(side));
     for (int quad = 0; quad < std::ssize(other_.quads); ++quad) {
       const Frame& frame = other_.quads[quad];
@@ -186,7 +185,7 @@ class Side {
       const Foot foot = foot_on(other_, quad, 1 - facing(), through);
       const double along = along_quad(other_, quad, frame.local(through).head<2>());
       if (along < 0.0 || along > 1.0 || !is_over(foot)) continue;
-      const auto point = edge_point(side, before.ridge(), begin + 0.5 * share);
+      const auto point = edge_point(side, before.ridge(), before.share() + 0.5 * share);
       if (const auto kept_there = kept(foot, on_top)) f(point, foot, *kept_there);
     }
   }
