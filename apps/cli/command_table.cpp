@@ -29,27 +29,19 @@ std::vector<std::string> words_in(const std::string& type) {
   return words;
 }
 
-bool reads_step(const std::string& command, const job::Catalogue& catalogue) {
-  const job::Maker* maker = catalogue.maker(command);
-  return maker ? maker->format.empty() : true;
-}
-
-bool reads_json(const std::string& command, const job::Catalogue& catalogue) {
-  const job::Maker* maker = catalogue.maker(command);
-  return maker ? !maker->format.empty() : command != "info" && command != "plates";
-}
-
 void describe_file(TableOption& entry, const std::string& command,
                    const job::Catalogue& catalogue) {
   const std::string kind = entry.type.substr(entry.type.rfind('|') + 1);
   const bool input = !entry.names.front().starts_with("-");
   entry.folder = kind == "FOLDER/";
-  entry.file = kind.starts_with("FILE") || kind == "PATH" || kind == "INPUT";
+  entry.file = kind.starts_with("FILE") || kind == "STEP" || kind == "PATH" || kind == "INPUT";
   if (kind.starts_with("FILE.")) entry.suffixes = {kind.substr(4)};
-  if (!input || kind != "FILE") return;
-  if (reads_step(command, catalogue))
+  // A file of any kind is what the command's maker reads, of other commands all that makers read.
+  const job::Maker* maker = input && kind == "FILE" ? catalogue.maker(command) : nullptr;
+  const bool any = input && kind == "FILE" && !maker;
+  if (any || kind == "STEP" || (maker && maker->format.empty()))
     entry.suffixes = {".step", ".stp", ".stpz", ".gz", ".zip", ".brep"};
-  if (reads_json(command, catalogue)) entry.suffixes.emplace_back(".json");
+  if (any || (maker && !maker->format.empty())) entry.suffixes.emplace_back(".json");
 }
 
 /// What `--format` takes: of a maker the suffixes of what it writes into a folder; else all names.

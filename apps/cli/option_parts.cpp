@@ -93,7 +93,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
 }
 
 void add_step_input(CLI::App& app, std::string& target) {
-  add_text(app, "input", target, "FILE", "STEP file, or - for standard input")->required();
+  add_text(app, "input", target, "STEP", "STEP file, or - for standard input")->required();
 }
 
 CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
