@@ -1,5 +1,7 @@
 #include "mould_body.hpp"
 #include "mould_clear.hpp"
+#include "mould_room.hpp"
+#include "mould_strips.hpp"
 #include "refusals.hpp"
 #include "rib_solid.hpp"
 
@@ -11,14 +13,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
 // A rib under each strip (math.md#mould, docs/decisions/0003). A facet is parallel to its quad,
 // half the thickness away, and neighbouring facets meet in a line below their ridge, so the sheet
 // lies on all of them. Quads too steep for the direction in which the sheet is lifted off stay
-// bare, and ribs are interrupted there. Insets, then directions that lean, are tried until ribs
-// stand apart; options that are given are kept.
+// bare, and ribs are interrupted there. Where strips lie over each other the upper one's rib makes
+// room; directions that lean are tried until no strip hangs free for want of a rib.
 
 namespace planish {
 
@@ -26,64 +29,16 @@ using namespace slit_detail;
 
 namespace {
 
-WholeStrip whole_strip(const FoldedStrip& strip, double sign) {
-  WholeStrip whole;
-  for (const SlitRidge& ridge : strip.ridges)
-    whole.ridges.push_back(ridge.folded);
-  for (const Frame& quad : strip.quads)
-    whole.towards_mould.push_back(sign * quad.z);
-  return whole;
-}
-
-/// The image of a panel's facet in x = 0, run as it is.
-WholeStrip image_of_facet(WholeStrip facet) {
-  for (auto& ridge : facet.ridges)
-    ridge = {mirrored(ridge[0]), mirrored(ridge[1])};
-  for (Vec3& normal : facet.towards_mould)
-    normal = mirrored(normal);
-  return facet;
-}
-
-/// The image in x = 0, run from the symmetry plane to the other panel.
-WholeStrip image_of(const WholeStrip& strip) {
-  WholeStrip image;
-  for (auto ridge = strip.ridges.rbegin(); ridge != strip.ridges.rend(); ++ridge)
-    image.ridges.push_back({mirrored((*ridge)[0]), mirrored((*ridge)[1])});
-  for (auto normal = strip.towards_mould.rbegin(); normal != strip.towards_mould.rend(); ++normal)
-    image.towards_mould.push_back(mirrored(*normal));
-  return image;
-}
-
-/// Both halves, as one strip where they meet.
-std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitSheet& folded,
-                                     double sign) {
-  const WholeStrip half = whole_strip(strip, sign);
-  if (!folded.symmetric) return {half};
-  WholeStrip image = image_of(half);
-  constexpr double kMeets = 1e-6;  // of the length: a strip that reached its end meets this
-  const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(),
-                              (half.ridges.back()[1] - image.ridges.front()[1]).norm());
-  if (gap > kMeets * folded.reach) {
-    image.first = static_cast<int>(half.towards_mould.size());
-    return {half, image};
-  }
-  WholeStrip whole = half;
-  whole.ridges.insert(whole.ridges.end(), image.ridges.begin() + 1, image.ridges.end());
-  whole.towards_mould.insert(whole.towards_mould.end(), image.towards_mould.begin(),
-                             image.towards_mould.end());
-  return {whole};
-}
-
-/// Share of a strip's width left free on each side of the narrowest ribs tried.
-constexpr double kNarrowest = 0.375;
+/// Share of the width that an inset takes on each side at most, if none is given or others took
+/// their share.
+constexpr double kMostInset = 0.5 * (1.0 - kNarrowestRib);
 
 struct Setting {
   Vec3 up = Vec3::UnitY();
-  double sign = -1.0;        ///< of the sheet's normal towards the mould
-  double inset = 0.0;        ///< mm, …
-  double inset_share = 0.0;  ///< …at least this share of the strip's width…
-  double most_share = 0.5;   ///< …and at most this, unless given
-  double offset = 0.0;       ///< half the thickness
+  double sign = -1.0;       ///< of the sheet's normal towards the mould
+  double inset = 0.0;       ///< mm…
+  double most_share = 0.5;  ///< …and at most this share of the width, unless given
+  double offset = 0.0;      ///< half the thickness
   double least_lean = 0.0;
   MouldForm form = MouldForm::ribs;
 };
@@ -122,7 +77,7 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
                : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY())
                                                                              : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
-  if (!options.inset) setting.most_share = kNarrowest;
+  if (!options.inset) setting.most_share = kMostInset;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
     return bad_mould("The mould's inset", {setting.inset, unit::mm}, "0 or more", "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
@@ -138,6 +93,11 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
   return setting;
 }
 
+double area_of(const WholeStrip& strip, int quad) {
+  const auto &near = strip.ridges[quad], &far = strip.ridges[quad + 1];
+  return 0.5 * (far[1] - near[0]).cross(far[0] - near[1]).norm();
+}
+
 bool leans_up(const Vec3& towards_mould, const Setting& setting) {
   return -towards_mould.dot(setting.up) >= setting.least_lean;
 }
@@ -149,16 +109,19 @@ Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, in
   const auto normals = std::span(strip.towards_mould)
                            .subspan(static_cast<std::size_t>(first), last - first + 1);
   const Vec3 step = mitre(normals, static_cast<std::size_t>(at - first));
-  const double share = std::min(
-      std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
+  const std::array<double, 2> free = left_at(strip, first, last, at);
+  const double rest = 1.0 - free[0] - free[1],
+               most = rest < 1.0 ? kMostInset * rest : setting.most_share,
+               share = std::min(setting.inset / (right - left).norm(), most);
   if (!(share < 0.5))
     return fail(refuse::inset_takes_all,
                 {{"inset", setting.inset, unit::mm},
                  {"strip", place::at(place::strip(number), Vec3(0.5 * (left + right)))},
                  {"length", (right - left).norm(), unit::mm},
                  {"field", place::pointer("/mould/inset")}});
-  return std::array<Vec3, 2>{left + share * (right - left) + setting.offset * step,
-                             right + share * (left - right) + setting.offset * step};
+  return std::array<Vec3, 2>{
+      left + std::max(share, free[0]) * (right - left) + setting.offset * step,
+      right + std::max(share, free[1]) * (left - right) + setting.offset * step};
 }
 
 /// The facets under the quads `first` to `last` of a strip.
@@ -191,7 +154,7 @@ Result<void> add_ribs(const WholeStrip& strip, int number, const Setting& settin
                       const WallSetting& walls, Mould& mould) {
   const int count = static_cast<int>(strip.towards_mould.size());
   const auto carried = [&](int quad) {
-    return leans_up(strip.towards_mould[quad], setting) &&
+    return has_rib(strip, quad) && leans_up(strip.towards_mould[quad], setting) &&
            !is_over(mould.walls, strip, quad, walls);
   };
   for (int quad = 0; quad < count;) {
@@ -215,52 +178,6 @@ Result<void> add_ribs(const WholeStrip& strip, int number, const Setting& settin
 Frame base_frame(double height, const Vec3& up) {
   const Vec3 hint = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
   return frame_from_axes(height * up, up, hint);
-}
-
-/// The facet of a panel at which a strip ends, as a quad before or behind its own.
-std::optional<WholeStrip> facet_below(const std::vector<PanelFacet>& panel, int strip,
-                                      const Setting& setting) {
-  const auto facet = std::ranges::find(panel, strip, &PanelFacet::strip);
-  if (facet == panel.end()) return std::nullopt;
-  const Vec3 normal = setting.sign * facet->frame.z;
-  if (std::abs(normal.dot(setting.up)) <= kUprightPanel) return std::nullopt;
-  const auto at = [&](std::size_t corner) { return facet->frame.point(facet->corners[corner]); };
-  return WholeStrip{{{at(0), at(3)}, {at(1), at(2)}}, {normal}, 0};
-}
-
-void put_before(WholeStrip& strip, const WholeStrip& facet) {
-  strip.ridges.insert(strip.ridges.begin(), facet.ridges.front());
-  strip.towards_mould.insert(strip.towards_mould.begin(), facet.towards_mould.front());
-  --strip.first;
-}
-
-void put_behind(WholeStrip& strip, const WholeStrip& facet) {
-  strip.ridges.push_back(facet.ridges.front());
-  strip.towards_mould.push_back(facet.towards_mould.front());
-}
-
-/// In one body ribs go on under panels that lean.
-void add_panels(std::vector<WholeStrip>& parts, const FoldedSlitSheet& folded, int number,
-                const Setting& setting) {
-  const auto first = facet_below(folded.panel, number, setting),
-             second = facet_below(folded.second_panel, number, setting);
-  if (second) put_behind(parts.back(), *second);
-  if (first && folded.symmetric) put_behind(parts.back(), image_of_facet(*first));
-  if (first) put_before(parts.front(), *first);
-}
-
-/// Ribs under all strips. `strips`: whole, by strip.
-Result<void> add_all_ribs(Mould& mould, const FoldedSlitSheet& folded, const Setting& setting,
-                          const WallSetting& walls, std::vector<std::vector<WholeStrip>>& strips) {
-  for (std::size_t i = 0; i < folded.strips.size(); ++i) {
-    const int number = static_cast<int>(i);
-    strips.push_back(whole_strips(folded.strips[i], folded, setting.sign));
-    if (setting.form == MouldForm::body) add_panels(strips.back(), folded, number, setting);
-    for (const WholeStrip& strip : strips.back())
-      if (auto added = add_ribs(strip, number, setting, walls, mould); !added) return added;
-  }
-  if (!mould.ribs.empty()) return {};
-  return fail(refuse::nothing_faces_up);
 }
 
 /// Where the base lies: one body reaches down to the panels' free edges.
@@ -292,26 +209,92 @@ Result<void> make_solids(Mould& mould, const Setting& setting, double base) {
   return {};
 }
 
+/// Ribs under all strips as wide as their parts say, on the base below them.
+Result<void> stand_ribs(Mould& mould, const FoldedSlitSheet& folded, const Setting& setting,
+                        const WallSetting& walls,
+                        const std::vector<std::vector<WholeStrip>>& strips) {
+  mould.ribs.clear();
+  mould.bare.clear();
+  for (int i = 0; i < std::ssize(strips); ++i)
+    for (const WholeStrip& strip : strips[i])
+      if (auto added = add_ribs(strip, i, setting, walls, mould); !added) return added;
+  if (mould.ribs.empty()) return fail(refuse::nothing_faces_up);
+  mould.base = base_frame(lowest_point(mould, folded, setting) - walls.depth, setting.up);
+  for (MouldRib& rib : mould.ribs)
+    rib.footprint = footprint_of(rib, mould.base);
+  return {};
+}
+
+/// How well a mould carries the strips: shares of their area.
+struct Carried {
+  double share = 0.0;    ///< on ribs, or on strips that are
+  double hanging = 0.0;  ///< facing up, but above another strip and not on it
+};
+
+/// Error: that of a strip all of which hangs.
+Result<Carried> carried_by(const std::vector<std::vector<WholeStrip>>& strips,
+                           const std::vector<RibThrough>& cut, const Setting& setting) {
+  std::map<std::pair<int, int>, const RibThrough*> nearest;
+  for (const RibThrough& one : cut) {
+    const RibThrough*& known = nearest[{one.rib.strip, one.rib.quad}];
+    if (!known || one.height < known->height) known = &one;
+  }
+  constexpr double kLiesOn = 4.0;  // times half the thickness; strips that touch are 2 apart
+  double carried = 0.0, hanging = 0.0, all = 0.0;
+  for (int i = 0; i < std::ssize(strips); ++i) {
+    double own = 0.0, own_hanging = 0.0;
+    const RibThrough* why = nullptr;
+    for (const WholeStrip& strip : strips[i])
+      for (int quad = 0; quad < std::ssize(strip.towards_mould); ++quad) {
+        const double area = area_of(strip, quad);
+        all += area;
+        if (!leans_up(strip.towards_mould[quad], setting)) continue;
+        const auto cause = nearest.find({i, strip.first + quad});
+        const bool hangs = !has_rib(strip, quad) && cause != nearest.end() &&
+                           cause->second->height > kLiesOn * setting.offset;
+        (hangs ? own_hanging : own) += area;
+        if (hangs) why = cause->second;
+      }
+    if (why && own == 0.0) return refused(*why);
+    carried += own, hanging += own_hanging;
+  }
+  return Carried{carried / all, hanging / all};
+}
+
+struct Stood {
+  Mould mould;
+  Carried carried;
+};
+
 /// The mould for one direction.
-Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
+Result<Stood> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
   Mould mould;
   mould.side = setting.sign < 0.0 ? MouldSide::back : MouldSide::front;
+  const bool body = setting.form == MouldForm::body;
   const WallSetting upright{base_frame(0.0, setting.up), setting.sign, setting.offset, base};
-  if (setting.form == MouldForm::body) {
+  if (body) {
     auto walls = walls_of(folded, upright);
     if (!walls) return pass_on(walls);
     mould.walls = std::move(*walls);
   }
-  std::vector<std::vector<WholeStrip>> strips;
-  if (auto added = add_all_ribs(mould, folded, setting, upright, strips); !added)
-    return pass_on(added);
+  auto strips = mould_strips(folded, setting.sign, body ? &setting.up : nullptr);
   if (auto raised = raise(mould.walls, strips, upright); !raised) return pass_on(raised);
-  mould.base = base_frame(lowest_point(mould, folded, setting) - base, setting.up);
-  for (MouldRib& rib : mould.ribs)
-    rib.footprint = footprint_of(rib, mould.base);
-  if (auto clear = check_clear(mould, strips, setting.offset); !clear) return pass_on(clear);
+  std::vector<RibThrough> cut;
+  constexpr int kRounds = 8;  // narrowed quads may show others, whose ridges they had
+  for (int round = 0; round <= kRounds; ++round) {
+    if (auto stood = stand_ribs(mould, folded, setting, upright, strips); !stood)
+      return cut.empty() ? pass_on(stood) : refused(cut.front());
+    const auto through = ribs_through(mould, strips, setting.offset);
+    if (through.empty()) break;
+    if (round == kRounds) return refused(through.front());
+    cut.insert(cut.end(), through.begin(), through.end());
+    make_room(strips, through, mould.base, setting.offset, std::max(setting.inset, setting.offset));
+  }
+  const auto carried = carried_by(strips, cut, setting);
+  if (!carried) return pass_on(carried);
+  if (auto apart = check_apart(mould); !apart) return pass_on(apart);
   if (auto made = make_solids(mould, setting, base); !made) return pass_on(made);
-  return mould;
+  return Stood{std::move(mould), *carried};
 }
 
 /// Directions to try, leaned away from the first one little by little.
@@ -328,40 +311,30 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
   return directions;
 }
 
-/// Settings to try until the ribs stand apart; given values are kept. Ribs down to half their
-/// strips' width come before a leaning mould, and that before ribs of a quarter.
-std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
-                           const MouldOptions& options) {
-  const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up}
-                                                  : leaned(first.up, folded.symmetric);
-  const std::vector<std::vector<double>> shares = options.inset
-                                                      ? std::vector<std::vector<double>>{{0.0}}
-                                                      : std::vector<std::vector<double>>{
-                                                            {0.0, 0.125, 0.25}, {kNarrowest}};
-  std::vector<Setting> settings;
-  for (const auto& group : shares)
-    for (const Vec3& up : directions)
-      for (const double share : group) {
-        settings.push_back(first);
-        settings.back().up = up;
-        settings.back().inset_share = share;
-      }
-  return settings;
-}
-
 }  // namespace
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   if (auto sound = check(folded); !sound) return pass_on(sound);
   const auto given = setting_of(folded, options);
   if (!given) return pass_on(given);
+  constexpr double kMayHang = 0.02;  // of the strips: less is no reason to lean
   std::optional<Error> first_error;
-  for (const Setting& setting : tries(*given, folded, options)) {
-    auto mould = upright_mould(folded, setting, options.base);
-    if (mould) return mould;
-    if (!first_error) first_error = mould.error();
-    if (mould.error().code != code::unsupported_shape) break;
+  std::optional<Stood> best;
+  Setting setting = *given;
+  for (const Vec3& up :
+       options.up ? std::vector<Vec3>{given->up} : leaned(given->up, folded.symmetric)) {
+    setting.up = up;
+    auto stood = upright_mould(folded, setting, options.base);
+    if (!stood) {
+      if (!first_error) first_error = stood.error();
+      if (stood.error().code != code::unsupported_shape) break;
+      continue;
+    }
+    if (best && stood->carried.share <= best->carried.share) continue;
+    best = std::move(*stood);
+    if (best->carried.hanging <= kMayHang) break;
   }
+  if (best) return std::move(best->mould);
   return tl::unexpected(*first_error);
 }
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <utility>
 
-// Whether ribs stand apart and none comes up through the sheet (math.md#mould). Walls are upright,
-// so footprints that are apart suffice for the first; for the second, facets and the skins of quads
-// are laid over each other as seen from above, and where both are the facet must be lower. The
-// height between two planes is linear, so the corners of what they share decide.
+// Whether ribs stand apart, and where one comes up through the sheet (math.md#mould). Walls are
+// upright, so footprints that are apart suffice for the first; for the second, facets and the skins
+// of quads are laid over each other as seen from above, and where both are the facet must be lower.
+// The height between two planes is linear, so the corners of what they share decide.
 
 namespace planish::slit_detail {
 namespace {
@@ -47,25 +47,6 @@ tl::unexpected<Error> overlapping(const Overlap& overlap, const std::vector<Moul
               facts, first ? where_of(ribs[overlap.first].strip) : "");
 }
 
-/// Upright walls do not meet where the footprints are apart.
-Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<MouldWall>& walls,
-                         const Frame& base) {
-  std::vector<Polygon> footprints;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const MouldRib& rib : ribs) {
-    if (!self_crossings(rib.footprint).empty())
-      return fail(refuse::overhangs_itself, {{"strip", place::strip(rib.strip)}},
-                  where_of(rib.strip));
-    footprints.push_back({rib.footprint, {}});
-    smallest = std::min(smallest, ring_area(rib.footprint));
-  }
-  for (const MouldWall& wall : walls)
-    footprints.push_back({wall.footprint, {}});
-  for (const Overlap& overlap : overlaps(footprints, 0.0, kSharedArea * smallest))
-    return overlapping(overlap, ribs, base);
-  return {};
-}
-
 /// Regions seen from above: facets of ribs, quads of strips in the middle of their thickness, and
 /// the area covered by their material at both skins, always at the height of the skin towards the
 /// mould.
@@ -75,12 +56,16 @@ enum class Layer { rib, middle, skin };
 struct Seen {
   Layer layer = Layer::rib;
   int strip = 0, quad = 0;
-  Vec3 on;      ///< in the base's frame
-  Vec3 normal;  ///< likewise
+  Vec3 on = {};                    ///< in the base's frame
+  Vec3 normal = {};                ///< likewise
+  std::vector<Vec2> outline = {};  ///< counter-clockwise
+  Box2 box = {};
 };
 
+Vec2 height_slope(const Seen& piece) { return -piece.normal.head<2>() / piece.normal.z(); }
+
 double height_at(const Seen& piece, const Vec2& p) {
-  return piece.on.z() - (piece.normal.head<2>().dot(p - piece.on.head<2>())) / piece.normal.z();
+  return piece.on.z() + height_slope(piece).dot(p - piece.on.head<2>());
 }
 
 class View {
@@ -90,7 +75,7 @@ class View {
   void add(const MouldRib& rib) {
     for (std::size_t i = 0; i < rib.facets.size(); ++i) {
       carried_.insert({rib.strip, rib.first_quad + static_cast<int>(i)});
-      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i), {}, {}}, rib.facets[i],
+      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i)}, rib.facets[i],
           rib.facets[i]);
     }
   }
@@ -106,38 +91,51 @@ class View {
       const int own = strip.first + static_cast<int>(quad);
       const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]),
                  below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
-      see({Layer::middle, number, own, {}, {}}, middle, middle);
-      see({Layer::skin, number, own, {}, {}}, below, below);
-      see({Layer::skin, number, own, {}, {}}, below, piece(skin(quad, -1.0), skin(quad + 1, -1.0)));
+      see({Layer::middle, number, own}, middle, middle);
+      see({Layer::skin, number, own}, below, below);
+      see({Layer::skin, number, own}, below, piece(skin(quad, -1.0), skin(quad + 1, -1.0)));
     }
   }
 
-  /// A rib may stand below the sheet, even below parts that it does not carry, but must not come up
-  /// through it.
-  Result<void> check_clear() const {
-    for (const Overlap& overlap : overlaps(outlines_, 0.0, kSharedArea * smallest_)) {
-      const Seen *rib = &pieces_[overlap.first], *strip = &pieces_[overlap.second];
-      if (strip->layer == Layer::rib) std::swap(rib, strip);
-      if (rib->layer != Layer::rib || !matters(*rib, *strip)) continue;
-      constexpr double kHigher = 1e-6;  // mm
-      for (const auto& ring : overlap.outline)
-        for (const Vec2& p : ring)
-          if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
-            return pass_through(*rib, *strip, p);
+  /// Facets and quads are convex, and so is what they share and where the rib is above.
+  std::vector<RibThrough> through() const {
+    std::vector<RibThrough> all;
+    for (const Seen& rib : pieces_) {
+      if (rib.layer != Layer::rib) continue;
+      for (const Seen& strip : pieces_) {
+        if (strip.layer == Layer::rib || !rib.box.overlaps(strip.box) || !matters(rib, strip))
+          continue;
+        const std::vector<Vec2> above = part_above(rib, strip);
+        if (std::abs(ring_area(above)) <= kSharedArea * smallest_) continue;
+        RibThrough one{{rib.strip, rib.quad}, {strip.strip, strip.quad}, above};
+        for (const Vec2& p : above)
+          if (const double height = height_at(rib, p) - height_at(strip, p); height > one.height)
+            one.height = height, one.at = in_space(strip, p);
+        all.push_back(std::move(one));
+      }
     }
-    return {};
+    return all;
   }
 
  private:
-  /// The refusal of a rib that comes up through a strip at p, as seen from above.
-  tl::unexpected<Error> pass_through(const Seen& rib, const Seen& strip, const Vec2& p) const {
-    const Vec3 at = base_.point(p) + height_at(strip, p) * base_.z;
-    return fail(
-        rib.strip == strip.strip ? refuse::rib_through_own_strip : refuse::rib_through_strip,
-        {{"strip", place::strip(rib.strip)},
-         {"other", place::strip(strip.strip)},
-         {"at", place::point(at)}},
-        where_of(rib.strip));
+  /// Of what both cover, the part where the rib is higher.
+  static std::vector<Vec2> part_above(const Seen& rib, const Seen& strip) {
+    std::vector<Vec2> part = rib.outline;
+    for (std::size_t i = 0; i < strip.outline.size() && !part.empty(); ++i) {
+      const Vec2& from = strip.outline[i];
+      const Vec2 along = strip.outline[(i + 1) % strip.outline.size()] - from,
+                 out(along.y(), -along.x());
+      part = clipped(part, out, out.dot(from));
+    }
+    constexpr double kHigher = 1e-6;  // mm
+    // Both heights are linear: that of the strip over the rib's is slope · p + constant.
+    const Vec2 slope = height_slope(strip) - height_slope(rib);
+    const double constant = height_at(strip, Vec2::Zero()) - height_at(rib, Vec2::Zero());
+    return part.empty() ? part : clipped(part, slope, -kHigher - constant);
+  }
+
+  Vec3 in_space(const Seen& piece, const Vec2& p) const {
+    return base_.point(p) + height_at(piece, p) * base_.z;
   }
 
   /// The quad that a facet carries and the carried ones beside it are mitred to it. A bare quad
@@ -154,12 +152,12 @@ class View {
     piece.normal = {normal.dot(base_.x), normal.dot(base_.y), normal.dot(base_.z)};
     constexpr double kUpright = 1e-3;  // radians: seen from above it is a line
     if (std::abs(piece.normal.z()) < kUpright) return;
-    Polygon polygon;
     for (const Vec3& corner : outline)
-      polygon.outer.push_back(base_.local2(corner));
-    smallest_ = std::min(smallest_, std::abs(ring_area(polygon.outer)));
-    pieces_.push_back(piece);
-    outlines_.push_back(std::move(polygon));
+      piece.outline.push_back(base_.local2(corner));
+    if (ring_area(piece.outline) < 0.0) std::ranges::reverse(piece.outline);
+    smallest_ = std::min(smallest_, ring_area(piece.outline));
+    piece.box = box_of(piece.outline);
+    pieces_.push_back(std::move(piece));
   }
 
   const Frame& base_;
@@ -167,21 +165,46 @@ class View {
   double smallest_ = std::numeric_limits<double>::infinity();
   std::set<std::pair<int, int>> carried_;
   std::vector<Seen> pieces_;
-  std::vector<Polygon> outlines_;
 };
 
 }  // namespace
 
-Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
-                         double offset) {
-  if (auto apart = check_apart(mould.ribs, mould.walls, mould.base); !apart) return apart;
+std::vector<RibThrough> ribs_through(const Mould& mould,
+                                     const std::vector<std::vector<WholeStrip>>& strips,
+                                     double offset) {
   View view(mould.base, offset);
   for (const MouldRib& rib : mould.ribs)
     view.add(rib);
   for (std::size_t i = 0; i < strips.size(); ++i)
     for (const WholeStrip& strip : strips[i])
       view.add(strip, static_cast<int>(i));
-  return view.check_clear();
+  return view.through();
+}
+
+tl::unexpected<Error> refused(const RibThrough& rib) {
+  const bool own = rib.rib.strip == rib.strip.strip;
+  return fail(own ? refuse::rib_through_own_strip : refuse::rib_through_strip,
+              {{"strip", place::strip(rib.rib.strip)},
+               {"other", place::strip(rib.strip.strip)},
+               {"at", place::point(rib.at)}},
+              where_of(rib.rib.strip));
+}
+
+Result<void> check_apart(const Mould& mould) {
+  std::vector<Polygon> footprints;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const MouldRib& rib : mould.ribs) {
+    if (!self_crossings(rib.footprint).empty())
+      return fail(refuse::overhangs_itself, {{"strip", place::strip(rib.strip)}},
+                  where_of(rib.strip));
+    footprints.push_back({rib.footprint, {}});
+    smallest = std::min(smallest, ring_area(rib.footprint));
+  }
+  for (const MouldWall& wall : mould.walls)
+    footprints.push_back({wall.footprint, {}});
+  for (const Overlap& overlap : overlaps(footprints, 0.0, kSharedArea * smallest))
+    return overlapping(overlap, mould.ribs, mould.base);
+  return {};
 }
 
 }  // namespace planish::slit_detail

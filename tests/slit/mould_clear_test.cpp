@@ -33,9 +33,10 @@ std::vector<WholeStrip> level_strip(const Vec2& low, const Vec2& high, double he
   return {strip};
 }
 
-ErrorCode code_of(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips) {
-  const auto clear = check_clear(mould, strips, 1.0);
-  return clear ? code::internal : clear.error().code;
+/// Places where ribs come up through strips 2 mm thick.
+std::vector<RibThrough> through(const Mould& mould,
+                                const std::vector<std::vector<WholeStrip>>& strips) {
+  return ribs_through(mould, strips, 1.0);
 }
 
 TEST(Mitre, IsOneThicknessAwayFromBothFacets) {
@@ -49,14 +50,16 @@ TEST(Mitre, IsOneThicknessAwayFromBothFacets) {
 TEST(CheckClear, LetsRibsStandSideBySide) {
   Mould mould;
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 20}, {100, 40}, 50)};
-  EXPECT_TRUE(check_clear(
-      mould, {level_strip({0, 0}, {100, 20}, 31), level_strip({0, 20}, {100, 40}, 51)}, 1.0));
+  EXPECT_TRUE(check_apart(mould));
+  EXPECT_TRUE(
+      through(mould, {level_strip({0, 0}, {100, 20}, 31), level_strip({0, 20}, {100, 40}, 51)})
+          .empty());
 }
 
 TEST(CheckClear, LetsRibsShareWhatRoundingMakes) {
   Mould mould;  // of ribs of 2,000 mm², a ten-millionth of 1 mm²
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 20 - 1e-9}, {100, 40}, 50)};
-  EXPECT_TRUE(check_clear(mould, {}, 1.0));
+  EXPECT_TRUE(check_apart(mould));
 }
 
 TEST(CheckClear, LetsARibStandBesideALowerStripThatRoundingPutsBelowIt) {
@@ -64,14 +67,14 @@ TEST(CheckClear, LetsARibStandBesideALowerStripThatRoundingPutsBelowIt) {
   Mould mould;
   mould.ribs = {block(0, {0, 0}, {100, 20}, 50)};
   const auto own = level_strip({0, 0}, {100, 20}, 51);
-  EXPECT_TRUE(check_clear(mould, {own, level_strip({0, 20 - 1e-9}, {100, 40}, 31)}, 1.0));
-  EXPECT_EQ(code_of(mould, {own, level_strip({0, 19.9}, {100, 40}, 31)}), code::unsupported_shape);
+  EXPECT_TRUE(through(mould, {own, level_strip({0, 20 - 1e-9}, {100, 40}, 31)}).empty());
+  EXPECT_FALSE(through(mould, {own, level_strip({0, 19.9}, {100, 40}, 31)}).empty());
 }
 
 TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
   Mould mould;
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 15}, {100, 40}, 50)};
-  const auto clear = check_clear(mould, {}, 1.0);
+  const auto clear = check_apart(mould);
   ASSERT_FALSE(clear);
   EXPECT_EQ(clear.error().code, code::unsupported_shape);
   EXPECT_NEAR(number_in(clear.error(), "area"), 500.0, 1e-6);
@@ -87,7 +90,7 @@ TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
 TEST(CheckClear, NamesAStripWhoseRibOverlapsThatOfItsMirrorImage) {
   Mould mould;
   mould.ribs = {block(2, {0, 0}, {100, 20}, 30), block(2, {0, 15}, {100, 40}, 50)};
-  const auto clear = check_clear(mould, {}, 1.0);
+  const auto clear = check_apart(mould);
   ASSERT_FALSE(clear);
   EXPECT_EQ(ids_in(clear.error(), PlaceKind::strip), std::vector<std::string>{"3"});
   EXPECT_NE(clear.error().message.find("symmetry plane"), std::string::npos);
@@ -100,9 +103,9 @@ TEST(CheckClear, SeesASmallOverlapOfALargeRibWithASmallOne) {
     Mould mould;
     mould.ribs = {block(0, {0, 0}, {1000, 1000}, 30), block(1, {999.99, 0}, {1010, 1}, 30)};
     if (!large_first) std::swap(mould.ribs[0], mould.ribs[1]);
-    EXPECT_EQ(code_of(mould, {}), code::unsupported_shape);
+    EXPECT_FALSE(check_apart(mould));
     mould.ribs = {block(0, {0, 0}, {1000, 1000}, 30), block(1, {1000, 0}, {1010, 1}, 30)};
-    EXPECT_TRUE(check_clear(mould, {}, 1.0));
+    EXPECT_TRUE(check_apart(mould));
   }
 }
 
@@ -110,7 +113,7 @@ TEST(CheckClear, RefusesAFootprintThatCrossesItself) {
   Mould mould;
   mould.ribs = {block(3, {0, 0}, {100, 20}, 30)};
   std::swap(mould.ribs[0].footprint[0], mould.ribs[0].footprint[1]);
-  EXPECT_EQ(code_of(mould, {}), code::unsupported_shape);
+  EXPECT_FALSE(check_apart(mould));
 }
 
 TEST(CheckClear, LetsARibStandBelowAnotherStripButNotThroughIt) {
@@ -118,9 +121,51 @@ TEST(CheckClear, LetsARibStandBelowAnotherStripButNotThroughIt) {
   Mould mould;
   mould.ribs = {block(0, {0, 0}, {100, 20}, 30)};
   const auto own = level_strip({0, 0}, {100, 20}, 31);
-  EXPECT_TRUE(check_clear(mould, {own, level_strip({0, 10}, {100, 40}, 31.001)}, 1.0));
-  EXPECT_EQ(code_of(mould, {own, level_strip({0, 10}, {100, 40}, 30.999)}),
-            code::unsupported_shape);
+  EXPECT_TRUE(through(mould, {own, level_strip({0, 10}, {100, 40}, 31.001)}).empty());
+  EXPECT_FALSE(through(mould, {own, level_strip({0, 10}, {100, 40}, 30.999)}).empty());
+}
+
+/// Corners of a ring, its least and its greatest.
+Box2 box(const std::vector<Vec2>& ring) {
+  Box2 all;
+  for (const Vec2& p : ring)
+    all.add(p);
+  return all;
+}
+
+TEST(RibsThrough, SaysWhereAndByHowMuch) {
+  Mould mould;
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 30)};
+  const auto own = level_strip({0, 0}, {100, 20}, 31);
+  const auto found = through(mould, {own, level_strip({10, 14}, {90, 40}, 26)});
+  ASSERT_EQ(found.size(), 2u) << "both skins of the other strip, whose height is that of the lower";
+  for (const RibThrough& one : found) {
+    EXPECT_EQ(one.rib.strip, 0);
+    EXPECT_EQ(one.strip.strip, 1);
+    EXPECT_NEAR(one.height, 30 - 25, 1e-12);
+    EXPECT_NEAR(one.at.z(), 25, 1e-12);
+    EXPECT_NEAR((box(one.around).lo - Vec2(10, 14)).norm(), 0.0, 1e-12);
+    EXPECT_NEAR((box(one.around).hi - Vec2(90, 20)).norm(), 0.0, 1e-12);
+  }
+}
+
+TEST(RibsThrough, IsOnlyWhereTheRibIsAbove) {
+  // The other strip rises from 25 to 35 over the rib's length: its lower skin passes the rib's 30
+  // in the middle, 1 mm · √(1 + 0.1²) below its own.
+  Mould mould;
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 30)};
+  auto rising = level_strip({0, 10}, {100, 40}, 0);
+  for (std::size_t end = 0; end < 2; ++end)
+    for (Vec3& p : rising.front().ridges[end])
+      p.z() = end == 0 ? 25 : 35;
+  const double steep = std::hypot(1.0, 0.1);
+  rising.front().towards_mould = {Vec3(0.1, 0, -1) / steep};
+  const auto found = through(mould, {level_strip({0, 0}, {100, 20}, 31), rising});
+  ASSERT_FALSE(found.empty());
+  double furthest = 0.0;
+  for (const RibThrough& one : found)
+    furthest = std::max(furthest, box(one.around).hi.x());
+  EXPECT_NEAR(furthest, 50 + 10 * steep - 1e-5, 1e-9) << "heights equal to 1e-6 are no passage";
 }
 
 }  // namespace

@@ -1,7 +1,12 @@
 #include "crossing.hpp"
 #include "sample_sheets.hpp"
 
+#include <planish/geometry/plane.hpp>
+#include <planish/slit/mould.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <random>
 
 // Neighbours that run into each other where each is solved by itself: of designs as a person draws
@@ -46,7 +51,45 @@ double energy_of(const SlitSession& session) {
   return sum;
 }
 
-TEST(PartTogether, NoStripOfADrawnDesignIsLeftThroughAnother) {
+/// Height over the base, straight above or below p, of the middle of a quad; none if it is not
+/// there.
+std::optional<double> height_over(const std::array<Vec3, 4>& quad, const Frame& base,
+                                  const Vec2& p) {
+  for (const auto& [i, j, k] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+    const Vec2 o = base.local2(quad[i]), u = base.local2(quad[j]) - o, v = base.local2(quad[k]) - o;
+    const double area = cross(u, v), s = cross(Vec2(p - o), v) / area,
+                 t = cross(u, Vec2(p - o)) / area;
+    if (std::abs(area) < 1e-6 || s < 0.0 || t < 0.0 || s + t > 1.0) continue;
+    return (1.0 - s - t) * base.local(quad[i]).z() + s * base.local(quad[j]).z() +
+           t * base.local(quad[k]).z();
+  }
+  return std::nullopt;
+}
+
+/// No point of a rib's top is as high as the middle of a strip above it, its own or another.
+void expect_below_the_sheet(const FoldedSlitSheet& folded, const Mould& mould, unsigned seed) {
+  std::vector<std::array<Vec3, 4>> quads;
+  const auto image = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
+  for (const FoldedStrip& strip : folded.strips)
+    for (std::size_t i = 0; i + 1 < strip.ridges.size(); ++i) {
+      const auto &near = strip.ridges[i].folded, &far = strip.ridges[i + 1].folded;
+      quads.push_back({near[0], near[1], far[1], far[0]});
+      quads.push_back({image(near[0]), image(near[1]), image(far[1]), image(far[0])});
+    }
+  for (const MouldRib& rib : mould.ribs)
+    for (const auto& facet : rib.facets)
+      for (const double along : {0.1, 0.5, 0.9})
+        for (const double across : {0.02, 0.5, 0.98}) {
+          const Vec3 p = (1 - along) * ((1 - across) * facet[0] + across * facet[3]) +
+                         along * ((1 - across) * facet[1] + across * facet[2]);
+          for (const auto& quad : quads) {
+            const auto height = height_over(quad, mould.base, mould.base.local2(p));
+            EXPECT_LT(mould.base.local(p).z(), height.value_or(1e9)) << seed << ' ' << rib.strip;
+          }
+        }
+}
+
+TEST(PartTogether, NoStripOfADrawnDesignIsLeftThroughAnotherAndAllHaveMoulds) {
   constexpr unsigned kDesigns = 24;
   for (unsigned seed = 0; seed < kDesigns; ++seed) {
     const SlitSession session = solved(drawn(seed));
@@ -58,6 +101,11 @@ TEST(PartTogether, NoStripOfADrawnDesignIsLeftThroughAnother) {
         EXPECT_FALSE(
             slit_detail::cross(folded.strips[i], folded.strips[j], 0.25 * folded.thickness))
             << "strips " << i << " and " << j << " of design " << seed;
+    }
+    for (const MouldForm form : {MouldForm::ribs, MouldForm::body}) {
+      const auto mould = mould_of(folded, {.form = form});
+      ASSERT_TRUE(mould) << seed << ": " << mould.error().message;
+      expect_below_the_sheet(folded, *mould, seed);
     }
   }
 }

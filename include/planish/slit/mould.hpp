@@ -23,12 +23,11 @@ struct MouldOptions {
   MouldSide side = MouldSide::ground;
   /// Direction in which the sheet is lifted off, from the base to the sheet. Default: up (y) on the
   /// ground's side, down on the other; leaned in steps of 5° (in symmetric sheets within the
-  /// symmetry plane) if ribs of half their strips' width would not stand apart.
+  /// symmetry plane) if more than 2 % of the strips would hang free above others.
   std::optional<Vec3> up = {};
   double base = 20.0;  ///< from the lowest point of the working surfaces down to the base plane, mm
-  /// How much narrower a rib is than its strip, on each side, mm. Default: the thickness; if ribs
-  /// would overlap or pass through a strip, an eighth, then a quarter, then three eighths of the
-  /// strip's width.
+  /// How much narrower a rib is than its strip at least, on each side, mm. Default: the thickness,
+  /// but no more than leaves a quarter of the width.
   std::optional<double> inset = {};
   Angle draft = Angle::degrees(5);  ///< quads that face `up` by less than this are left bare
   MouldForm form = MouldForm::ribs;
@@ -81,6 +80,11 @@ struct Mould {
 /// A mould can be cast, milled or printed without undercuts, and the sheet can be lifted off: every
 /// rib stands upright on its base, which lies flat on the table even if the sheet's ground leans.
 ///
+/// Where a strip lies over another its rib is cut off beside that one, as far off its edge as the
+/// inset, tapering from ridge to ridge; quads of which less than a quarter of the width would be
+/// left are bare. There the strip lies on the other one, or hangs free: of the directions tried the
+/// first is taken in which next to nothing hangs, else that which carries most.
+///
 /// As one body (`MouldForm::body`) it has side panels too, as the paper's mould [slits 4.2]: behind
 /// every upright panel a wall as deep as `base`, up to the panel's top or to where strips come down
 /// over it; quads over a wall have no rib. Under panels that lean over the mould, or lie level,
@@ -89,10 +93,10 @@ struct Mould {
 ///
 /// Errors: `bad_option` (options not finite or outside their range, an inset that leaves no width
 /// of a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too
-/// thick for the folds there), `unsupported_shape` (no part of the strips faces `up`; ribs would
-/// overlap or pass through strips: choose another `up`, a larger inset, or the other side). `where`
-/// names an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads) for each
-/// inset and lean tried.
+/// thick for the folds there), `unsupported_shape` (no part of the strips faces `up`; a whole strip
+/// hangs above others, or walls are in the way: choose another `up` or the other side). `where`
+/// names an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads · those
+/// above or below them) for each lean tried.
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options = {});
 
 /// All ribs in one mesh, each closed; or the one body.
