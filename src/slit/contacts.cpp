@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace planish::slit_detail {
 namespace {
@@ -302,6 +303,23 @@ std::vector<Contact> contacts_of(const StripPair& pair, const FoldedStrip& left,
                                    0.0});
              });
   return contacts;
+}
+
+std::vector<Contact> subdivided(const std::vector<Contact>& contacts) {
+  std::vector<Contact> fine;
+  for (const Contact& contact : contacts) {
+    const StripPoint::Share& first = contact.here.shares.front();
+    const double at = 2.0 * (first.ridge + 1.0 - first.weight);
+    for (const auto& [beside, share] : {std::pair{-0.5, 0.25}, {0.0, 0.5}, {0.5, 0.25}}) {
+      const double place = std::max(0.0, at + beside);
+      const int ridge = static_cast<int>(place);
+      Contact one = contact;
+      one.here.shares = edge_point(first.side, ridge, place - ridge);
+      one.multiplier *= share;
+      fine.push_back(std::move(one));
+    }
+  }
+  return fine;
 }
 
 Missing missing(const StripPair& pair, const FoldedStrip& left, const FoldedStrip& right,

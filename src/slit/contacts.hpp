@@ -28,6 +28,10 @@ StripPair nearest_pair(int left, int right, const FoldedStrip& left_shape,
 std::vector<Contact> contacts_of(const StripPair& pair, const FoldedStrip& left,
                                  const FoldedStrip& right, double thickness);
 
+/// The same contacts of strips with every quad divided: each shares its multiplier with the new
+/// stations beside it.
+std::vector<Contact> subdivided(const std::vector<Contact>& contacts);
+
 /// What those contacts lack, mm.
 struct Missing {
   double squares = 0.0;  ///< sum of squares, mm²

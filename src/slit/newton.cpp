@@ -26,6 +26,20 @@ namespace {
 constexpr double kFirstReach = 0.2, kMostReach = 2.0;  // of a step, for each ridge
 constexpr double kLeastSpacing = 0.2;                  // of a spacing that a step leaves
 
+/// Adds JᵀJ, row by row: most have few neighbouring entries.
+void add_squares(const RowMatrix& jacobian, Eigen::MatrixXd& sum) {
+  for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+    const auto row = jacobian.row(i);
+    Eigen::Index first = 0, last = row.size();
+    while (first < last && row[first] == 0.0)
+      ++first;
+    while (last > first && row[last - 1] == 0.0)
+      --last;
+    const auto part = row.segment(first, last - first);
+    sum.block(first, first, part.size(), part.size()).noalias() += part.transpose() * part;
+  }
+}
+
 /// The objective of a strip with derivatives by all parameters.
 SecondOrder model_of(const StripProblem& problem, const StripParameters& p) {
   SecondOrder model = bend_energy_derivatives(problem, p);
@@ -37,8 +51,7 @@ SecondOrder model_of(const StripProblem& problem, const StripParameters& p) {
   model.value = scale * model.value + 0.5 * residuals.squaredNorm();
   model.gradient = scale * model.gradient + jacobian.transpose() * residuals;
   model.hessian *= scale;
-  model.hessian.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
-  model.hessian.triangularView<Eigen::StrictlyUpper>() = model.hessian.transpose();
+  add_squares(jacobian, model.hessian);
   return model;
 }
 
@@ -229,17 +242,20 @@ Model model_of(const StripSystem& system, const Shapes& shapes) {
   return model;
 }
 
-/// The step that minimises a model within a reach, to a tenth of it: damped by just as much as that
-/// takes (Moré and Sorensen). Where the model is concave along a direction the damping outweighs
-/// it.
-Eigen::VectorXd step_within(const Model& model, double reach) {
-  constexpr double kNearEnough = 0.1, kLeastDamping = 1e-12, kDampingFound = 1e-9;
+/// The step that minimises a model within a reach, nearly: damped by just as much as that takes
+/// (Moré and Sorensen). Where the model is concave along a direction the damping outweighs it.
+/// `damping` is what to begin with, and what was found.
+Eigen::VectorXd step_within(const Model& model, double reach, double& damping) {
+  constexpr double kBeyond = 1.25, kShort = 0.5, kLeastDamping = 1e-5, kDampingFound = 1e-9,
+                   kFaster = 16.0;
   constexpr int kMostTried = 40;
   const double largest = model.hessian.bound(), steepness = model.gradient.norm();
-  double too_little = 0.0, enough = largest + steepness / reach, damping = 0.0;
+  double too_little = -1.0, enough = largest + steepness / reach;
+  damping = std::min(damping, enough);
   Eigen::VectorXd step = -model.gradient / std::max(enough, std::numeric_limits<double>::min());
   const auto between = [&] {
-    return std::sqrt(std::max(too_little, kLeastDamping * largest) * enough);
+    const double least = std::max(too_little, kLeastDamping * largest);
+    return std::min(kFaster * least, std::sqrt(least * enough));
   };
   for (int tried = 0; tried < kMostTried && enough - too_little > kDampingFound * enough; ++tried) {
     const auto factors = BlockCholesky::of(model.hessian, damping);
@@ -250,13 +266,16 @@ Eigen::VectorXd step_within(const Model& model, double reach) {
     }
     step = factors->solve(-model.gradient);
     const double length = step.norm();
-    const bool is_within = length <= reach * (1.0 + kNearEnough);
-    if (is_within && (damping == 0.0 || length >= reach * (1.0 - kNearEnough))) break;
+    const bool is_within = length <= kBeyond * reach;
+    if (is_within && (damping == 0.0 || length >= kShort * reach)) break;
     (is_within ? enough : too_little) = damping;
     // Newton's step for 1/length − 1/reach, which is nearly linear in the damping.
     damping += (length - reach) / reach * length * length /
                factors->half_solved(step).squaredNorm();
-    if (!(damping > too_little && damping < enough)) damping = between();
+    if (too_little < 0.0)
+      damping = std::max(damping, 0.0);
+    else if (!(damping > too_little && damping < enough))
+      damping = between();
   }
   return step;
 }
@@ -318,7 +337,7 @@ class Stepping {
     const Model model = model_of(system_, descent_.shapes);
     descent_.objective = model.value;
     while (reach_ > kNoReach) {
-      const Eigen::VectorXd step = step_within(model, reach_);
+      const Eigen::VectorXd step = step_within(model, reach_, damping_);
       const double expected = -(model.gradient.dot(step) +
                                 0.5 * step.dot(model.hessian.times(step)));
       if (expected <= kNothing * model.value || model.value <= kUnbent) return ended(true);
@@ -356,7 +375,7 @@ class Stepping {
   const DescentOptions& options_;
   SystemDescent& descent_;
   int ridges_ = 0;
-  double reach_ = 0.0;
+  double reach_ = 0.0, damping_ = 0.0;
 };
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -20,8 +22,9 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kFirstPenalty = 1.0, kPenaltyGrowth = 4.0, kMostPenalty = 1000.0;
+constexpr double kLessViolated = 0.25;  // than in the round before, else the penalty grows
 constexpr int kMostRounds = 12, kStepsOfRound = 20;
-constexpr double kFine = 1e-6;
+constexpr double kFine = 1e-5;
 constexpr double kWorth = 20.0;  // times the objective that parting may cost
 
 /// Which strip of a pair lies on the other.
@@ -31,7 +34,7 @@ enum class Choice { nearest, left, right };
 struct Parting {
   Shapes shapes;
   std::vector<StripProblem> problems = {};  ///< with the inequalities that were needed
-  std::vector<bool> touches = {};           ///< by strip: contacts keep it where it is
+  Pressing pressing = {};                   ///< of the sheet's strips
   int together = 0;                         ///< pairs that still need the same space
   bool apart = false;
   double objective = 0.0;  ///< with what contacts cost
@@ -57,25 +60,48 @@ class Group {
       system_.held.push_back(std::ranges::find(moved, strip) == moved.end());
       shapes_.push_back(now.slot(strip).p);
     }
+    pressing_.penalty = now.pressing.penalty;
+    for (Contact contact : now.pressing.contacts) {
+      contact.here.strip = member_of(contact.here.strip);
+      contact.there.strip = member_of(contact.there.strip);
+      if (contact.here.strip >= 0 && contact.there.strip >= 0)
+        pressing_.contacts.push_back(std::move(contact));
+    }
+  }
+
+  /// Whether strips press each other from before.
+  bool has_pressed() const { return !pressing_.contacts.empty(); }
+  /// A strip's number here, −1 if it is not in the group.
+  int member_of(int strip) const {
+    const auto found = std::ranges::find(strips_, strip);
+    return found == strips_.end() ? -1 : static_cast<int>(found - strips_.begin());
   }
 
   bool moves(int member) const { return !system_.held[member]; }
   /// How many pairs need the same space as the strips lie now.
   int together() const { return run_together(pairs_of(Choice::nearest), shapes_); }
 
-  /// Rounds until the strips are apart and at rest.
-  Parting parted(Choice choice, const DescentOptions& options) const {
+  /// Rounds until the strips are apart and at rest, with what they press each other from before or
+  /// from nothing.
+  Parting parted(Choice choice, bool from_before, const DescentOptions& options) const {
     Parting now{shapes_}, best{shapes_};
     best.together = together();
     best.problems = system_.strips;
-    best.touches.resize(system_.count());
     StripSystem system = system_;
     system.penalty = kFirstPenalty;
+    if (from_before) {
+      system.penalty = pressing_.penalty;
+      system.contacts = pressing_.contacts;
+    }
     const std::vector<StripPair> pairs = pairs_of(choice);
+    double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds; ++round) {
       if (options.stop && options.stop()) break;
       if (round > 0) {
-        system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
+        const double violated = most_violated(system, now.shapes);
+        if (!from_before || violated > kLessViolated * before)
+          system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
+        before = violated;
         raise_multipliers(system, now.shapes);
       }
       take_limits(system, pairs, now.shapes);
@@ -90,7 +116,7 @@ class Group {
       now.apart = now.together == 0 && holds_all(system, now.shapes);
       if (now.objective > kWorth * alone_) break;
       if (rank(now) <= rank(best))
-        best = now, best.problems = system.strips, best.touches = touching(system);
+        best = now, best.problems = system.strips, best.pressing = pressing_of(system, now.shapes);
       if (now.apart && descent.converged) break;
     }
     best.iterations = now.iterations;
@@ -109,12 +135,14 @@ class Group {
   FoldedStrip folded(const Shapes& shapes, int member) const {
     return folded_strip(system_.strips[member].base, shapes[member]);
   }
-  static std::vector<bool> touching(const StripSystem& system) {
-    std::vector<bool> touches(system.count());
-    for (const Contact& contact : system.contacts)
-      if (contact.multiplier > 0.0)
-        touches[contact.here.strip] = touches[contact.there.strip] = true;
-    return touches;
+  Pressing pressing_of(StripSystem system, const Shapes& shapes) const {
+    raise_contacts(system, shapes);
+    std::erase_if(system.contacts, [](const Contact& known) { return known.multiplier == 0.0; });
+    for (Contact& contact : system.contacts) {
+      contact.here.strip = strips_[contact.here.strip];
+      contact.there.strip = strips_[contact.there.strip];
+    }
+    return {std::move(system.contacts), system.penalty};
   }
 
   bool is_beside(const StripPair& pair) const {
@@ -163,12 +191,20 @@ class Group {
     return true;
   }
 
-  void raise_multipliers(StripSystem& system, const Shapes& shapes) const {
+  static double most_violated(const StripSystem& system, const Shapes& shapes) {
+    const Eigen::VectorXd values = contact_values(system, shapes);
+    return values.size() > 0 ? std::max(0.0, values.maxCoeff()) : 0.0;
+  }
+
+  static void raise_contacts(StripSystem& system, const Shapes& shapes) {
     const Eigen::VectorXd values = contact_values(system, shapes);
     for (int i = 0; i < std::ssize(system.contacts); ++i) {
       double& multiplier = system.contacts[i].multiplier;
       multiplier = std::max(0.0, multiplier + system.penalty * values[i]);
     }
+  }
+  void raise_multipliers(StripSystem& system, const Shapes& shapes) const {
+    raise_contacts(system, shapes);
     for (int member = 0; member < system.count(); ++member) {
       StripProblem& problem = system.strips[member];
       problem.penalty = system.penalty;
@@ -190,9 +226,8 @@ class Group {
       // Strips that are not beside each other have nothing to do with each other until they meet.
       if (!is_beside(pair) && known.empty() && !cross(left, right)) continue;
       for (Contact& contact : contacts_of(pair, left, right, thickness())) {
-        const auto same = std::ranges::find_if(
-            known, [&](const Contact& other) { return is_same(other, contact); });
-        if (same != known.end()) contact.multiplier = same->multiplier;
+        for (const Contact& other : known)
+          if (is_same(other, contact)) contact.multiplier += other.multiplier;
         system.contacts.push_back(std::move(contact));
       }
     }
@@ -216,6 +251,7 @@ class Group {
   const Snapshot& now_;
   const std::vector<int>& strips_;
   StripSystem system_;  ///< as it begins
+  Pressing pressing_;   ///< from before, of the group's members
   Shapes shapes_;
   double alone_ = 0.0;  ///< what the strips' objectives are before they are parted
 };
@@ -258,17 +294,41 @@ std::vector<int> those(const std::vector<bool>& wanted) {
 /// What parts the strips at the nearest, else the better of one strip on top everywhere and the
 /// other: judged by what is left together, then by the objective.
 Parting best_parting(const Group& group, const DescentOptions& options) {
-  Parting best = group.parted(Choice::nearest, options);
-  if (best.apart) return best;
-  int iterations = best.iterations;
-  for (const Choice choice : {Choice::left, Choice::right}) {
-    if (options.stop && options.stop()) break;
-    Parting other = group.parted(choice, options);
+  std::optional<Parting> best;
+  int iterations = 0;
+  const auto try_to = [&](Choice choice, bool from_before) {
+    if (best && (best->apart || (options.stop && options.stop()))) return;
+    Parting other = group.parted(choice, from_before, options);
     iterations += other.iterations;
-    if (rank(other) < rank(best)) best = std::move(other);
+    if (!best || rank(other) < rank(*best)) best = std::move(other);
+  };
+  if (group.has_pressed()) try_to(Choice::nearest, true);
+  for (const Choice choice : {Choice::nearest, Choice::left, Choice::right})
+    try_to(choice, false);
+  best->iterations = iterations;
+  return *std::move(best);
+}
+
+/// Takes what strips of a group press each other, in place of what they did.
+void take_pressing(Snapshot& now, const std::vector<bool>& in_group, const Pressing& pressing) {
+  std::vector<Contact>& all = now.pressing.contacts;
+  std::erase_if(all, [&](const Contact& known) {
+    return in_group[known.here.strip] && in_group[known.there.strip];
+  });
+  all.insert(all.end(), pressing.contacts.begin(), pressing.contacts.end());
+  now.pressing.penalty = pressing.penalty;
+}
+
+/// Strips that meet at a panel touch there too, as good as without pressing each other.
+bool presses(const Pressing& pressing, int strip) {
+  constexpr double kPresses = 0.01;  // of what is pressed most
+  double most = 0.0, own = 0.0;
+  for (const Contact& contact : pressing.contacts) {
+    most = std::max(most, contact.multiplier);
+    if (contact.here.strip == strip || contact.there.strip == strip)
+      own = std::max(own, contact.multiplier);
   }
-  best.iterations = iterations;
-  return best;
+  return own > kPresses * most;
 }
 
 }  // namespace
@@ -289,7 +349,9 @@ int part_together(Snapshot& now, const std::vector<int>& moved, const DescentOpt
     for (int member = 0; member < std::ssize(strips); ++member)
       if (group.moves(member))
         take_shape(now, strips[member], parting.shapes[member],
-                   parting.problems[member].inequalities, parting.touches[member]);
+                   parting.problems[member].inequalities,
+                   presses(parting.pressing, strips[member]));
+    take_pressing(now, wanted, parting.pressing);
     note_crossings(now, moved);
   }
   return iterations;

@@ -1,5 +1,6 @@
 #include "align.hpp"
 #include "checks.hpp"
+#include "contacts.hpp"
 #include "part_together.hpp"
 #include "refusals.hpp"
 #include "snapshot.hpp"
@@ -177,6 +178,7 @@ void SlitSession::subdivide() {
     slot.state.status = StripStatus::open;
     next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
   }
+  next.pressing.contacts = subdivided(next.pressing.contacts);
   SlitDesign design = *next.design;
   design.ridges *= 2;
   for (SlitAnchor& anchor : design.anchors)

@@ -2,6 +2,7 @@
 
 #include "nearest_points.hpp"
 #include "strip_problem.hpp"
+#include "strip_system.hpp"
 
 #include <planish/slit/session.hpp>
 
@@ -21,6 +22,12 @@ struct Slot {
   bool touches = false;     ///< others keep it where it is
 };
 
+/// Where strips of the sheet press each other, as they were last parted.
+struct Pressing {
+  std::vector<Contact> contacts;  ///< multipliers are what a penalty would add, and more than 0
+  double penalty = 0.0;
+};
+
 /// The state of a session. Copies share large data.
 struct Snapshot {
   std::shared_ptr<const SlitDesign> design;
@@ -29,6 +36,7 @@ struct Snapshot {
   std::shared_ptr<const BezierSearch> seat;
   std::shared_ptr<const std::vector<Vec2>> seat_places;  ///< left and right of each strip
   std::vector<std::shared_ptr<const Slot>> slots;
+  Pressing pressing = {};
 
   const Slot& slot(int strip) const { return *slots[strip]; }
   int count() const { return static_cast<int>(slots.size()); }

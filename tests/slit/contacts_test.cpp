@@ -28,6 +28,33 @@ Missing lacking(OnTop on_top, const FoldedStrip& left, const FoldedStrip& right)
 /// Nine stations but that where a strip begins, on one edge of each strip.
 constexpr double kPoints = 16.0;
 
+TEST(Contacts, OfDividedQuadsPressAsMuchAtTheSamePlaces) {
+  const FoldedStrip left = flat_strip({0, 0, 0}), right = flat_strip({0, 8, 1});
+  std::vector<Contact> coarse = contacts_of(pair_of(0, 1, left, OnTop::right), left, right,
+                                            kThickness);
+  // The place of a point along its strip, in quads.
+  const auto place = [](const Contact& contact) {
+    double sum = 0.0;
+    for (const StripPoint::Share& share : contact.here.shares)
+      sum += share.weight * share.ridge;
+    return sum;
+  };
+  double pressed = 0.0, moment = 0.0, number = 0.0;
+  for (Contact& contact : coarse) {
+    contact.multiplier = ++number;
+    pressed += contact.multiplier;
+    moment += contact.multiplier * place(contact);
+  }
+  double fine_pressed = 0.0, fine_moment = 0.0;
+  for (const Contact& contact : subdivided(coarse)) {
+    fine_pressed += contact.multiplier;
+    fine_moment += contact.multiplier * place(contact);
+    EXPECT_NEAR(2.0 * place(contact), std::round(2.0 * place(contact)), 1e-12) << "a station";
+  }
+  EXPECT_NEAR(fine_pressed, pressed, 1e-12 * pressed);
+  EXPECT_NEAR(fine_moment, 2.0 * moment, 1e-12 * moment);
+}
+
 TEST(Contacts, AskForAThicknessWhereStripsOverlap) {
   const FoldedStrip left = flat_strip({0, 0, 0});
   for (const double above : {1.0, 2.5, -1.0}) {

@@ -169,5 +169,29 @@ TEST(PartTogether, WhatIsNotEditedStays) {
   }
 }
 
+TEST(PartTogether, GoesOnFromWhatPressedBefore) {
+  // The same design begun anew takes more steps, and has no less energy.
+  for (const unsigned seed : {1u, 3u, 8u}) {
+    SlitSession session = solved(drawn(seed));
+    SlitDesign design = session.design();
+    design.fit = design.fit_seat = false;
+    SlitAnchor anchor{.strip = session.strip_count() - 1, .ridge = 5};
+    anchor.at = session.folded().strips.back().ridges[5].folded[0] + Vec3(0, 2, 0);
+    design.anchors = {anchor};
+    ASSERT_TRUE(session.set_design(design));
+    const auto edited = session.solve();
+    auto anew = SlitSession::start(design);
+    const auto from_nothing = anew->solve();
+    ASSERT_TRUE(edited && from_nothing);
+    EXPECT_LT(2 * edited->iterations, from_nothing->iterations) << seed;
+    EXPECT_LT(energy_of(session), 1.02 * energy_of(*anew)) << seed;
+    const FoldedSlitSheet folded = session.folded();
+    for (int i = 0; i + 1 < session.strip_count(); ++i)
+      EXPECT_FALSE(
+          slit_detail::cross(folded.strips[i], folded.strips[i + 1], 0.25 * folded.thickness))
+          << seed << ' ' << i;
+  }
+}
+
 }  // namespace
 }  // namespace planish::test
