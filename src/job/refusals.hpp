@@ -245,5 +245,9 @@ constexpr Refusal ends_of_symmetric{
 constexpr Refusal ends_and_panel{code::invalid_input,
                                  "{@field} is given, but the strips end at the second panel.",
                                  "Leave one of them out."};
+constexpr Refusal smooth_of_energy{
+    code::invalid_input,
+    "{@field} is given, but strips of least bending energy are not weighed by it.",
+    "Leave it out, or set objective to smooth."};
 
 }  // namespace planish::refuse

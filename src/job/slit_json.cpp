@@ -169,7 +169,7 @@ Schema make_slits_schema() {
       "end_angle",
       words(kEndAngles).defaulting("right_angle").said("how strips meet the symmetry plane")));
   add(optional("objective", words(kObjectives)
-                                .defaulting("smooth")
+                                .defaulting("energy")
                                 .said("what a strip's shape has least of: bending energy, or "
                                       "changes of its folds")));
   add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
@@ -306,7 +306,13 @@ SlitDesign design_at(const JsonPlace& place) {
   design.ridges = place["ridges"].whole();
   design.end_angle = place["end_angle"].choice(kEndAngles);
   design.ground = place["ground"].yes();
-  design.objective = place["objective"].choice(kObjectives);
+  // Files from before there was a choice may weigh the smoothness, which is of one objective only.
+  const JsonPlace smooth = place["weights"]["smooth"];
+  design.objective = smooth.given() && !place["objective"].given()
+                         ? SlitObjective::smooth
+                         : place["objective"].choice(kObjectives);
+  if (smooth.given() && design.objective == SlitObjective::energy)
+    smooth.mistake(refuse::smooth_of_energy);
   for (const auto& [name, weight] : kWeights)
     design.weights.*weight = place["weights"][std::string(name)].number();
   for (const JsonPlace& anchor : place["anchors"].items())

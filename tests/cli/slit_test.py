@@ -111,14 +111,16 @@ class Forms(SlitTest):
         nearer = self.report(chair(anchors=[anchor], weights={"anchors": 3.0}), "--check")["slit"]["strips"]
         self.assertLess(nearer[2]["anchor_distance"], near)
         for other in (0, 5):
-            self.assertEqual(plain[other]["ridges"], anchored[other]["ridges"])
+            for before, after in zip(plain[other]["ridges"], anchored[other]["ridges"]):
+                for p, q in zip(before["folded"], after["folded"]):
+                    self.assertLess(math.dist(p, q), 1e-4)
 
     def test_a_scan_draws_its_strip(self):
-        known = self.report(chair(anchors=[{"strip": 0, "ridge": 5, "at": [200, 380, 0]}], weights={"anchors": 1.0}), "--check")
+        known = self.report(chair(anchors=[{"strip": 0, "ridge": 5, "at": [200, 380, 0]}], weights={"anchors": 1.0}, objective="smooth"), "--check")
         points = [end for ridge in known["slit"]["strips"][0]["ridges"] for end in ridge["folded"]]
         dense = [[a + t * (b - a) for a, b in zip(p, q)] for p, q in zip(points, points[2:]) for t in (i / 20 for i in range(20))]
         self.write("scan.txt", "# x y z\n" + "\n".join(" ".join(map(repr, p)) for p in dense) + "\n\n")
-        plain = self.report(chair(), "--check")["slit"]["strips"][0]
+        plain = self.report(chair(objective="smooth"), "--check")["slit"]["strips"][0]
 
         def away(strip):
             """Root mean square distance of the ridges' ends from the scan."""
@@ -126,7 +128,7 @@ class Forms(SlitTest):
             return math.sqrt(sum(min(math.dist(end, p) for p in dense) ** 2 for end in ends) / len(ends))
 
         for given in ("scan.txt", dense):
-            drawn = self.report(chair(scan=[{"strip": 0, "points": given}], weights={"scan": 1.0}), "--check")["slit"]["strips"][0]
+            drawn = self.report(chair(scan=[{"strip": 0, "points": given}], weights={"scan": 1.0}, objective="smooth"), "--check")["slit"]["strips"][0]
             # The points are a millimetre apart, so the nearest is farther away than the edge that they trace.
             self.assertLess(drawn["scan_distance"], away(drawn))
             self.assertLess(away(drawn), 0.2 * away(plain))
@@ -306,6 +308,7 @@ class Refusals(SlitTest):
         for strip in spec["sheet"]["strips"]:
             strip["end"] = 6000
         spec["ends"][2]["position"], spec["ends"][3]["position"] = [2839, 1904, 2231], [2377, 2409, 792]
+        spec["objective"] = "smooth"  # strips of least energy are parted
         self.assertIn("[self_intersection]", self.sentence(spec))
         report = self.report(spec, "--write-anyway")
         found = [check for check in report["checks"] if check["code"] == "self_intersection"]

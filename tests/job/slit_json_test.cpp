@@ -116,6 +116,17 @@ TEST(SlitJson, ReadsCurvesPanelsAndWeights) {
   EXPECT_EQ(slits_of(with("/end_angle", "level")).design.end_angle, EndAngle::level);
 }
 
+TEST(SlitJson, TakesTheObjectiveThatAWeightIsOf) {
+  EXPECT_EQ(slits_of(two_strips()).design.objective, SlitObjective::energy);
+  json document = with("/objective", "smooth");
+  EXPECT_EQ(slits_of(document).design.objective, SlitObjective::smooth);
+  document.erase("objective");
+  document["weights"] = {{"smooth", 7}};
+  EXPECT_EQ(slits_of(document).design.objective, SlitObjective::smooth) << "as files before had it";
+  document["objective"] = "energy";
+  EXPECT_FALSE(parse_slits(document.dump(), "s.json", {}));
+}
+
 TEST(SlitJson, ReadsAnchorsAndEnds) {
   json document = two_strips();
   document["anchors"] = json::parse(R"([{"strip": 1, "ridge": 3, "at": [0.1, 0.2, 0.3]},

@@ -121,7 +121,9 @@ TEST(SlitSession, MirroredCurvesGiveTheMirroredForm) {
 }
 
 TEST(SlitSession, FineQuadsKeepTheFormOfCoarseOnes) {
-  const SlitSession coarse = solved(chair(), 1), fine = solved(chair(), 4);
+  SlitDesign design = chair();
+  design.objective = SlitObjective::smooth;
+  const SlitSession coarse = solved(design, 1), fine = solved(design, 4);
   ASSERT_EQ(fine.design().ridges, 160);
   for (int strip = 0; strip < fine.strip_count(); ++strip) {
     EXPECT_EQ(fine.state(strip).status, StripStatus::solved) << strip;
@@ -130,10 +132,21 @@ TEST(SlitSession, FineQuadsKeepTheFormOfCoarseOnes) {
   }
 }
 
+TEST(SlitSession, FineQuadsHaveTheEnergyOfCoarseOnes) {
+  const SlitSession coarse = solved(chair(), 2), fine = solved(chair(), 3);
+  for (int strip = 0; strip < fine.strip_count(); ++strip) {
+    EXPECT_EQ(fine.state(strip).status, StripStatus::solved) << strip;
+    const double objective = coarse.state(strip).objective;
+    EXPECT_NEAR(fine.state(strip).objective, objective, 0.05 * objective) << strip;
+    EXPECT_LT(fine.state(strip).seat_distance, coarse.state(strip).seat_distance + 1.0) << strip;
+  }
+}
+
 TEST(SlitSession, IsNotBentTighterForARadiusItCannotKeep) {
-  const SlitSession free = solved(chair());
+  SlitDesign design = chair();
+  design.objective = SlitObjective::smooth;
+  const SlitSession free = solved(design);
   for (const double radius : {80.0, 300.0, 1000.0}) {
-    SlitDesign design = chair();
     design.sheet.min_inside_radius = radius;
     const SlitSession held = solved(design);
     for (int strip = 0; strip < held.strip_count(); ++strip) {

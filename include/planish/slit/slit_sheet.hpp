@@ -135,7 +135,7 @@ struct SlitDesign {
   bool fit_seat = false;                    ///< it is scaled about its start to their breadth
   int ridges = 10;                          ///< of each strip at the start; there are as many quads
   EndAngle end_angle = EndAngle::right_angle;
-  SlitObjective objective = SlitObjective::smooth;
+  SlitObjective objective = SlitObjective::energy;
   SlitWeights weights;
   bool ground = false;  ///< nothing goes below y = 0, the middle surface stays half a thickness
                         ///< above

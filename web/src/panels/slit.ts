@@ -190,6 +190,8 @@ const stateOf = (s: StripRow) =>
     ...(s.below_ground ? ['goes below the ground'] : []),
   ].join(', ');
 
+const objectiveOf = (spec: SlitSpec) => spec.objective ?? (spec.weights?.smooth == null ? 'energy' : 'smooth');
+
 const weights: [keyof SlitWeights, string, number][] = [
   ['smooth', 'Smooth', 0.04],
   ['spacing', 'Spacing', 0.01],
@@ -200,7 +202,8 @@ const weights: [keyof SlitWeights, string, number][] = [
 ];
 
 function weightSliders(ui: Ui, spec: SlitSpec, set: Set) {
-  return weights.map(([key, label, usual]) =>
+  const ofObjective = weights.filter(([key]) => key !== 'smooth' || objectiveOf(spec) === 'smooth');
+  return ofObjective.map(([key, label, usual]) =>
     slider({
       label,
       testid: `weight-${key}`,
@@ -263,12 +266,12 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
   ${choice(
     'Strips have least',
     'objective',
-    spec.objective ?? 'smooth',
+    objectiveOf(spec),
     [
-      ['smooth', 'change of their folds'],
       ['energy', 'bending energy'],
+      ['smooth', 'change of their folds'],
     ] as const,
-    (v) => set({ objective: v }),
+    (v) => set({ objective: v, weights: v === 'energy' ? { ...spec.weights, smooth: undefined } : spec.weights }),
   )}
   ${lengthField(ui, {
     label: 'Least inside radius',
