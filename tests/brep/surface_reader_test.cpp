@@ -24,6 +24,7 @@
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -138,6 +139,24 @@ TEST(ReadSurface, FindsTheRulingsOfAnExtrudedEllipse) {
         EXPECT_NEAR(std::abs(knot.g.dot(Vec3(1, 2, 2) / 3)), 1, 1e-9);
       expect_the_face(face, 1e-6);
     }
+  }
+}
+
+TEST(ReadSurface, FindsRulingsThoughAnEndHasNoNormal) {
+  // A cubic extruded by 30 mm whose last handle, or first, has no length: there ∂u vanishes.
+  for (const bool at_end : {true, false}) {
+    const gp_Pnt start(0, 0, 0), end(40, 0, 0), low(4, 12, 0), high(30, 14, 0);
+    TColgp_Array2OfPnt poles(1, 4, 1, 2);
+    const std::array row{start, at_end ? low : start, at_end ? end : high, end};
+    for (const int i : {1, 2, 3, 4}) {
+      poles(i, 1) = row.at(i - 1);
+      poles(i, 2) = poles(i, 1).Translated(gp_Vec(0, 0, 30));
+    }
+    const Handle(Geom_BezierSurface) patch = new Geom_BezierSurface(poles);
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(patch, 1e-7).Face();
+    const SolidFace read = read_surface(face, 0.01);
+    ASSERT_TRUE(std::holds_alternative<Developable>(read.surface)) << at_end;
+    expect_the_face(face, 1e-6);
   }
 }
 
