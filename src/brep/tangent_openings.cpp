@@ -11,6 +11,7 @@
 
 #include <planish/base/id_vector.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/geometry/interval.hpp>
 #include <planish/geometry/quadrature.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <planish/geometry/mesh_volume.hpp>
 
-#include <map>
+#include <algorithm>
 
 namespace planish {
 
@@ -16,15 +16,21 @@ double volume_of(const Mesh& mesh) {
 }
 
 std::vector<std::pair<int, int>> open_sides(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> runs;
+  std::vector<std::pair<int, int>> runs, back, open;
   for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  std::vector<std::pair<int, int>> open;
-  for (const auto& [side, times] : runs) {
-    const auto back = runs.find({side.second, side.first});
-    if (times != 1 || back == runs.end() || back->second != 1) open.push_back(side);
-  }
+    for (std::size_t i = 0; i < 3; ++i) {
+      runs.emplace_back(t[i], t[(i + 1) % 3]);
+      back.emplace_back(t[(i + 1) % 3], t[i]);
+    }
+  std::ranges::sort(runs);
+  std::ranges::sort(back);
+  // Closed, as nearly all are: no side has to be looked up.
+  if (runs == back && std::ranges::adjacent_find(runs) == runs.end()) return open;
+  for (const auto& side : runs)
+    if (std::ranges::equal_range(runs, side).size() != 1 ||
+        std::ranges::equal_range(back, side).size() != 1)
+      open.push_back(side);
+  open.erase(std::unique(open.begin(), open.end()), open.end());
   return open;
 }
 

@@ -65,6 +65,28 @@ TEST(ClosedForms, AreBeadsThatMeetTheirFlangeAlongTwoLines) {
               UnorderedElementsAre(6, 8));
 }
 
+TEST(ClosedForms, AreNoFoldsOneOfWhosePiecesIsTooShortToShowTheLine) {
+  // Both pieces lie on one line to the 1e-5 mm of a file: 100 mm from the short one, whose
+  // direction is off by 1e-5 / 0.2, that makes 5e-3 mm.
+  SolidModel model = with_opening();
+  Groups groups;
+  groups.rows = {{{1}, true, 1}, {{6, 8}, false, 6}};
+  groups.of_face.assign(model.faces.size(), -1);
+  groups.of_face[1] = 0;
+  groups.of_face[6] = groups.of_face[8] = 1;
+  const int brief = edge_between(model, 1, 6), rest = edge_between(model, 8, 1);
+  model.edges[brief].curve = line({0, 20, 2}, {0.2, 20 + 1e-5, 2});
+  model.edges[rest].curve = line({20, 20, 2}, {100, 20, 2});
+  for (const auto& [first, second] : {std::pair{brief, rest}, std::pair{rest, brief}}) {
+    groups.joints = {{first, 0, 1, true}, {second, 0, 1, true}};
+    EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)), IsEmpty());
+  }
+  model.edges[rest].curve = line({20, 20.2, 2}, {100, 20.2, 2});
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups, no_rim(model)),
+              UnorderedElementsAre(6, 8))
+      << "0.2 mm aside is another line, 80 mm long";
+}
+
 TEST(ClosedForms, AreClosedByADrawnFaceThatStandsOut) {
   // The last bend ends at face 9, which comes back to the flange: the round end of a bead.
   SolidModel model = with_opening();

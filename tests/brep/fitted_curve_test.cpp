@@ -35,6 +35,24 @@ TEST(FitPath, TakesOneSpanForACubicAndKeepsItsBreaks) {
   }
 }
 
+TEST(FitPath, AsksForNoPointBeyondItsEnds) {
+  // Also of a range about zero, of one far from it, and of a short one.
+  for (const auto& [lo, hi] :
+       {std::pair{-1.0, 1.0}, std::pair{1000.0, 1001.0}, std::pair{0.0, 1e-3}}) {
+    const PathFunction within = [lo = lo, hi = hi](double t) {
+      EXPECT_GE(t, lo);
+      EXPECT_LE(t, hi);
+      const double s = t - lo;
+      return numbers_in({s, s * s, s * s * s});
+    };
+    const FittedPath path = fit_path(within, {lo, hi}, 1e-7);
+    ASSERT_EQ(path.knots, (std::vector<double>{lo, hi}));
+    EXPECT_NEAR((path.slopes[0] - numbers_in({1, 0, 0})).norm(), 0.0, 1e-6);
+    EXPECT_NEAR((path.slopes[1] - numbers_in({1, 2 * (hi - lo), 3 * (hi - lo) * (hi - lo)})).norm(),
+                0.0, 1e-6);
+  }
+}
+
 TEST(FitPath, HalvesSpansUntilTheyAreNear) {
   size_t before = 0;
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {

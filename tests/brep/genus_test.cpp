@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace planish::brep::test {
@@ -89,6 +90,23 @@ TEST(Genus, CountsWaysThatCross) {
                                   std::pair{gp_Pnt(-1, 20, 20), gp_Dir(1, 0, 0)}})
     block = BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2(at, along), 5, 42).Shape());
   EXPECT_EQ(kernel_genus(block), 5);
+}
+
+TEST(ClosedBorders, CountThoseThatHaveAWantedEdge) {
+  // The walls of a square opening: four edges round each of two borders.
+  const auto outer = rectangle_at({0, 0}, {100, 60});
+  const auto inner = clockwise(rectangle_at({40, 20}, {60, 40}));
+  const SolidModel model = plate(2, {{{outer, outer}, {0, 2}}, {{inner, inner}, {0, 2}}});
+  const std::vector<int> walls{6, 7, 8, 9};
+  const auto borders_with = [&](const std::vector<int>& edges) {
+    return closed_borders(model, walls, [&](int e) { return std::ranges::count(edges, e) > 0; });
+  };
+  const int above = edge_between(model, kTop, 6), below = edge_between(model, kBottom, 7);
+  EXPECT_EQ(borders_with({above}), 1);
+  EXPECT_EQ(borders_with({below, edge_between(model, kBottom, 9)}), 1);
+  EXPECT_EQ(borders_with({above, below}), 2);
+  EXPECT_EQ(borders_with({edge_between(model, 6, 7), edge_between(model, kTop, 2)}), 0)
+      << "one between the walls, one of another wall";
 }
 
 int openings_at(const SolidModel& model, int face) {

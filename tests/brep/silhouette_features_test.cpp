@@ -87,6 +87,16 @@ TEST(Silhouettes, CutEachHoleOfASharedRecess) {
   EXPECT_EQ(std::ranges::count(kinds(flat), "pocket"), 4) << "three bores above, the recess below";
 }
 
+TEST(Silhouettes, CountTunnelsThatNoCutShows) {
+  // From edge to edge between the skins, so that nothing is seen through.
+  const auto [sheet, flat, certificate] = unfolded({block({40, -1, 1}, {50, 61, 2})});
+  EXPECT_NEAR(flat.area, 6000.0, 1e-9);
+  EXPECT_TRUE(flat.openings.empty());
+  EXPECT_EQ(sheet.genus, 1);
+  EXPECT_EQ(certificate.openings.features, 1);
+  EXPECT_EQ(certificate.openings.lost(), 0);
+}
+
 TEST(Silhouettes, DoNotTakeABlindBoreBesideAHoleForTheHole) {
   const auto [sheet, flat, certificate] = unfolded({bore(40, 30, 8, 0, 3), bore(30, 30, 5, 1, 3)});
   ASSERT_EQ(flat.openings.size(), 1u);

@@ -15,8 +15,11 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Ellipse.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -24,6 +27,7 @@
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -139,6 +143,57 @@ TEST(ReadSurface, FindsTheRulingsOfAnExtrudedEllipse) {
       expect_the_face(face, 1e-6);
     }
   }
+}
+
+TEST(ReadSurface, FindsRulingsThoughAnEndHasNoNormal) {
+  // A cubic extruded by 30 mm whose last handle, or first, has no length: there ∂u vanishes.
+  for (const bool at_end : {true, false}) {
+    const gp_Pnt start(0, 0, 0), end(40, 0, 0), low(4, 12, 0), high(30, 14, 0);
+    TColgp_Array2OfPnt poles(1, 4, 1, 2);
+    const std::array row{start, at_end ? low : start, at_end ? end : high, end};
+    for (const int i : {1, 2, 3, 4}) {
+      poles(i, 1) = row.at(i - 1);
+      poles(i, 2) = poles(i, 1).Translated(gp_Vec(0, 0, 30));
+    }
+    const Handle(Geom_BezierSurface) patch = new Geom_BezierSurface(poles);
+    const TopoDS_Face face = BRepBuilderAPI_MakeFace(patch, 1e-7).Face();
+    const SolidFace read = read_surface(face, 0.01);
+    ASSERT_TRUE(std::holds_alternative<Developable>(read.surface)) << at_end;
+    expect_the_face(face, 1e-6);
+  }
+}
+
+/// A wall over three cubics, 30 mm high and upright over the middle one, u from 1 to 2 alone: over
+/// the others it leans more and more, by 5 mm at both ends.
+TopoDS_Face warped_at_both_ends(double u0, double u1) {
+  constexpr int kPoles = 10;
+  TColgp_Array2OfPnt poles(1, kPoles, 1, 2);
+  const std::array height{0, 9, 4, 0, 12, 14, 0, 6, 8, 0};
+  for (int i = 0; i < kPoles; ++i) {
+    const double lean = i % 9 == 0 ? 5.0 : 0.0;
+    poles(i + 1, 1) = gp_Pnt(10 * i, height.at(i), 0);
+    poles(i + 1, 2) = gp_Pnt(10 * i, height.at(i) + lean, 30);
+  }
+  TColStd_Array1OfReal u(1, 4), v(1, 2);
+  TColStd_Array1OfInteger u_counts(1, 4), v_counts(1, 2);
+  for (int i = 1; i <= 4; ++i) {
+    u(i) = i - 1;
+    u_counts(i) = i % 3 == 1 ? 4 : 3;
+  }
+  v(1) = 0, v(2) = 1;
+  v_counts.Init(2);
+  const Handle(Geom_BSplineSurface)
+      wall = new Geom_BSplineSurface(poles, u, v, u_counts, v_counts, 3, 1);
+  return BRepBuilderAPI_MakeFace(wall, u0, u1, 0, 1, 1e-7).Face();
+}
+
+TEST(ReadSurface, LooksForRulingsInTheFaceAloneAndInAllOfIt) {
+  EXPECT_TRUE(
+      std::holds_alternative<Developable>(read_surface(warped_at_both_ends(1, 2), 0.01).surface));
+  expect_the_face(warped_at_both_ends(1, 2), 1e-6);
+  for (const auto& [u0, u1] : {std::pair{0, 2}, std::pair{1, 3}})
+    EXPECT_TRUE(std::holds_alternative<DoublyCurved>(
+        read_surface(warped_at_both_ends(u0, u1), 0.01).surface));
 }
 
 TEST(ReadSurface, InterpolatesWithinATenthOfAMicrometreWithFewKnots) {

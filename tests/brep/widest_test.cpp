@@ -58,6 +58,16 @@ TEST(WidestEdge, OfASlantedCutIsTheBorderItself) {
   EXPECT_TRUE(reached_on_top(plate(2, {{{low, high}, {0, 2}}})).is_own) << "from skin to skin";
 }
 
+TEST(WidestEdge, LeavesTheLastOfStripsThatTakeTheWholeThickness) {
+  // Each strip is shallower than the plate; below the second hardly 0.5 µm of 2 mm is upright.
+  const auto inset = [](double by) { return rectangle_at({by, by}, {100 - by, 60 - by}); };
+  for (const double left : {0.0005, 0.5}) {
+    const Reached reached = reached_on_top(
+        plate(2, {{{inset(0), inset(0), inset(0.4), inset(1)}, {0, left, 1, 2}}}));
+    EXPECT_NEAR(reached.to.start.z(), left < 0.1 ? 1.0 : left, 1e-12);
+  }
+}
+
 TEST(WidestEdge, LeavesDraftAlone) {
   EXPECT_TRUE(reached_on_top(chamfered(1.0, 0.03)).is_own) << "1.7° are no chamfer";
   EXPECT_FALSE(reached_on_top(chamfered(1.0, 0.08)).is_own) << "4.6° are one";

@@ -36,5 +36,22 @@ TEST(MeshVolume, AddsUpOverPartsThatDoNotTouch) {
   EXPECT_NEAR(volume_of(both), 11, 1e-12);
 }
 
+using Sides = std::vector<std::pair<int, int>>;
+
+TEST(OpenSides, AreNoneOfAClosedMeshAndThoseRoundAHole) {
+  Mesh mesh = tetrahedron_at({0, 0, 0}, 3, 4, 5);
+  EXPECT_EQ(open_sides(mesh), Sides{});
+  mesh.triangles.pop_back();  // 1 2 3
+  EXPECT_EQ(open_sides(mesh), (Sides{{1, 3}, {2, 1}, {3, 2}}));
+}
+
+TEST(OpenSides, AreAllRoundATriangleThatIsTurnedOrThereTwice) {
+  Mesh turned = tetrahedron_at({0, 0, 0}, 3, 4, 5), doubled = turned;
+  turned.triangles.back() = {2, 1, 3};
+  EXPECT_EQ(open_sides(turned), (Sides{{1, 3}, {2, 1}, {3, 2}}));
+  doubled.triangles.push_back({1, 2, 3});
+  EXPECT_EQ(open_sides(doubled), (Sides{{1, 2}, {1, 3}, {2, 1}, {2, 3}, {3, 1}, {3, 2}}));
+}
+
 }  // namespace
 }  // namespace planish

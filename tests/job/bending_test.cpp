@@ -237,6 +237,7 @@ TEST(Bending, GaugesTheFlatThatItMeasures) {
     EXPECT_NEAR(stroke.gauge->distance, gauge, 1e-6) << as_made;
     EXPECT_NEAR(checks_of(report, report.plan->strokes)[0]->length, gauge + outside, 1e-6);
     EXPECT_NEAR(report.size.x(), 2.0 * gauge, 1e-6);
+    EXPECT_NEAR(report.flat.area, 2.0 * gauge * 100.0, 1e-4);
     Request request;
     request.bending = checks.bending;
     const auto dxf = dxf_as_made(report, request);
@@ -252,7 +253,7 @@ TEST(Bending, SaysWhatTheTimeEnded) {
     request.input = "channel.json";
     request.bending.ask = Bending::Ask::plan;
     request.bending.plan.clearance = 100.0;
-    request.bending.plan.limits.seconds = 5.0;
+    request.bending.plan.limits.seconds = late ? 5.0 : 300.0;
     Progress progress;
     progress.report = [&](std::string_view stage, double) {
       if (late && stage.starts_with("looking for changes"))
@@ -277,7 +278,7 @@ TEST(Bending, PlansTheFlatAsMadeWithinTheSameTime) {
     request.bending.ask = Bending::Ask::plan;
     request.bending.as_made = true;
     request.bending.plan.opening = 20.0;  // leaves 3.2 mm, and 2 mm is drawn
-    request.bending.plan.limits.seconds = 5.0;
+    request.bending.plan.limits.seconds = late ? 5.0 : 300.0;
     int rounds = 0;
     Progress progress;
     progress.report = [&](std::string_view stage, double) {

@@ -39,6 +39,13 @@ TEST(ReportText, SaysWhatIsASlitAndWhatIsOnlyOutlined) {
   EXPECT_THAT(report_text(report), HasSubstr(" outer + 20.000 mm in 2 slits\n"));
 }
 
+TEST(ReportText, SaysHowManyAreWantedOfMoreThanOne) {
+  UnfoldReport report = sample_report();
+  EXPECT_THAT(report_text(report), HasSubstr("bracket.step: "));
+  report.quantity = 2;
+  EXPECT_THAT(report_text(report), HasSubstr("bracket.step ×2: "));
+}
+
 TEST(ReportText, LinesTheBendTableUp) {
   const std::string text = report_text(sample_report());
   EXPECT_THAT(text,

@@ -83,6 +83,25 @@ TEST(SlitJob, HalvesQuadsAsOftenAsAsked) {
   EXPECT_EQ(bent(file).folded.strips[0].ridges.size(), 2 * once - 1);
 }
 
+TEST(SlitJob, WarnsOfScansFarFromTheirStrips) {
+  // A strip of 464 mm stays over 46 mm from a point 5 m away, and within it from its own corners.
+  SlitFile file = small_chair();
+  const auto far_strips = [&] {
+    std::vector<std::string> messages;
+    for (const Finding& finding : bent(file).findings)
+      if (finding.code == "scan_far") messages.push_back(finding.message.substr(0, 13));
+    return messages;
+  };
+  EXPECT_TRUE(far_strips().empty()) << "nothing is scanned";
+  SlitScan own{1, {}};
+  for (const SlitRidge& ridge : bent(file).folded.strips[1].ridges)
+    own.points.insert(own.points.end(), ridge.folded.begin(), ridge.folded.end());
+  file.design.scans = {own};
+  EXPECT_TRUE(far_strips().empty());
+  file.design.scans = {{1, {{0, 0, 5000}}}};
+  EXPECT_EQ(far_strips(), std::vector<std::string>{"strip 2 stays"});
+}
+
 TEST(SlitJob, RefusesStripsThatDoNotReach) {
   SlitFile file = small_chair();
   file.design.sheet.half_length = 300;  // and the symmetry plane is 360 away

@@ -46,6 +46,30 @@ TEST(UnfoldBody, LaysAnAngleFlat) {
   EXPECT_GT(report.unfold_seconds, 0.0);
 }
 
+TEST(UnfoldBody, KeepsTheNameAndTheColourOfTheSolid) {
+  std::string text = folded_solid_step(test::l_bracket(), "bracket").value();
+  const std::size_t kind = text.find("MANIFOLD_SOLID_BREP("), number = text.rfind('#', kind);
+  const std::string solid = text.substr(number, text.find_first_of(" =", number) - number);
+  text.insert(text.rfind("ENDSEC;"), R"(#9201=COLOUR_RGB('',1.,0.,0.);
+#9202=FILL_AREA_STYLE_COLOUR('',#9201);
+#9203=FILL_AREA_STYLE('',(#9202));
+#9204=SURFACE_STYLE_FILL_AREA(#9203);
+#9205=SURFACE_SIDE_STYLE('',(#9204));
+#9206=SURFACE_STYLE_USAGE(.BOTH.,#9205);
+#9207=PRESENTATION_STYLE_ASSIGNMENT((#9206));
+#9208=STYLED_ITEM('color',(#9207),)" + solid +
+                                         R"();
+#9209=REPRESENTATION_CONTEXT('','');
+#9210=MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',(#9208),#9209);
+)");
+  const auto file = read_step_text(text, "bracket.step");
+  ASSERT_TRUE(file) << file.error().message;
+  const auto report = unfold_body(file->bodies.front(), {});
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->body, "bracket");
+  EXPECT_EQ(report->colour, "#ff0000");
+}
+
 TEST(UnfoldBody, TakesKOfSingleBends) {
   Request request;
   request.bend_k = {{"B1", 0.3}};

@@ -77,6 +77,8 @@ TEST(Verdict, NotesPilotHolesAndWhatIsNotCut) {
     EXPECT_EQ(finding.severity, Severity::info);
     EXPECT_EQ(finding.at.size(), 1u);
   }
+  EXPECT_EQ(found[0].at.at(0), Vec2(20, 30));
+  EXPECT_NEAR((found[1].at.at(0) - Vec2(50, 30)).norm(), 0.0, 1e-2) << "the middle of its outline";
 }
 
 FlatPattern countersunk() {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace planish::test {
 
@@ -21,10 +22,15 @@ inline std::map<std::pair<int, int>, int> sides_of(const Mesh& mesh) {
 
 /// Whether every side is run once in each direction.
 inline bool is_closed(const Mesh& mesh) {
-  const auto runs = sides_of(mesh);
-  return !runs.empty() && std::ranges::all_of(runs, [&](const auto& run) {
-    return run.second == 1 && runs.count({run.first.second, run.first.first}) == 1;
-  });
+  std::vector<std::pair<int, int>> runs, back;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      runs.emplace_back(t[i], t[(i + 1) % 3]);
+      back.emplace_back(runs.back().second, runs.back().first);
+    }
+  std::ranges::sort(runs);
+  std::ranges::sort(back);
+  return !runs.empty() && std::ranges::adjacent_find(runs) == runs.end() && runs == back;
 }
 
 /// Every side is run once in each direction: no hole, no flap, no triangle turned inside out.
