@@ -87,7 +87,8 @@ Course least_of(const Task& task, const StripProblem& problem,
   std::vector<Course> courses;
   Found nearest;
   for (const StripParameters& shape : shapes) {
-    if (task.stopped()) break;
+    const bool has_one = !courses.empty() || nearest.solution.p.size() > 0;
+    if (has_one && task.stopped()) break;
     Found found = met_from(problem, shape, {});
     if (!found.met()) {
       if (found.violation < nearest.violation) nearest = std::move(found);

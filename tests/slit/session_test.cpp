@@ -298,6 +298,23 @@ TEST(SlitSession, GoesOnWhereABudgetStoppedIt) {
     EXPECT_LE(session.state(strip).gap, 1e-9 * 884);
 }
 
+TEST(SlitSession, CanBeCancelledAtEachPoll) {
+  for (const SlitObjective objective : {SlitObjective::energy, SlitObjective::smooth}) {
+    SlitDesign design = chair();
+    design.objective = objective;
+    for (int last = 0; last < 40; ++last) {
+      SlitSession session = started(design);
+      int polls = 0;
+      Progress progress;
+      progress.cancelled = [&] { return polls++ >= last; };
+      const auto cancelled = session.solve({}, progress);
+      ASSERT_FALSE(cancelled) << last;
+      EXPECT_EQ(cancelled.error().code, code::cancelled);
+      EXPECT_TRUE(session.solve()) << "it goes on from there, " << last;
+    }
+  }
+}
+
 TEST(SlitSession, StopsWithoutTimeAndWhenCancelled) {
   SlitSession session = started(chair());
   const auto report = session.solve({.seconds = 0.0});
