@@ -60,6 +60,15 @@ bool is_machined(const Recognition& of, const RimPart& part, Skin skin) {
                               [&](int wall) { return beyond.contains(wall); });
 }
 
+bool reaches(const Recognition& of, int wall, Skin skin) {
+  for (const auto& loop : of.model.faces[wall].loops)
+    for (const CoEdge& use : loop)
+      if (const int next = face_across(of.model.edges[use.edge], wall);
+          next >= 0 && of.skins.skin_of[next] == skin)
+        return true;
+  return false;
+}
+
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {
   std::vector<CoEdge> loop = loop_of(of, ref);
   std::ranges::reverse(loop);

@@ -15,6 +15,9 @@ inline constexpr double kWiderOutline = 1e-3;
 double perimeter(const BorderLoop& borders);
 bool is_wider(const BorderLoop& outline, const BorderLoop& than);
 
+/// Whether a wall reaches this skin.
+bool reaches(const Recognition& of, int wall, Skin skin);
+
 /// Whether the walls along a skin end before they reach the other one, as what is machined does.
 bool is_machined(const Recognition& of, const RimPart& part, Skin skin);
 

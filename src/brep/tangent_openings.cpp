@@ -235,6 +235,17 @@ Interval room_within(const Recognition& of, const TangentOpening& opening,
   return {std::min(first - low, high - last), std::max(first - low, high - last)};
 }
 
+/// Whether a wall from skin to skin leans. One that is drilled along the normal of the flange may
+/// run from one skin to the other beside a sink that ends where the bend has risen above it.
+bool is_slanted(const Recognition& of, const TangentOpening& opening) {
+  const RimPart& part = of.rim.parts[opening.part];
+  const double noise = kWiderOutline * perimeter(opening.cut_seen);
+  return std::ranges::any_of(part.faces, [&](int wall) {
+    return reaches(of, wall, of.skin) && reaches(of, wall, other_skin(of.skin)) &&
+           std::abs(projected_area(of.model, wall, opening.plane)) > noise;
+  });
+}
+
 /// Sets what is cut to the narrowest section across the tangent line; returns whether there is one.
 bool cut_across(const Recognition& of, TangentOpening& opening) {
   if (!opening.here.on_bend || !opening.there.on_bend) return false;
@@ -247,16 +258,14 @@ bool cut_across(const Recognition& of, TangentOpening& opening) {
   const bool above = is_wider(seen_here(of, opening), opening.cut_seen);
   const bool below = is_wider(seen_there(of, opening), opening.cut_seen);
   // What is wider on one skin alone may be drilled at a slant.
-  if (above != below &&
-      !is_machined(of, of.rim.parts[opening.part], above ? of.skin : other_skin(of.skin)))
-    return false;
+  if (above != below && is_slanted(of, opening)) return false;
   TangentOpening drawn = opening;
   std::vector<CoEdge> outline = uses_of(of, opening.here.on_plane);
   std::ranges::copy(uses_of(of, *opening.here.on_bend), std::back_inserter(outline));
   if (!divide(of, drawn, across, outline) || !divide(of, opening, across, chains.front()))
     return false;
   const double width = (cut_area(of, drawn) - cut_area(of, opening)) / perimeter(opening.cut_seen);
-  if (width <= kWiderOutline) {
+  if (width <= kSameOutline) {
     drawn.as_drawn = true;
     opening = std::move(drawn);
     return below;
