@@ -3,6 +3,7 @@
 #include "assembly.hpp"
 #include "borders.hpp"
 #include "form_volume.hpp"
+#include "innermost.hpp"
 #include "passages.hpp"
 #include "projection.hpp"
 #include "skin_outlines.hpp"
@@ -49,6 +50,9 @@ class FlatBend {
       if (length(border.curve) > of_.tolerance) loop.push_back(std::move(border));
     return loop;
   }
+  Vec2 flat(const Border& border, double t) const {
+    return middle_.develop(point_at(border.curve, t));
+  }
   double area(const BorderLoop& loop) const {
     return std::abs(signed_middle_area(of_, leader_, loop));
   }
@@ -87,12 +91,56 @@ std::optional<LoopRef> loop_in_bend(const Recognition& of, const RimPart& part) 
   return ref;
 }
 
-/// The section along the drill, if it is narrower than the skin's outline.
-BorderLoop narrower_section(const Recognition& of, const LoopRef& here, const FlatBend& bend,
+/// What all edges of an opening's walls leave open, run as a section that it holds.
+BorderLoop cell_within(const Recognition& of, const RimPart& part, const FlatBend& bend,
+                       const BorderLoop& section) {
+  constexpr double kEnds = 10.0;  // of the tolerance to which borders are read: so far ends are off
+  BorderLoop edges;
+  for (const int edge : wall_edges(of, part))
+    std::ranges::copy(bend.read({{edge, true}}), std::back_inserter(edges));
+  const auto curves = mapped(edges, [&](const Border& border) -> PlaneCurve {
+    return [&](double t) { return bend.flat(border, t); };
+  });
+  Box2 box;
+  for (const Border& border : section)
+    for (const double t : {0.0, 0.25, 0.5, 0.75})
+      box.add(bend.flat(border, t));
+  const auto cell = innermost_cell(curves, (box.lo + box.hi) / 2, kEnds * of.tolerance);
+  const auto cut_along = [&](const std::vector<CellPiece>& pieces) {
+    return mapped(pieces,
+                  [&](const CellPiece& piece) { return part_of(edges[piece.curve], piece); });
+  };
+  const BorderLoop cut = cut_along(cell);
+  const bool alike = (signed_loop_area(cut) > 0.0) == (signed_loop_area(section) > 0.0);
+  return alike ? cut : cut_along(reversed(cell));
+}
+
+/// Whether a drill, or what is drawn square to the bend, stands nearly along its normal: of walls
+/// that lean more one end is cut.
+bool is_square(const Recognition& of, const RimPart& part, const LoopRef& here,
+               const Frame& plane) {
+  constexpr double kSquare = 0.94;  // cosine of 20°
+  const auto& ring = of.outlines[here.face].rings[here.loop];
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& point : ring)
+    middle += point / static_cast<double>(ring.size());
+  return outward_normal_at(of.model.faces[here.face], middle).dot(plane.z) > kSquare &&
+         !is_slanted(of, part, plane.z);
+}
+
+/// The section along the drill, or what is left open within it, if it is narrower than the skin's
+/// outline.
+BorderLoop narrower_section(const Recognition& of, const RimPart& part, const LoopRef& here,
+                            const FlatBend& bend, const Frame& plane,
                             const std::vector<CoEdge>& section) {
   BorderLoop cut = bend.read(section);
   const BorderLoop own = bend.read(loop_of(of, here));
-  if (cut.empty() || bend.area(own) - bend.area(cut) <= kWiderOutline * perimeter(cut)) return {};
+  if (cut.empty()) return {};
+  if (is_square(of, part, here, plane))
+    if (auto cell = cell_within(of, part, bend, cut);
+        !cell.empty() && bend.area(cell) < bend.area(cut))
+      cut = std::move(cell);
+  if (bend.area(own) - bend.area(cut) <= kSameOutline * perimeter(cut)) return {};
   for (Border& border : cut) {
     border.edge.reset();
     border.edge_length.reset();
@@ -152,7 +200,7 @@ std::vector<BendOpening> bend_openings(const Recognition& of) {
     const Frame plane = plane_across(of, part);
     const auto chains = passages(of, part, plane, [&](int edge) { return bend.edge_length(edge); });
     if (chains.size() != 1) continue;
-    BendOpening opening{p, *here, narrower_section(of, *here, bend, chains.front())};
+    BendOpening opening{p, *here, narrower_section(of, part, *here, bend, plane, chains.front())};
     opening.up = is_machined_at(of, part, of.skin, plane, chains.front());
     opening.down = is_machined_at(of, part, other_skin(of.skin), plane, chains.front());
     if (opening.up || opening.down || !opening.cut.empty()) found.push_back(std::move(opening));

@@ -300,6 +300,17 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const Recog
   builder.add_feature(std::move(feature));
 }
 
+/// Adds all of them; returns the parts that run on over bends beside what is seen.
+std::set<int> add_silhouettes(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  std::set<int> parts;
+  for (const auto& [face, silhouette] : map.silhouettes) {
+    add_silhouette(builder, map, of, face);
+    for (const int p : silhouette.parts)
+      if (!is_all_seen(map, loops_here(of, of.rim.parts[p]))) parts.insert(p);
+  }
+  return parts;
+}
+
 }  // namespace
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
@@ -334,8 +345,7 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       chamfered_there.insert(p);
     }
   }
-  for (const auto& [face, silhouette] : map.silhouettes)
-    add_silhouette(builder, map, of, face);
+  chamfered_there.merge(add_silhouettes(builder, map, of));
   measure_outlines(builder, map, of);
   add_contacts(builder, map, of);
   add_slanted_cuts(builder, map, of,

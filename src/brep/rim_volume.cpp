@@ -2,6 +2,7 @@
 
 #include "face_volume.hpp"
 #include "form_volume.hpp"
+#include "silhouette_features.hpp"
 #include "skin_outlines.hpp"
 
 #include <planish/base/id_vector.hpp>
@@ -53,10 +54,9 @@ std::optional<double> volume_enclosed(const Recognition& of, const ClosedRim& ri
 }
 
 /// Half-way between the skins, the area inside what is cut along a loop of the reference skin,
-/// below 0 for openings. Empty where that is not cut along its own edges.
-std::optional<double> area_cut_along(const Sheet& sheet, const SheetMap& map, const Recognition& of,
-                                     const LoopRef& ref) {
-  if (map.is_seen(ref)) return {};
+/// below 0 for openings.
+double area_cut_along(const Sheet& sheet, const SheetMap& map, const Recognition& of,
+                      const LoopRef& ref) {
   const int leader = of.groups.rows[of.groups.of_face[ref.face]].leader;
   const Face& face = sheet[map.face_id.at(ref.face)];
   if (of.outlines[ref.face].outer == ref.loop)
@@ -64,23 +64,45 @@ std::optional<double> area_cut_along(const Sheet& sheet, const SheetMap& map, co
   return -std::abs(signed_middle_area(of, leader, face.loops[map.cut_loops.at(ref).loop]));
 }
 
+/// The same of the silhouettes of faces along a rim, with what they account for. Empty where they
+/// hold more than the rim.
+std::optional<double> volume_of_silhouettes(const Sheet& sheet, const SheetMap& map,
+                                            const Recognition& of, const ClosedRim& rim) {
+  std::set<int> faces;
+  for (const LoopRef& ref : rim.loops)
+    if (map.is_seen(ref)) faces.insert(ref.face);
+  double volume = 0.0;
+  for (const int f : faces) {
+    const Silhouette& silhouette = map.silhouettes.at(f);
+    const bool alone = std::ranges::all_of(silhouette.parts,
+                                           [&](int p) { return rim.parts.contains(p); }) &&
+                       std::ranges::all_of(silhouette.skin_loops, [&](int l) {
+                         return rim.loops.contains({f, l});
+                       });
+    const auto beyond = volume_beyond_silhouette(sheet, map, of, f);
+    if (!alone || !beyond) return {};
+    volume += silhouette_area(sheet, map, of, f) * of.skins.thickness + *beyond;
+  }
+  return volume;
+}
+
 /// The volume of the sheet as it is cut along a rim, and of what its tangent openings account for.
 std::optional<double> volume_as_cut(const Sheet& sheet, const SheetMap& map, const Recognition& of,
                                     const ClosedRim& rim) {
   double area = 0.0, machined = 0.0;
   for (const LoopRef& ref : rim.loops) {
-    if (of.skins.skin_of[ref.face] != of.skin) continue;
-    const auto part = area_cut_along(sheet, map, of, ref);
-    if (!part) return {};
-    area += *part;
+    if (of.skins.skin_of[ref.face] != of.skin || map.is_seen(ref)) continue;
+    area += area_cut_along(sheet, map, of, ref);
   }
+  const auto seen = volume_of_silhouettes(sheet, map, of, rim);
+  if (!seen) return {};
   for (int i = 0; i < std::ssize(of.tangent_openings); ++i) {
     const TangentOpening& opening = of.tangent_openings[i];
     if (!rim.parts.contains(opening.part)) continue;
     machined += volume_beyond_cut(of, opening).value_or(0.0);
     if (opening.leads_over() && opening.cut_of_bend.empty()) area -= loop_area(opening.cut);
   }
-  return area * of.skins.thickness + machined;
+  return area * of.skins.thickness + *seen + machined;
 }
 
 /// Of a plate by its own outlines, of others by the body that their rim encloses.

@@ -121,13 +121,24 @@ MeasuredOutline measured_outline(SheetBuilder& builder, FaceId id, const std::ve
 
 }  // namespace
 
+double silhouette_area(const Sheet& sheet, const SheetMap& map, const Recognition& of, int face) {
+  const SeenFace seen{of, map, face, map.silhouettes.at(face)};
+  return sum_of(cut_loops(seen),
+                [&](int l) { return signed_loop_area(sheet[seen.id()].loops[l]); });
+}
+
+std::optional<double> volume_beyond_silhouette(const Sheet& sheet, const SheetMap& map,
+                                               const Recognition& of, int face) {
+  const SeenFace seen{of, map, face, map.silhouettes.at(face)};
+  return volume_beyond(seen, std::get<Frame>(sheet[seen.id()].surface),
+                       silhouette_area(sheet, map, of, face));
+}
+
 void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognition& of, int face) {
   const SeenFace seen{of, map, face, map.silhouettes.at(face)};
   const auto& plane = std::get<Frame>(builder[seen.id()].surface);
   const std::vector<int> cut = cut_loops(seen);
-  const double area = sum_of(
-      cut, [&](int l) { return signed_loop_area(builder.sheet()[seen.id()].loops[l]); });
-  const auto beyond = volume_beyond(seen, plane, area);
+  const auto beyond = volume_beyond_silhouette(builder.sheet(), map, of, face);
   builder.add_outline(measured_outline(builder, seen.id(), ledges_of(of, face), of,
                                        std::max(0.0, -beyond.value_or(0.0))));
   const auto drawn_before = builder.sheet().features.size();

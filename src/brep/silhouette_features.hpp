@@ -9,6 +9,12 @@ namespace planish::brep {
 /// solid reaches into each opening.
 void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognition& of, int face);
 
+/// The area of what is cut along a face's silhouette, openings taken off; and what the solid has
+/// beyond it, which counts as the volume of a form, mm³. Empty where that is not known.
+double silhouette_area(const Sheet& sheet, const SheetMap& map, const Recognition& of, int face);
+std::optional<double> volume_beyond_silhouette(const Sheet& sheet, const SheetMap& map,
+                                               const Recognition& of, int face);
+
 /// Measures how far the rim reaches beyond the outline that is cut, for each plane face beside
 /// which something of it looks the skin's way.
 void measure_outlines(SheetBuilder& builder, const SheetMap& map, const Recognition& of);

@@ -6,7 +6,6 @@
 #include <planish/geometry/plane.hpp>
 
 #include <algorithm>
-#include <set>
 
 // Outlines of both skins as they lie on the reference skin, and whether one is wider than another:
 // what is drawn of it and not cut.
@@ -48,6 +47,15 @@ const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
   return of.model.faces[ref.face].loops[ref.loop];
 }
 
+std::set<int> wall_edges(const Recognition& of, const RimPart& part) {
+  std::set<int> edges;
+  for (const int wall : part.faces)
+    for (const auto& loop : of.model.faces[wall].loops)
+      for (const CoEdge& use : loop)
+        edges.insert(use.edge);
+  return edges;
+}
+
 double perimeter(const BorderLoop& borders) { return length(mapped(borders, &Border::curve)); }
 
 bool is_wider(const BorderLoop& outline, const BorderLoop& than) {
@@ -58,6 +66,32 @@ bool is_machined(const Recognition& of, const RimPart& part, Skin skin) {
   const std::set<int> beyond = walls_along(of, part, other_skin(skin));
   return std::ranges::none_of(walls_along(of, part, skin),
                               [&](int wall) { return beyond.contains(wall); });
+}
+
+bool reaches(const Recognition& of, int wall, Skin skin) {
+  for (const auto& loop : of.model.faces[wall].loops)
+    for (const CoEdge& use : loop)
+      if (const int next = face_across(of.model.edges[use.edge], wall);
+          next >= 0 && of.skins.skin_of[next] == skin)
+        return true;
+  return false;
+}
+
+bool is_slanted(const Recognition& of, const RimPart& part, const Vec3& from) {
+  constexpr double kDrilled = 1e-4;  // sine: to the digits of a STEP file
+  double up = 0.0, down = 0.0;
+  for (const int wall : part.faces) {
+    const SolidFace& face = of.model.faces[wall];
+    if (!reaches(of, wall, of.skin) || !reaches(of, wall, other_skin(of.skin))) continue;
+    if (std::holds_alternative<DoublyCurved>(face.surface)) return true;
+    for (const auto& ring : of.outlines[wall].rings)
+      for (const Vec3& point : ring) {
+        const double lean = outward_normal_at(face, point).dot(from);
+        up = std::max(up, lean);
+        down = std::max(down, -lean);
+      }
+  }
+  return std::min(up, down) > kDrilled;
 }
 
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {

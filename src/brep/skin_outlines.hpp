@@ -2,10 +2,15 @@
 
 #include "features.hpp"
 
+#include <set>
+
 namespace planish::brep {
 
 /// Edges of a loop of a skin, as its face runs along them.
 const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref);
+
+/// Edges along the faces of a part, each once.
+std::set<int> wall_edges(const Recognition& of, const RimPart& part);
 
 /// Mean distances between outlines, mm: below one they are the same, above the other one is wider
 /// by more than the noise of drilled holes.
@@ -14,6 +19,13 @@ inline constexpr double kWiderOutline = 1e-3;
 
 double perimeter(const BorderLoop& borders);
 bool is_wider(const BorderLoop& outline, const BorderLoop& than);
+
+/// Whether a wall reaches this skin.
+bool reaches(const Recognition& of, int wall, Skin skin);
+
+/// Whether walls that lead from skin to skin lean both ways from a direction, as those of a hole
+/// that is drilled at a slant to it do.
+bool is_slanted(const Recognition& of, const RimPart& part, const Vec3& from);
 
 /// Whether the walls along a skin end before they reach the other one, as what is machined does.
 bool is_machined(const Recognition& of, const RimPart& part, Skin skin);

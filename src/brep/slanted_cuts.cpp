@@ -2,6 +2,7 @@
 
 #include "borders.hpp"
 #include "form_volume.hpp"
+#include "skin_outlines.hpp"
 #include "widest.hpp"
 
 #include <algorithm>
@@ -39,16 +40,6 @@ double wall_slope(const Recognition& of, int skin_face, const CoEdge& use) {
   const double slope = outward_normal_at(of.model.faces[wall], middle)
                            .dot(outward_normal_at(of.model.faces[skin_face], middle));
   return std::abs(slope) > kSlantedWall ? slope : 0.0;
-}
-
-/// Whether a wall reaches this skin.
-bool reaches(const Recognition& of, int wall, Skin skin) {
-  for (const auto& loop : of.model.faces[wall].loops)
-    for (const CoEdge& use : loop)
-      if (const int next = face_across(of.model.edges[use.edge], wall);
-          next >= 0 && of.skins.skin_of[next] == skin)
-        return true;
-  return false;
 }
 
 /// The side to which a cut edge opens if it is slanted: the one from which its wall is seen.

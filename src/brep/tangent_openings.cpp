@@ -7,6 +7,7 @@
 #include "plane_opening.hpp"
 #include "projection.hpp"
 #include "skin_outlines.hpp"
+#include "tangent_pieces.hpp"
 #include "tangent_runs.hpp"
 
 #include <planish/base/id_vector.hpp>
@@ -120,80 +121,6 @@ BorderLoop cut_of(const Recognition& of, const TangentOpening& opening) {
   return *std::ranges::min_element(loops, {}, loop_area);
 }
 
-/// A part of a section, over the flange or over the bend.
-struct SectionPiece {
-  bool over_bend = false;
-  Border border;
-};
-
-/// An edge of a section, divided where it crosses the tangent line; empty where both its images do
-/// not agree on that.
-std::vector<SectionPiece> divided(const Recognition& of, const TangentOpening& opening,
-                                  const Frame& across, const CoEdge& use) {
-  constexpr double kEnd = 1e-6;  // of the edge: it only begins or ends at the line
-  const int bend = of.groups.of_face[opening.here.on_bend->loop.face];
-  const int leader = of.groups.rows[bend].leader;
-  const SolidSurface& surface = of.model.faces[leader].surface;
-  const double near = of.outlines[leader].u_middle;
-  Border flat = read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front();
-  const Border bent = read_borders(of.model, {use}, surface, near, of.tolerance).front();
-  const Vec2 origin = opening.plane.local2(across.origin);
-  const Vec2 along(across.y.dot(opening.plane.x), across.y.dot(opening.plane.y));
-  const Vec2 over(across.x.dot(opening.plane.x), across.x.dot(opening.plane.y));
-  const double line = parameters_of(std::get<Developable>(surface), across.origin, near).x();
-  const auto inner = [&](std::vector<double> at) {
-    std::erase_if(at, [](double t) { return t < kEnd || t > 1.0 - kEnd; });
-    at.insert(at.begin(), 0.0);
-    at.push_back(1.0);
-    return at;
-  };
-  const auto in_plane = inner(crossings(flat.curve, origin, along));
-  const auto on_bend = inner(crossings(bent.curve, {line, 0.0}, Vec2::UnitY()));
-  if (in_plane.size() != on_bend.size()) return {};
-  const auto depth = level_depth(of.model.edges[use.edge].curve, opening.plane, of.tolerance);
-  flat.edge_depth = depth.value_or(0.0);
-  if (!depth) flat.edge.reset();
-  std::vector<SectionPiece> pieces;
-  for (size_t i = 1; i < in_plane.size(); ++i) {
-    const Vec2 middle = point_at(flat.curve, (in_plane[i - 1] + in_plane[i]) / 2);
-    SectionPiece& piece = pieces.emplace_back((middle - origin).dot(over) > 0.0, flat);
-    if (in_plane.size() > 2 || piece.over_bend) piece.border.edge_length.reset();
-    piece.border.curve = trimmed(flat.curve, in_plane[i - 1], in_plane[i]);
-    if (!piece.over_bend) continue;
-    piece.border.edge.reset();
-    piece.border.curve = trimmed(bent.curve, on_bend[i - 1], on_bend[i]);
-  }
-  return pieces;
-}
-
-/// Sets what is cut to the parts of a section over the flange and over the bend; returns whether it
-/// crosses the tangent line just once each way.
-bool divide(const Recognition& of, TangentOpening& opening, const Frame& across,
-            const std::vector<CoEdge>& section) {
-  std::vector<SectionPiece> pieces;
-  for (const CoEdge& use : section) {
-    if (length(read_borders(of.model, {use}, opening.plane, 0.0, of.tolerance).front().curve) <=
-        of.tolerance)
-      continue;
-    const auto divided_edge = divided(of, opening, across, use);
-    if (divided_edge.empty()) return false;
-    std::ranges::copy(divided_edge, std::back_inserter(pieces));
-  }
-  const size_t count = pieces.size();
-  size_t start = 0;
-  int turns = 0;
-  for (size_t i = 0; i < count; ++i)
-    if (!pieces[i].over_bend && pieces[(i + count - 1) % count].over_bend) {
-      start = i;
-      ++turns;
-    }
-  if (turns != 1) return false;
-  std::ranges::rotate(pieces, pieces.begin() + static_cast<std::ptrdiff_t>(start));
-  for (SectionPiece& piece : pieces)
-    (piece.over_bend ? opening.cut_of_bend : opening.cut).push_back(std::move(piece.border));
-  return true;
-}
-
 /// How long an edge is once the bend lies flat. Of the ends of a wall that is drilled along the
 /// normal of the flange the outermost is the least, and all that is cut passes through the others.
 double length_when_flat(const Recognition& of, const SkinOutline& outline, const Frame& across,
@@ -247,17 +174,17 @@ bool cut_across(const Recognition& of, TangentOpening& opening) {
   opening.cut_seen = read_borders(of.model, chains.front(), opening.plane, 0.0, of.tolerance);
   const bool above = is_wider(seen_here(of, opening), opening.cut_seen);
   const bool below = is_wider(seen_there(of, opening), opening.cut_seen);
+  const bool slanted = is_slanted(of, of.rim.parts[opening.part], opening.plane.z);
   // What is wider on one skin alone may be drilled at a slant.
-  if (above != below &&
-      !is_machined(of, of.rim.parts[opening.part], above ? of.skin : other_skin(of.skin)))
-    return false;
+  if (above != below && slanted) return false;
   TangentOpening drawn = opening;
   std::vector<CoEdge> outline = uses_of(of, opening.here.on_plane);
   std::ranges::copy(uses_of(of, *opening.here.on_bend), std::back_inserter(outline));
   if (!divide(of, drawn, across, outline) || !divide(of, opening, across, chains.front()))
     return false;
+  if (!slanted) narrow_to_cell(of, opening, across);
   const double width = (cut_area(of, drawn) - cut_area(of, opening)) / perimeter(opening.cut_seen);
-  if (width <= kWiderOutline) {
+  if (width <= kSameOutline) {
     drawn.as_drawn = true;
     opening = std::move(drawn);
     return below;

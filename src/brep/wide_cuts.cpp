@@ -1,120 +1,206 @@
 #include "wide_cuts.hpp"
 
-#include "passages.hpp"
 #include "skin_outlines.hpp"
-#include "widest.hpp"
+
+#include <planish/base/id_vector.hpp>
+#include <planish/geometry/plane.hpp>
+#include <planish/geometry/region.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
-// Along an edge of the skin the cut is too wide if the wall below leans back, or ends on a floor,
-// before it reaches the other skin. How far the section lies within, seen along the skin's normal,
-// is looked for at points of both.
+// Seen along the normal of the skin, no wall may lie where the blank is cut away. Points along the
+// edges of an opening's walls are laid on the faces of the sheet as they were built: over a bend
+// where they lie in its turn, else over a flange.
 
 namespace planish::brep {
 namespace {
 
-/// Sine from which a wall is machined: holes drilled straight through a bend lean less where they
-/// are still holes.
-constexpr double kMachined = 0.35;
-constexpr int kCoarse = 32;  // steps along an edge
-constexpr int kFine = 1024;  // the same of the section, of which the nearest point is taken
+/// How far a point lies off what is left of the sheet, and the nearest border.
+struct Off {
+  double distance = 0.0;  ///< 0: on it
+  BorderRef border;
+};
 
-std::vector<Vec3> points_of(const SpaceCurve& curve, int steps) {
-  std::vector<Vec3> points;
-  for (int i = 0; i <= steps; ++i)
-    points.push_back(curve.point(std::lerp(curve.t0, curve.t1, static_cast<double>(i) / steps)));
-  return points;
-}
-
-bool looks_out(const Recognition& of, int face, const Vec3& point, const Vec3& outwards) {
-  const SolidFace& wall = of.model.faces[face];
-  return !std::holds_alternative<DoublyCurved>(wall.surface) &&
-         outward_normal_at(wall, point).dot(outwards) > kMachined;
-}
-
-/// Whether the wall along an edge of the skin widens the opening there alone.
-bool is_machined(const Recognition& of, int skin_face, const CoEdge& use, int wall) {
-  const SpaceCurve& curve = of.model.edges[use.edge].curve;
-  const Vec3 middle = curve.point((curve.t0 + curve.t1) / 2);
-  const Vec3 outwards = outward_normal_at(of.model.faces[skin_face], middle);
-  bool floor = false;
-  for (const auto& loop : of.model.faces[wall].loops)
-    for (const CoEdge& far : loop) {
-      const int next = face_across(of.model.edges[far.edge], wall);
-      if (next < 0 || next == wall) continue;
-      const Skin skin = of.skins.skin_of[next];
-      if (skin == other_skin(of.skin)) return false;
-      const SpaceCurve& edge = of.model.edges[far.edge].curve;
-      floor |= skin == Skin::none &&
-               looks_out(of, next, edge.point((edge.t0 + edge.t1) / 2), outwards);
+/// A flange or a bend of the sheet as it is cut, with the borders along an opening: those of its
+/// walls' edges, or of no edge.
+class CutGroup {
+ public:
+  CutGroup(const Recognition& of, const SheetBuilder& builder, const SheetMap& map, int group,
+           const std::set<int>& edges)
+      : of_(of), faces_(of.groups.rows[group].faces), leader_(of.groups.rows[group].leader) {
+    const double scale = of.outlines[leader_].u_scale;
+    for (const int f : faces_) {
+      const FaceId id = map.face_id.at(f);
+      const auto& loops = builder.sheet()[id].loops;
+      for (int l = 0; l < std::ssize(loops); ++l) {
+        box_.add(bounds(mapped(loops[l], &Border::curve)));
+        std::vector<Vec2>& ring = rings_.emplace_back();
+        for (int b = 0; b < std::ssize(loops[l]); ++b) {
+          const auto& edge = loops[l][b].edge;
+          const bool own = !edge || edges.contains(*edge - 1);
+          for (const Vec2& p : sampled(loops[l][b].curve, kChord)) {
+            ring.emplace_back(scale * p.x(), p.y());
+            if (own) own_.push_back({ring.back(), {id, l, b}});
+            if (own) own_box_.add(ring.back());
+          }
+        }
+      }
     }
-  return floor || looks_out(of, wall, middle, outwards) ||
-         (std::holds_alternative<DoublyCurved>(of.model.faces[wall].surface) &&
-          leans_back(of.model, skin_face, use));
-}
-
-/// How far a section lies within an edge of the skin, seen along the skin's normal.
-double width_within(const Recognition& of, int skin_face, const CoEdge& use,
-                    const std::vector<Vec3>& section) {
-  double widest = 0.0;
-  for (const Vec3& point : points_of(of.model.edges[use.edge].curve, kCoarse)) {
-    const Vec3 outwards = outward_normal_at(of.model.faces[skin_face], point);
-    const Vec3 nearest = *std::ranges::min_element(
-        section, {}, [&](const Vec3& other) { return (other - point).squaredNorm(); });
-    const Vec3 off = nearest - point;
-    widest = std::max(widest, (off - off.dot(outwards) * outwards).norm());
   }
-  return widest;
+
+  bool is_flange() const { return std::holds_alternative<Frame>(surface()); }
+  /// Empty of a point that does not lie between the skins here, or beside the opening of a flange:
+  /// those of a gentle bend run through each other.
+  std::optional<Off> off(const Vec3& point) const {
+    const double depth = depth_below(of_.model.faces[leader_], of_.outlines[leader_], point);
+    const double slack = kTouching * of_.skins.thickness + of_.skins.spread;
+    if (depth < -slack || depth > of_.skins.thickness + slack) return {};
+    const auto* plane = std::get_if<Frame>(&surface());
+    Vec2 foot = plane ? plane->local2(point)
+                      : parameters_of(std::get<Developable>(surface()), point,
+                                      (box_.lo.x() + box_.hi.x()) / 2);
+    if (!plane && !turns_at(point)) return {};
+    foot.x() *= of_.outlines[leader_].u_scale;
+    const bool beside = (foot - own_box_.lo).minCoeff() < 0.0 ||
+                        (own_box_.hi - foot).minCoeff() < 0.0;
+    if (beside && plane) return {};
+    if (beside || inside(rings_, foot)) return Off{};
+    Off nearest{std::numeric_limits<double>::infinity(), {}};
+    for (size_t i = 1; i < own_.size(); ++i) {
+      if (!(own_[i].border == own_[i - 1].border)) continue;
+      const double away = distance(foot, Segment{own_[i - 1].at, own_[i].at});
+      if (away < nearest.distance) nearest = {away, own_[i].border};
+    }
+    return nearest;
+  }
+
+ private:
+  static constexpr double kChord = 1e-5;      // mm
+  static constexpr double kTouching = 0.005;  // of the thickness: edges of fillets are fitted
+  struct Corner {
+    Vec2 at;
+    BorderRef border;
+  };
+  /// Whether a point lies in the turn of the bend: what is cut of it may reach beyond.
+  bool turns_at(const Vec3& point) const {
+    return std::ranges::any_of(faces_, [&](int f) {
+      const Outline& own = of_.outlines[f];
+      const double u = parameters_of(std::get<Developable>(surface()), point, own.u_middle).x();
+      return u * own.u_scale >= own.box.lo.x() && u * own.u_scale <= own.box.hi.x();
+    });
+  }
+  const SolidSurface& surface() const { return of_.model.faces[leader_].surface; }
+
+  const Recognition& of_;
+  const std::vector<int>& faces_;
+  int leader_;
+  Box2 box_;                              // in (u, v)
+  std::vector<std::vector<Vec2>> rings_;  // u scaled to mm
+  std::vector<Corner> own_;
+  Box2 own_box_;
+};
+
+/// The flanges and bends that an opening touches, on either skin.
+std::vector<CutGroup> groups_at(const Recognition& of, const SheetBuilder& builder,
+                                const SheetMap& map, const RimPart& part) {
+  std::set<int> groups;
+  for (const LoopRef& ref : loops_here(of, part))
+    groups.insert(of.groups.of_face[ref.face]);
+  for (const LoopRef& ref : loops_there(of, part))
+    for (const int partner : of.skins.partners[ref.face])
+      if (of.skins.skin_of[partner] == of.skin) groups.insert(of.groups.of_face[partner]);
+  const std::set<int> edges = wall_edges(of, part);
+  std::vector<CutGroup> found;
+  for (const int group : groups)
+    if (group >= 0) found.emplace_back(of, builder, map, group, edges);
+  return found;
 }
 
-/// Points of what passes through.
-std::vector<Vec3> section_points(const Recognition& of, const RimPart& part) {
-  std::vector<Vec3> points;
-  for (const auto& chain : passages(of, part, plane_across(of, part)))
-    for (const CoEdge& use : chain)
-      std::ranges::copy(points_of(of.model.edges[use.edge].curve, kFine),
-                        std::back_inserter(points));
-  return points;
+/// How far a point of a wall lies within what is cut: over the bend that it lies in, else over the
+/// nearest flange.
+Off off(const std::vector<CutGroup>& groups, const Vec3& point) {
+  std::optional<Off> least;
+  for (const bool flange : {false, true})
+    for (const CutGroup& group : groups) {
+      if (group.is_flange() != flange) continue;
+      const auto away = group.off(point);
+      if (away && !flange) return *away;
+      if (away && (!least || away->distance < least->distance)) least = away;
+    }
+  return least.value_or(Off{});
 }
 
-/// Whether a part is an opening with a bend along it that is read from the skin.
-bool is_at_bend(const Recognition& of, const SheetMap& map, int p) {
+/// The part of the rim along the outline: the largest one.
+int outermost(const Recognition& of) {
+  const auto size = [&](const RimPart& part) {
+    Box3 box;
+    for (const int wall : part.faces)
+      box.extend(of.outlines[wall].space);
+    return box.diagonal().norm();
+  };
+  return static_cast<int>(std::ranges::max_element(of.rim.parts, {}, size) - of.rim.parts.begin());
+}
+
+/// Whether a part is an opening at a bend that is machined, or cut across a tangent line. What is
+/// drilled only is a slanted cut.
+bool is_measured(const Recognition& of, int p) {
   const RimPart& part = of.rim.parts[p];
-  const auto& here = loops_here(of, part);
-  return part.within && part.openings == 1 && !loops_there(of, part).empty() &&
-         std::ranges::count(of.tangent_openings, p, &TangentOpening::part) == 0 &&
-         std::ranges::count(of.bend_openings, p, &BendOpening::part) == 0 &&
-         std::ranges::none_of(here, [&](const LoopRef& ref) { return map.is_seen(ref); }) &&
-         std::ranges::any_of(here, [&](const LoopRef& ref) {
-           return !std::holds_alternative<Frame>(of.model.faces[ref.face].surface);
+  if (!part.within || part.openings != 1 || part.first.empty() || part.second.empty()) return false;
+  const auto bent = [&](const LoopRef& ref) {
+    return !std::holds_alternative<Frame>(of.model.faces[ref.face].surface);
+  };
+  if (std::ranges::none_of(part.first, bent) && std::ranges::none_of(part.second, bent))
+    return false;
+  return std::ranges::count(of.tangent_openings, p, &TangentOpening::part) > 0 ||
+         std::ranges::any_of(part.faces, [&](int wall) {
+           return !reaches(of, wall, Skin::first) || !reaches(of, wall, Skin::second);
          });
+}
+
+/// Whether an edge is the far end of a cut from skin to skin, which may be slanted.
+bool is_far_end(const Recognition& of, const RimPart& part, int edge) {
+  const auto& faces = of.model.edges[edge].faces;
+  const auto is_far = [&](int f) { return f >= 0 && of.skins.skin_of[f] == other_skin(of.skin); };
+  return std::ranges::any_of(faces, is_far) && std::ranges::any_of(faces, [&](int f) {
+           return std::ranges::count(part.faces, f) > 0 && reaches(of, f, of.skin);
+         });
+}
+
+/// What lies deepest within the cut, of points along the walls' edges.
+Off deepest(const Recognition& of, int p, const std::vector<CutGroup>& groups) {
+  constexpr int kPoints = 64;
+  const RimPart& part = of.rim.parts[p];
+  const bool across = std::ranges::count(of.tangent_openings, p, &TangentOpening::part) > 0;
+  Off worst;
+  for (const int edge : wall_edges(of, part)) {
+    if (!across && is_far_end(of, part, edge)) continue;
+    const SpaceCurve& curve = of.model.edges[edge].curve;
+    for (int i = 0; i <= kPoints; ++i) {
+      const Off at = off(groups, curve.point(std::lerp(curve.t0, curve.t1, double(i) / kPoints)));
+      if (at.distance > worst.distance) worst = at;
+    }
+  }
+  return worst;
 }
 
 }  // namespace
 
 void measure_wide_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  if (of.rim.parts.empty()) return;
+  const int outer = outermost(of);
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
-    if (!is_at_bend(of, map, p)) continue;
-    const std::vector<Vec3> section = section_points(of, of.rim.parts[p]);
-    if (section.empty()) continue;
+    if (p == outer || !is_measured(of, p)) continue;
+    const Off worst = deepest(of, p, groups_at(of, builder, map, of.rim.parts[p]));
+    if (worst.distance <= of.tolerance) continue;
     MeasuredOpening measured;
-    for (const LoopRef& ref : loops_here(of, of.rim.parts[p]))
-      for (const CoEdge& use : loop_of(of, ref)) {
-        const int wall = face_across(of.model.edges[use.edge], ref.face);
-        const auto at = map.borders.find({ref.face, use.edge, use.forward});
-        if (wall < 0 || of.rim.part_of[wall] != p || at == map.borders.end() ||
-            builder[at->second].edge != use.edge + 1 || !is_machined(of, ref.face, use, wall))
-          continue;
-        const double width = width_within(of, ref.face, use, section);
-        if (width <= measured.intrusion) continue;
-        measured.face = at->second.face;
-        measured.loop = at->second.loop;
-        measured.border = at->second.border;
-        measured.intrusion = width;
-      }
-    if (measured.border) builder.add_opening(measured);
+    measured.face = worst.border.face;
+    measured.loop = worst.border.loop;
+    measured.border = worst.border.border;
+    measured.intrusion = worst.distance;
+    builder.add_opening(measured);
   }
 }
 

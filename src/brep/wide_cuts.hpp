@@ -4,9 +4,9 @@
 
 namespace planish::brep {
 
-/// Measures openings that reach into a bend and are cut along the outline of the reference skin
-/// though they are machined there, since their narrowest section was not found: by how much the cut
-/// is too wide, at most. The certificate tells, so that no size is wrong in silence.
+/// Measures openings at bends that are machined, or cut across a tangent line: how far their walls
+/// lie within what is cut, seen along the normal of the skin. The certificate tells, so that no
+/// size is wrong in silence where the narrowest section was not found.
 void measure_wide_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of);
 
 }  // namespace planish::brep

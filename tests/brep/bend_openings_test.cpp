@@ -125,6 +125,35 @@ TEST(BendOpenings, AreLeftAloneWhereTheyAreDrilledOnly) {
   }));
 }
 
+TEST(BendOpenings, BesideTheMiddleOfTheirDrillAreCutWhereEitherEndIsInnermost) {
+  // Drilled 2 mm beside the axis of a bend, of radii 20 and 22.
+  const double root = std::sqrt(0.5), aside = 2.0;
+  const gp_Ax3 into(gp_Pnt(40 + (22 + aside) * root, 25, 22 - (22 - aside) * root),
+                    gp_Dir(-root, 0, root));
+  const auto area_between = [&](double outer, double inner) {  // depths of the wall's ends
+    constexpr int kSteps = 200000;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double a = pi * (i + 0.5) / kSteps, half = kBored * std::sin(a);
+      const auto turn = [](double x, double depth) {
+        const bool skin = depth == 0.0 || depth == 2.0;
+        return skin ? std::asin(x / (22 - depth)) : std::atan(x / (22 - depth));
+      };
+      const double low = aside - half;
+      sum += std::max(0.0, turn(aside + half, outer) - turn(low, low < 0 ? outer : inner)) * half;
+    }
+    return 21 * sum * pi / kSteps;
+  };
+  const TopoDS_Shape bracket = bent_bracket({2, 20, 40, 30, 50});
+  for (const auto& [profile, area] : {std::pair{kPlain, area_between(0, 2)},
+                                      std::pair{kBores, area_between(kSink, kInnerSink)}}) {
+    const auto made = unfolded_shape(BRepAlgoAPI_Cut(bracket, bore_tool(profile, into)));
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->flat.openings.size(), 1u);
+    EXPECT_NEAR(-signed_area(made->flat.openings.front().loop), area, 1e-3);
+  }
+}
+
 TEST(BendOpenings, OfAConeAreCutAlike) {
   // A wall of 2 mm that leans by 20°, its outside 40 mm from the axis where it is drilled.
   const double lean = pi / 9, c = std::cos(lean), s = std::sin(lean);

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -140,11 +139,12 @@ TEST(TangentOpenings, KeepTheHoleOfCountersinksOnEitherSkinOrBoth) {
           BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(profile, hole_at(gap))), gap);
 }
 
-/// Where a drilled wall ends over the bend: at this height over the outside, or on the outside.
+/// Where a drilled wall ends over the bend: at this height over the outside, or on the outside,
+/// also where that has risen above it.
 struct WallEnd {
-  std::optional<double> height;
+  double height = 0.0;
   /// The turn of the bend at which it is met, over x from the tangent line.
-  double turn(double x) const { return height ? std::atan(x / (4 - *height)) : std::asin(x / 4); }
+  double turn(double x) const { return std::atan(x / std::min(4 - height, std::sqrt(16 - x * x))); }
 };
 
 /// A circle whose middle lies `before` the tangent line, its developed area at K = ½: over the
@@ -228,6 +228,23 @@ TEST(TangentOpenings, AreCutAcrossTheLineWhereTheyReachFarRoundTheBend) {
   const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
                                             turned_tool(kOutsideSink, hole_at(-1.5)));
   expect_cut_across(part, -1.5, {1.0}, 1);
+}
+
+TEST(TangentOpenings, AreCutAcrossTheLineWhereTheBendRisesAboveTheSink) {
+  const ToolProfile shallow{{0, -1}, {2.8, -1}, {2.8, 0}, {kDrilled, 0.29}, {kDrilled, 6}, {0, 6}};
+  const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
+                                            turned_tool(shallow, hole_at(-1.7)));
+  expect_cut_across(part, -1.7, {0.29}, 1);
+}
+
+TEST(TangentOpenings, KeepTheSmallestDifferenceOfTheEndsOfTheirWall) {
+  // Bored from the outside and barely over the line: the wall's ends differ by 0.01 mm in one place
+  // and by much less all round.
+  const TopoDS_Shape part = BRepAlgoAPI_Cut(bent_bracket(kHoledBracket),
+                                            turned_tool(kOutsideBore, hole_at(-0.03)));
+  const auto made = unfolded_shape(part);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_NEAR(made->flat.area, kBlank - area_across(kDrilled - 0.03, {1.0}), 1e-5);
 }
 
 TEST(TangentOpenings, AreToldFromPlainHoles) { expect_drilled(drilled_bracket(0.2), 0.2); }

@@ -8,9 +8,9 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
-#include <GC_MakeArcOfCircle.hxx>
+#include <BRepPrimAPI_MakeWedge.hxx>
 #include <gp_Ax3.hxx>
 #include <gtest/gtest.h>
 
@@ -21,34 +21,6 @@
 
 namespace planish::test {
 namespace {
-
-/// A sheet of 2 mm, bent by 20° round the radius 2, symmetric about x = 0, its outside at z = 0.
-TopoDS_Shape gently_bent() {
-  const double half = std::numbers::pi / 18;
-  const auto at = [&](double radius, double turn, double along) {
-    return gp_Pnt(radius * std::sin(turn) + std::copysign(along, turn) * std::cos(turn), 0,
-                  4 - radius * std::cos(turn) + along * std::sin(std::abs(turn)));
-  };
-  BRepBuilderAPI_MakeWire wire;
-  const auto line = [&](const gp_Pnt& a, const gp_Pnt& b) {
-    wire.Add(BRepBuilderAPI_MakeEdge(a, b).Edge());
-  };
-  const auto bend = [&](double radius, double from) {
-    const auto arc = GC_MakeArcOfCircle(at(radius, from, 0), at(radius, 0, 0),
-                                        at(radius, -from, 0));
-    wire.Add(BRepBuilderAPI_MakeEdge(arc.Value()).Edge());
-  };
-  line(at(4, -half, 40), at(4, -half, 0));
-  bend(4, -half);
-  line(at(4, half, 0), at(4, half, 40));
-  line(at(4, half, 40), at(2, half, 40));
-  line(at(2, half, 40), at(2, half, 0));
-  bend(2, half);
-  line(at(2, -half, 0), at(2, -half, 40));
-  line(at(2, -half, 40), at(4, -half, 40));
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 50, 0))
-      .Shape();
-}
 
 /// With a hole of radius 5 right over the bend, chamfered on both skins.
 TopoDS_Shape chamfered_over_bend(double by) {
@@ -94,6 +66,22 @@ TEST(WideCuts, AreMeasuredWhereAHoleIsSunkOverBothTangentLines) {
       BRepAlgoAPI_Cut(bent_bracket({2, 1, 40, 30, 50}), drill.Shape()));
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_NEAR(made->certificate.opening_error.value_or(0), 0.8, 0.05);
+}
+
+TEST(WideCuts, AreMeasuredOverTheFlangesToo) {
+  // A window of 14 × 8 mm, sunk from the outside at 45° to 0.5 mm above the middle of the bend:
+  // where the flanges begin, 4 (1 − cos 10°) above it, they are cut along the sink.
+  TopoDS_Shape window = BRepPrimAPI_MakeBox(gp_Pnt(-7, 21, -9), gp_Pnt(7, 29, 9));
+  TopoDS_Shape sink = BRepPrimAPI_MakeWedge(
+      gp_Ax2(gp_Pnt(-9.5, 31.5, -2), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)), 19, 2.5, 13, 2.5, 2.5,
+      16.5, 10.5);
+  const auto made = unfolded_shape(BRepAlgoAPI_Cut(BRepAlgoAPI_Cut(gently_bent(), window), sink));
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_EQ(made->flat.openings.size(), 1u);
+  const double sunk = 0.5 - 4 * (1 - std::cos(std::numbers::pi / 18));
+  const double width = bounds(made->flat.openings.front().loop).size().minCoeff();
+  EXPECT_NEAR(width, 8 + 2 * sunk, 1e-3);
+  EXPECT_NEAR(made->certificate.opening_error.value_or(0), sunk, 0.05);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <GC_MakeArcOfCircle.hxx>
 
 #include <cmath>
+#include <numbers>
 
 namespace planish::test {
 
@@ -37,6 +38,34 @@ inline TopoDS_Shape bent_bracket(const BentBracket& of) {
   line(at(of.first, t), at(0, t));
   line(at(0, t), at(0, 0));
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, of.width, 0))
+      .Shape();
+}
+
+/// A sheet of 2 mm, bent by 20° round the radius 2, symmetric about x = 0, its outside at z = 0.
+inline TopoDS_Shape gently_bent() {
+  const double half = std::numbers::pi / 18;
+  const auto at = [&](double radius, double turn, double along) {
+    return gp_Pnt(radius * std::sin(turn) + std::copysign(along, turn) * std::cos(turn), 0,
+                  4 - radius * std::cos(turn) + along * std::sin(std::abs(turn)));
+  };
+  BRepBuilderAPI_MakeWire wire;
+  const auto line = [&](const gp_Pnt& a, const gp_Pnt& b) {
+    wire.Add(BRepBuilderAPI_MakeEdge(a, b).Edge());
+  };
+  const auto bend = [&](double radius, double from) {
+    const auto arc = GC_MakeArcOfCircle(at(radius, from, 0), at(radius, 0, 0),
+                                        at(radius, -from, 0));
+    wire.Add(BRepBuilderAPI_MakeEdge(arc.Value()).Edge());
+  };
+  line(at(4, -half, 40), at(4, -half, 0));
+  bend(4, -half);
+  line(at(4, half, 0), at(4, half, 40));
+  line(at(4, half, 40), at(2, half, 40));
+  line(at(2, half, 40), at(2, half, 0));
+  bend(2, half);
+  line(at(2, -half, 0), at(2, -half, 40));
+  line(at(2, -half, 40), at(4, -half, 40));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 50, 0))
       .Shape();
 }
 
