@@ -302,7 +302,7 @@ TEST(SlitSession, CanBeCancelledAtEachPoll) {
   for (const SlitObjective objective : {SlitObjective::energy, SlitObjective::smooth}) {
     SlitDesign design = chair();
     design.objective = objective;
-    for (int last = 0; last < 40; ++last) {
+    for (int last = 0; last < 40; last += 3) {
       SlitSession session = started(design);
       int polls = 0;
       Progress progress;
