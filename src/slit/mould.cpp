@@ -108,7 +108,7 @@ Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, in
   const auto& [left, right] = strip.ridges[at];
   const auto normals = std::span(strip.towards_mould)
                            .subspan(static_cast<std::size_t>(first), last - first + 1);
-  const Vec3 step = mitre(normals, static_cast<std::size_t>(at - first));
+  const Vec3 step = mitre(normals, at - first);
   const std::array<double, 2> free = left_at(strip, first, last, at);
   const double rest = 1.0 - free[0] - free[1],
                most = rest < 1.0 ? kMostInset * rest : setting.most_share,

@@ -65,7 +65,7 @@ bool is_upright(const Standing& panel, const Vec3& up) {
 /// The strip between two offsets from the panel.
 std::vector<Vec2> band(const Standing& panel, const Frame& plan, double from, double to) {
   std::vector<Vec2> near, far;
-  for (std::size_t i = 0; i < panel.free_edge.size(); ++i) {
+  for (int i = 0; i < std::ssize(panel.free_edge); ++i) {
     const Vec3 step = mitre(panel.towards_mould, i);
     near.push_back(plan.local2(panel.free_edge[i] + from * step));
     far.push_back(plan.local2(panel.free_edge[i] + to * step));
@@ -95,7 +95,7 @@ std::vector<Vec2> seen(const std::array<Vec3, 2>& near, const std::array<Vec3, 2
 
 /// The lowest that the skin of a quad comes over a footprint.
 std::optional<double> lowest_over(const std::vector<Vec2>& footprint, const WholeStrip& strip,
-                                  std::size_t quad, const WallSetting& setting) {
+                                  int quad, const WallSetting& setting) {
   const auto near = skin_ridge(strip, quad, setting.offset),
              far = skin_ridge(strip, quad + 1, setting.offset);
   const Polygon over{seen(near, far, setting.plan), {}};
@@ -264,7 +264,7 @@ Result<void> raise(std::vector<MouldWall>& walls,
     const double height = wall.top - wall.bottom;
     for (const auto& parts : strips)
       for (const WholeStrip& strip : parts)
-        for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad)
+        for (int quad = 0; quad < std::ssize(strip.towards_mould); ++quad)
           if (const auto lowest = lowest_over(wall.footprint, strip, quad, setting))
             wall.top = std::min(wall.top, *lowest);
     if (wall.top - wall.bottom < kLeast * height)

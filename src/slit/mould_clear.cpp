@@ -73,22 +73,21 @@ class View {
   View(const Frame& base, double offset) : base_(base), offset_(offset) {}
 
   void add(const MouldRib& rib) {
-    for (std::size_t i = 0; i < rib.facets.size(); ++i) {
-      carried_.insert({rib.strip, rib.first_quad + static_cast<int>(i)});
-      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i)}, rib.facets[i],
-          rib.facets[i]);
+    for (int i = 0; i < std::ssize(rib.facets); ++i) {
+      carried_.insert({rib.strip, rib.first_quad + i});
+      see({Layer::rib, rib.strip, rib.first_quad + i}, rib.facets[i], rib.facets[i]);
     }
   }
 
   void add(const WholeStrip& strip, int number) {
-    const auto skin = [&](std::size_t ridge, double sense) {
+    const auto skin = [&](int ridge, double sense) {
       return skin_ridge(strip, ridge, sense * offset_);
     };
-    for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad) {
+    for (int quad = 0; quad < std::ssize(strip.towards_mould); ++quad) {
       const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) {
         return std::array<Vec3, 4>{near[0], far[0], far[1], near[1]};
       };
-      const int own = strip.first + static_cast<int>(quad);
+      const int own = strip.first + quad;
       const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]),
                  below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
       see({Layer::middle, number, own}, middle, middle);

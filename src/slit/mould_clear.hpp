@@ -4,7 +4,7 @@
 #include <planish/slit/mould.hpp>
 
 #include <array>
-#include <cstddef>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -23,15 +23,15 @@ struct WholeStrip {
 
 /// From a ridge to where the facets beside it meet, half the thickness from both quads: of the
 /// ridge `at` of these normals and one more.
-inline Vec3 mitre(std::span<const Vec3> normals, std::size_t at) {
+inline Vec3 mitre(std::span<const Vec3> normals, int at) {
   if (at == 0) return normals.front();
-  if (at == normals.size()) return normals.back();
+  if (at == std::ssize(normals)) return normals.back();
   const Vec3 &a = normals[at - 1], &b = normals[at];
   return (a + b) / (1.0 + a.dot(b));
 }
 
 /// A ridge on the skin towards the mould, `offset` from the middle of the sheet.
-inline std::array<Vec3, 2> skin_ridge(const WholeStrip& strip, std::size_t at, double offset) {
+inline std::array<Vec3, 2> skin_ridge(const WholeStrip& strip, int at, double offset) {
   const Vec3 step = offset * mitre(strip.towards_mould, at);
   return {strip.ridges[at][0] + step, strip.ridges[at][1] + step};
 }

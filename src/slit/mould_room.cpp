@@ -44,8 +44,7 @@ struct Across {
 };
 
 Across seen_across(const WholeStrip& strip, int quad, const Frame& plan, double offset) {
-  const auto near = skin_ridge(strip, static_cast<std::size_t>(quad), offset),
-             far = skin_ridge(strip, static_cast<std::size_t>(quad) + 1, offset);
+  const auto near = skin_ridge(strip, quad, offset), far = skin_ridge(strip, quad + 1, offset);
   return {plan.local2(near[0]), plan.local2(near[1]), plan.local2(far[0]), plan.local2(far[1])};
 }
 
@@ -127,7 +126,7 @@ void make_room(std::vector<std::vector<WholeStrip>>& strips, const std::vector<R
   for (auto& [where, parts] : taken) {
     auto& left = where.first->left_to_others;
     left.resize(where.first->towards_mould.size(), {0.0, 0.0});
-    auto& own = left[static_cast<std::size_t>(where.second)];
+    auto& own = left[where.second];
     parts.insert(parts.end(), {{0.0, own[0]}, {1.0 - own[1], 1.0}});
     own = around_widest_gap(std::move(parts));
   }

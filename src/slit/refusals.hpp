@@ -176,8 +176,8 @@ constexpr Refusal nothing_faces_up{
 constexpr Refusal overhangs_itself{
     code::unsupported_shape, "{@strip} overhangs itself, so its rib would pass through itself.",
     "Choose another direction for the mould (mould.up)."};
-constexpr std::string_view kStandElsewhere =
-    "Choose another direction (mould.up) or the other side (mould.side).";
+constexpr std::string_view
+    kStandElsewhere = "Choose another direction (mould.up) or the other side (mould.side).";
 constexpr Refusal ribs_overlap{code::unsupported_shape,
                                "The mould's ribs under {@strip} would overlap by {area}.",
                                kStandElsewhere};
