@@ -202,7 +202,11 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
   std::vector<int> moved, begun;
   for (int strip = 0; strip < now.count(); ++strip) {
     if (now.slot(strip).state.status != StripStatus::open) continue;
-    if (descent.stop()) break;
+    const bool late = descent.stop();
+    if (cancelled) break;
+    // A sheet can be shown once each strip has a shape that ends where it must.
+    if (late && now.slot(strip).p.size() == 0) work_on(now, strip, Clear::of_mirror, descent);
+    if (late) continue;
     progress.at("strips", static_cast<double>(strip) / now.count());
     if (now.slot(strip).p.size() == 0) begun.push_back(strip);
     if (!by_energy || !goes_on(now, strip))

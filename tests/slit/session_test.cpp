@@ -321,6 +321,10 @@ TEST(SlitSession, StopsWithoutTimeAndWhenCancelled) {
   ASSERT_TRUE(report);
   EXPECT_FALSE(report->converged);
   EXPECT_EQ(report->strips_solved, 0);
+  for (int strip = 0; strip < session.strip_count(); ++strip) {
+    EXPECT_EQ(session.state(strip).status, StripStatus::open);
+    EXPECT_LE(session.state(strip).gap, 1e-9 * 884) << "it has a shape that can be shown, " << strip;
+  }
   Progress progress;
   int polls = 0;
   progress.cancelled = [&] { return ++polls > 10; };

@@ -156,7 +156,7 @@ export async function refused({ page }) {
   await kept('panel-height', '0', 'Panel height cannot be 0; it must be above 0.');
   await kept('ridges', '10.5', 'Ridges at the start cannot be 10.5; it must be a whole number.');
   await kept('strips', '2.4', 'Strips cannot be 2.4; it must be a whole number.');
-  await kept('weight-smooth-number', '-1', 'Smooth cannot be -1');
+  await kept('weight-spacing-number', '-1', 'Spacing cannot be -1');
 }
 
 /** The page's unit is that of the DXF, which says so; another can be chosen. */
