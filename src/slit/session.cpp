@@ -215,11 +215,9 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
   }
   if (by_energy) report.iterations += improve_from_neighbours(now, begun, descent);
   note_crossings(now, moved);
-  const auto part = by_energy ? part_together : part_neighbours;
-  if (const int iterations = part(now, moved, descent); iterations > 0) {
-    report.iterations += iterations;
-    note_crossings(now, moved);
-  }
+  const int iterations = (by_energy ? part_together : part_neighbours)(now, moved, descent);
+  report.iterations += iterations;
+  if (iterations > 0) note_crossings(now, moved);
   report.strips_solved = static_cast<int>(moved.size());
   if (cancelled) return fail(refuse::cancelled);
   for (const auto& slot : now.slots) {

@@ -323,7 +323,7 @@ TEST(SlitSession, StopsWithoutTimeAndWhenCancelled) {
   EXPECT_EQ(report->strips_solved, 0);
   for (int strip = 0; strip < session.strip_count(); ++strip) {
     EXPECT_EQ(session.state(strip).status, StripStatus::open);
-    EXPECT_LE(session.state(strip).gap, 1e-9 * 884) << "it has a shape that can be shown, " << strip;
+    EXPECT_LE(session.state(strip).gap, 1e-9 * 884) << "it has a shape to be shown, " << strip;
   }
   Progress progress;
   int polls = 0;
