@@ -98,11 +98,12 @@ class Group {
     for (int round = 0; round < kMostRounds; ++round) {
       if (options.stop && options.stop()) break;
       if (round > 0) {
-        const double violated = most_violated(system, now.shapes);
+        const Eigen::VectorXd values = contact_values(system, now.shapes);
+        const double violated = values.size() > 0 ? std::max(0.0, values.maxCoeff()) : 0.0;
         if (!from_before || violated > kLessViolated * before)
           system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
         before = violated;
-        raise_multipliers(system, now.shapes);
+        raise_multipliers(system, now.shapes, values);
       }
       take_limits(system, pairs, now.shapes);
       DescentOptions of_round = options;
@@ -136,7 +137,7 @@ class Group {
     return folded_strip(system_.strips[member].base, shapes[member]);
   }
   Pressing pressing_of(StripSystem system, const Shapes& shapes) const {
-    raise_contacts(system, shapes);
+    raise_contacts(system, contact_values(system, shapes));
     std::erase_if(system.contacts, [](const Contact& known) { return known.multiplier == 0.0; });
     for (Contact& contact : system.contacts) {
       contact.here.strip = strips_[contact.here.strip];
@@ -191,20 +192,15 @@ class Group {
     return true;
   }
 
-  static double most_violated(const StripSystem& system, const Shapes& shapes) {
-    const Eigen::VectorXd values = contact_values(system, shapes);
-    return values.size() > 0 ? std::max(0.0, values.maxCoeff()) : 0.0;
-  }
-
-  static void raise_contacts(StripSystem& system, const Shapes& shapes) {
-    const Eigen::VectorXd values = contact_values(system, shapes);
+  static void raise_contacts(StripSystem& system, const Eigen::VectorXd& values) {
     for (int i = 0; i < std::ssize(system.contacts); ++i) {
       double& multiplier = system.contacts[i].multiplier;
       multiplier = std::max(0.0, multiplier + system.penalty * values[i]);
     }
   }
-  void raise_multipliers(StripSystem& system, const Shapes& shapes) const {
-    raise_contacts(system, shapes);
+  void raise_multipliers(StripSystem& system, const Shapes& shapes,
+                         const Eigen::VectorXd& values) const {
+    raise_contacts(system, values);
     for (int member = 0; member < system.count(); ++member) {
       StripProblem& problem = system.strips[member];
       problem.penalty = system.penalty;

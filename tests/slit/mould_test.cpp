@@ -207,6 +207,14 @@ FoldedSlitSheet two_levels(double behind, double above) {
   return folded;
 }
 
+/// The same, the first strip as long as the second one's first quad.
+FoldedSlitSheet over_a_shorter_one(double behind, double above) {
+  FoldedSlitSheet folded = two_levels(behind, above);
+  folded.strips.front().ridges.pop_back();
+  folded.strips.front().quads.pop_back();
+  return folded;
+}
+
 TEST(Mould, CutsARibOffBesideALowerStrip) {
   // Seen from above they overlap by 12. Ribs are 6, the thickness, off their own strip's edges and
   // off others': of the upper one's 50 mm 12 + 6 and 6 go.
@@ -224,9 +232,7 @@ TEST(Mould, CutsARibOffBesideALowerStrip) {
 TEST(Mould, NarrowsARibOnlyWhereAnotherStripLies) {
   // The lower strip is as long as the upper one's first quad, 80 of 200: the rib has its whole
   // width from the second's far end on, and tapers to it in the second.
-  FoldedSlitSheet folded = two_levels(38, 40);
-  folded.strips.front().ridges.pop_back();
-  folded.strips.front().quads.pop_back();
+  const FoldedSlitSheet folded = over_a_shorter_one(38, 40);
   const Mould taper = mould(folded);
   ASSERT_EQ(taper.ribs.size(), 2u);
   EXPECT_NEAR(taper.volume, 80 * 38 * 20.0 + (80 * 26 + 120 * 0.5 * (26 + 38)) * 60.0, 1e-6);
@@ -234,9 +240,7 @@ TEST(Mould, NarrowsARibOnlyWhereAnotherStripLies) {
 
 TEST(Mould, LeavesWhatLiesOnAnotherStripWithoutARib) {
   // The upper strip lies on the lower one, as long as its first quad, over its whole width.
-  FoldedSlitSheet folded = two_levels(0, 6);
-  folded.strips.front().ridges.pop_back();
-  folded.strips.front().quads.pop_back();
+  const FoldedSlitSheet folded = over_a_shorter_one(0, 6);
   const Mould resting = mould(folded);
   ASSERT_EQ(resting.ribs.size(), 2u);
   ASSERT_EQ(resting.bare.size(), 1u);
@@ -262,9 +266,7 @@ TEST(Mould, LeansRatherThanLetAStripHang) {
   // The second strip is 80 higher and overlaps the first, of its first quad's length, by 45: too
   // little of it is left for a rib there. Leaned by a it passes beside the lower one as soon as
   // that hides no more than 1 − 1/4 of the width less the clearance.
-  FoldedSlitSheet folded = two_levels(5, 80);
-  folded.strips.front().ridges.pop_back();
-  folded.strips.front().quads.pop_back();
+  const FoldedSlitSheet folded = over_a_shorter_one(5, 80);
   const Mould leaning = mould(folded);
   EXPECT_TRUE(leaning.bare.empty());
   EXPECT_LT(leaning.base.z.y(), 1.0 - 1e-6);
