@@ -56,6 +56,7 @@ ClosedHem closed_hem(const Workpiece& work, const PartTree& tree, const BrakeLin
   const Box2 folded = box_of(hem.parts[static_cast<std::size_t>(part_of_return)].hull);
   hem.middle = 0.5 * (folded.lo.x() + folded.hi.x());
   hem.top = folded.hi.y();
+  hem.gap = std::max(0.0, folded.lo.y());
   return hem;
 }
 

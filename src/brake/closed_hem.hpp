@@ -10,6 +10,7 @@ struct ClosedHem {
   std::vector<PlacedPart> parts;
   double middle = 0.0;     ///< of the return, across the line, mm
   double top = 0.0;        ///< of the return above the inside skin of what lies, mm
+  double gap = 0.0;        ///< least between both sides, mm
   bool left_folds = true;  ///< the return is on the left of the line
 };
 

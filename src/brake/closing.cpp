@@ -61,6 +61,14 @@ Standing closing(StageCache& cache, const Setting& stroke) {
   return rows_between(cache, stroke, *walls);
 }
 
+std::optional<OpenHem> open_hem(StageCache& cache, const Setting& stroke) {
+  constexpr double kShut = 0.1;  // of the thickness: what a press leaves of a hem that is shut
+  const ClosedHem hem = closed(cache, stroke);
+  const double thickness = cache.inputs().work.thickness;
+  if (hem.gap < kShut * thickness) return {};
+  return OpenHem{hem.gap, hem.top + thickness};
+}
+
 Standing press_rows(StageCache& cache, const Setting& stroke) {
   const bool closes = cache.inputs().work.lines[stroke.line].closes.has_value();
   return closes ? closing(cache, stroke) : standing(cache, stroke);

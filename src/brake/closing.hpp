@@ -10,6 +10,9 @@ namespace planish::brake_detail {
 /// Where the flat tools stand that close a hem, or what is in their way.
 Standing closing(StageCache& cache, const Setting& stroke);
 
+/// What a stroke that closes a hem leaves open; empty if nothing.
+std::optional<OpenHem> open_hem(StageCache& cache, const Setting& stroke);
+
 /// Where the tools of any stroke stand, one that closes or one that bends, or what is in their way.
 Standing press_rows(StageCache& cache, const Setting& stroke);
 

@@ -64,6 +64,7 @@ Stroke describe(StageCache& cache, const LineSet& formed, const StrokeChoice& ch
   stroke.bends = bends_of(inputs.work, at.pressed);
   stroke.press_line = line.press_line;
   stroke.flattening = line.closes.has_value();
+  if (line.closes) stroke.open_hem = open_hem(cache, at);
   stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = inputs.tools.punches[at.punch].id;
   stroke.die = inputs.tools.dies[at.die].id;

@@ -161,7 +161,9 @@ class Fitting {
         if (fits(tools_.punches[punch], tools_.dies[die]))
           fitting.pairs.push_back({punch, die, away(tools_.dies[die].opening)});
     std::ranges::stable_sort(fitting.pairs, {}, &ToolPair::v_away);
-    if (fitting.pairs.empty()) fitting.why = why();
+    if (!fitting.pairs.empty()) return fitting;
+    fitting.why = why();
+    if (fitting.why->code == say::kWeakOverUsual) fitting.wider = least_wider();
     return fitting;
   }
 
@@ -255,8 +257,12 @@ class Fitting {
            has_segments(length_of(die), line_, shortfall_);
   }
 
+  bool takes(const Punch& punch, const Die& die) const {
+    return is_sharp(punch) && has_radius(punch, die) && goes_in(punch, die);
+  }
+
   bool suits(const Punch& punch, const Die& die) const {
-    return is_sharp(punch) && may_be_taken(die) && has_radius(punch, die) && goes_in(punch, die);
+    return takes(punch, die) && may_be_taken(die);
   }
 
   bool fits(const Punch& punch, const Die& die) const {
@@ -272,6 +278,18 @@ class Fitting {
       for (const Die& die : tools_.dies)
         if (test(punch, die) && (!widest || die.opening > widest->opening)) widest = &die;
     return widest;
+  }
+
+  /// The narrowest V over 12 T that would do, mm; 0: none.
+  double least_wider() const {
+    double opening = 0.0;
+    for (const Punch& punch : tools_.punches)
+      for (const Die& die : tools_.dies)
+        if (is_v(die) && die.opening > kWidest * thickness_ + kWritten && takes(punch, die) &&
+            borne_by_tools(punch, die) && pressed_by(punch, die) && borne_by_press(die) &&
+            (opening == 0.0 || die.opening < opening))
+          opening = die.opening;
+    return opening;
   }
 
   bool all_but_press(const Punch& punch, const Die& die) const {
@@ -306,10 +324,14 @@ class Fitting {
     PLANISH_ASSERT(die);
     const bool wider = options_.v == VChoice::wanted &&
                        sizes_.upper_bound(die->opening) != sizes_.end();
-    return remark_of(wider ? say::weak_over_wanted : say::weak_press,
-                     {{"force", force_of(line_, *die, options_), unit::kilonewtons},
-                      {"most", tools_.machine.force, unit::kilonewtons},
-                      {"opening", die->opening, unit::mm}});
+    Facts facts{{"force", force_of(line_, *die, options_), unit::kilonewtons},
+                {"most", tools_.machine.force, unit::kilonewtons},
+                {"opening", die->opening, unit::mm}};
+    const double unusual = least_wider();
+    if (wider || unusual == 0.0)
+      return remark_of(wider ? say::weak_over_wanted : say::weak_press, facts);
+    facts.emplace_back("wider", unusual, unit::mm);
+    return remark_of(say::weak_over_usual, facts);
   }
 
   /// Of the pairs that would press the line the one that lacks least of the force.

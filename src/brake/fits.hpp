@@ -63,6 +63,7 @@ struct FittingTools {
   std::vector<ToolPair> pairs;  ///< of the wanted V first
   /// If there is none: goes on from "there is".
   std::optional<Remark> why = {};
+  double wider = 0.0;  ///< opening of a V that would do and is wider than usual, mm; 0: none
 };
 FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options);

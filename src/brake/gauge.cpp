@@ -66,8 +66,11 @@ struct GaugeStops::Place {
   Vec2 at() const { return {edge.away, edge.height}; }
 };
 
-GaugeStops::GaugeStops(StageCache& cache, const Setting& stroke)
-    : cache_(cache), stroke_(stroke), gauge_(cache.inputs().tools.machine.gauge) {}
+GaugeStops::GaugeStops(StageCache& cache, const Setting& stroke, bool openings)
+    : cache_(cache),
+      stroke_(stroke),
+      gauge_(cache.inputs().tools.machine.gauge),
+      openings_(openings) {}
 GaugeStops::~GaugeStops() = default;
 
 /// Those at edges that the gauge reaches and that are long enough, the longest first; where the
@@ -92,11 +95,10 @@ void GaugeStops::add(std::vector<GaugeEdge> edges, bool by_nose, double share) {
 /// The next kind of places, in the order in which they are preferred.
 bool GaugeStops::add_next() {
   if (!gauge_) return false;
-  const bool apart = cache_.inputs().options.gauge_openings;  // openings come last
-  const auto edges = [&](bool in_openings) {
+  const auto edges = [&](bool in_openings) {  // apart, openings come last
     std::vector<GaugeEdge> all = edges_facing(cache_, stroke_);
     std::erase_if(all, [&](const GaugeEdge& edge) {
-      return in_openings ? !edge.in_opening || !apart : edge.in_opening && apart;
+      return in_openings ? !edge.in_opening || !openings_ : edge.in_opening && openings_;
     });
     return all;
   };
@@ -179,7 +181,8 @@ std::optional<GaugeStop> GaugeStops::with(int punch, int die) {
     Place& place = places_[i];
     if (tool_at(place, punch, die) || !has_room_at(place)) continue;
     const GaugeEdge& edge = place.edge;
-    return GaugeStop{edge.away, edge.in_pattern, edge.height, edge.flange, place.by_nose};
+    return GaugeStop{edge.away,   edge.in_pattern, edge.height,
+                     edge.flange, edge.in_opening, place.by_nose};
   }
 }
 
@@ -227,9 +230,19 @@ std::optional<Remark> untouched(const std::vector<GaugeEdge>& edges, const BackG
   return std::nullopt;
 }
 
-}  // namespace
+/// Whether the nose would do in an opening on either side, which nobody asked for.
+bool nose_would_do(StageCache& cache, Setting stroke) {
+  const auto& gauge = cache.inputs().tools.machine.gauge;
+  if (!gauge || !gauge->nose || cache.inputs().options.gauge_openings) return false;
+  const auto does = [&] {
+    return GaugeStops(cache, stroke, true).with(stroke.punch, stroke.die).has_value();
+  };
+  if (does()) return true;
+  stroke.direction = -stroke.direction;
+  return does();
+}
 
-Remark why_ungauged(StageCache& cache, const Setting& stroke) {
+Remark what_is_untouched(StageCache& cache, const Setting& stroke) {
   const auto& machine = cache.inputs().tools.machine;
   if (!machine.gauge) return remark_of(say::no_back_gauge);
   const BackGauge& gauge = *machine.gauge;
@@ -263,6 +276,14 @@ Remark why_ungauged(StageCache& cache, const Setting& stroke) {
                      {{"away", in->away, unit::mm},
                       {"tool", text_of(cache.tools().name(in->kind, tool_of(in->kind, stroke)))}});
   return remark_of(say::finger_blocked);
+}
+
+}  // namespace
+
+Remark why_ungauged(StageCache& cache, const Setting& stroke) {
+  Remark why = what_is_untouched(cache, stroke);
+  if (nose_would_do(cache, stroke)) say_after(why.told, "; ", tell(say::nose_would_touch, {}));
+  return why;
 }
 
 }  // namespace planish::brake_detail

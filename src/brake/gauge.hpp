@@ -10,7 +10,10 @@ struct GaugeEdge;
 /// what is found out of others counts too. The cache, and the stage of the stroke, must outlive it.
 class GaugeStops {
  public:
-  GaugeStops(StageCache& cache, const Setting& stroke);
+  /// `openings`: as last resort the nose may touch in one.
+  GaugeStops(StageCache& cache, const Setting& stroke, bool openings);
+  GaugeStops(StageCache& cache, const Setting& stroke)
+      : GaugeStops(cache, stroke, cache.inputs().options.gauge_openings) {}
   ~GaugeStops();
 
   /// The longest edge that a finger reaches and touches along its width, else the outer face of an
@@ -36,6 +39,7 @@ class GaugeStops {
   StageCache& cache_;
   Setting stroke_;
   const std::optional<BackGauge>& gauge_;
+  bool openings_;
   int kind_ = 0;  ///< of places that come next
   std::vector<Place> places_;
 };

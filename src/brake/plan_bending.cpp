@@ -61,6 +61,11 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
   const double thickness = inputs.work.thickness;
   Remarks remarks;
   for (const Stroke& stroke : plan.strokes) {
+    if (stroke.open_hem)
+      remarks.add(
+          say::open_hem,
+          {{"height", stroke.open_hem->height, unit::mm}, {"gap", stroke.open_hem->gap, unit::mm}},
+          stroke.bends);
     if (stroke.flattening || is_hem(stroke.angle)) continue;
     const auto die = std::ranges::find(inputs.tools.dies, stroke.die, &Die::id);
     const Fact opening("opening", die->opening, unit::mm);
@@ -92,13 +97,17 @@ void note_large(const StrokeInputs& inputs, Plan& plan) {
     if (large.forming == Forming::rolled)
       plan.remarks.push_back(
           remark_of(inputs.options.large_radii ? say::rolled : say::rolled_since, {bend}));
-    if (large.forming == Forming::bumps)
-      plan.remarks.push_back(
-          remark_of(say::bumped, {bend,
-                                  {"bumps", large.bumps},
-                                  {"angle", large.angle.degrees(), unit::degrees},
-                                  {"pitch", large.pitch, unit::mm},
-                                  {"error", large.chord_error, unit::mm}}));
+    if (large.forming == Forming::bumps) {
+      const double wanted = inputs.options.chord_error;
+      const bool coarser = large.chord_error > wanted * (1.0 + tolerance::kComputed);
+      plan.remarks.push_back(remark_of(coarser ? say::bumped_coarser : say::bumped,
+                                       {bend,
+                                        {"bumps", large.bumps},
+                                        {"angle", large.angle.degrees(), unit::degrees},
+                                        {"pitch", large.pitch, unit::mm},
+                                        {"error", large.chord_error, unit::mm},
+                                        {"wanted", wanted, unit::mm}}));
+    }
   }
 }
 

@@ -77,6 +77,7 @@ const Refusal& refusal_of(std::string_view why) {
   if (why == say::kShortPress) return refuse::press_too_short;
   if (why == say::kWeakPressForHem) return refuse::press_too_weak_for_hem;
   if (why == say::kWeakOverWanted) return refuse::press_too_weak_over_wanted;
+  if (why == say::kWeakOverUsual) return refuse::press_too_weak_over_usual;
   return why == say::kWeakPress ? refuse::press_too_weak : refuse::no_tool_bears;
 }
 
@@ -96,14 +97,14 @@ std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
     const BrakeLine& line = inputs.work.lines[i];
     const std::string name = name_of(line.bends.front());
     const Told& why = fitting.why->told;
-    Error error = error_of(refusal_of(fitting.why->code, line),
-                           {{"bend", place::bend(name)},
-                            {"angle", line.angle.degrees(), unit::degrees},
-                            {"radius", line.drawn_radius, unit::mm},
-                            {"length", line.length(), unit::mm},
-                            {"thickness", line.bend.thickness, unit::mm},
-                            {"why", why.sentence}},
-                           name);
+    Facts facts{{"bend", place::bend(name)},
+                {"angle", line.angle.degrees(), unit::degrees},
+                {"radius", line.drawn_radius, unit::mm},
+                {"length", line.length(), unit::mm},
+                {"thickness", line.bend.thickness, unit::mm},
+                {"why", why.sentence}};
+    if (fitting.wider > 0.0) facts.emplace_back("v", fitting.wider, unit::none);
+    Error error = error_of(refusal_of(fitting.why->code, line), facts, name);
     error.numbers.insert(error.numbers.end(), why.numbers.begin(), why.numbers.end());
     return error;
   }

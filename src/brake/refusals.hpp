@@ -58,6 +58,10 @@ constexpr Refusal press_too_weak{
     "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
     "Bend it on a stronger press, or over a wider V if the shop has one."};
 
+constexpr Refusal press_too_weak_over_usual{
+    code::press_too_small,
+    "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
+    "Take that V if its larger radius will do, or bend it on a stronger press.", "opening", "{v}"};
 constexpr Refusal press_too_weak_for_hem{
     code::press_too_small, "{@bend}, {length} long in {thickness}, is a hem, but there is {why}.",
     "Close it on a stronger press, or leave it open."};

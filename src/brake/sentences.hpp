@@ -26,6 +26,13 @@ constexpr Sentence rolled_since{
 constexpr Sentence bumped{"bumped",
                           "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a "
                           "chord error of {error:3}"};
+constexpr Sentence bumped_coarser{
+    "bumped",
+    "{@bend} is formed by {bumps:bump} of {angle:4}, {pitch:4} apart, with a chord error of "
+    "{error:3}: for {wanted:3} they would be nearer together than the sheet is thick"};
+constexpr Sentence open_hem{
+    "open_hem",
+    "stop the flat punch {height} above the die to leave {gap} between the sides of {@bend}"};
 constexpr Sentence other_v{
     "other_v", "the V is {opening} instead of {wanted} for {@bend}, which takes {force:4}"};
 constexpr Sentence narrow_v{
@@ -88,6 +95,8 @@ constexpr Sentence finger_in_tool{
     "finger_in_tool", "at the edge, {away} from the bend line, the fingers would stand in {tool}"};
 constexpr Sentence finger_blocked{"finger_blocked",
                                   "the part is in the way of the fingers at each edge"};
+constexpr std::string_view
+    nose_would_touch = "with `--gauge-openings` the nose of the fingers touches in an opening";
 
 // What a stroke lacks.
 constexpr Sentence no_segments_fit{
@@ -129,6 +138,7 @@ constexpr std::string_view kPerMetre = "kN/m";
 constexpr std::string_view kShortPress = "short_press", kWeakPress = "weak_press";
 constexpr std::string_view kWeakPressForHem = "weak_press_for_hem";
 constexpr std::string_view kWeakOverWanted = "weak_over_wanted";
+constexpr std::string_view kWeakOverUsual = "weak_over_usual";
 constexpr Sentence short_press{
     kShortPress,
     "no press long enough: it takes {span:6} of tools, and the machine holds {length:6}"};
@@ -140,6 +150,10 @@ constexpr Sentence weak_over_wanted{
     kWeakOverWanted,
     "no press strong enough: over the wanted V of {opening} it takes {force}, and the machine has "
     "{most}"};
+constexpr Sentence weak_over_usual{
+    kWeakOverUsual,
+    "no press strong enough: even over a V of {opening} it takes {force}, and the machine has "
+    "{most}; a V of {wider} would do, and is wider than 12 T"};
 constexpr Sentence weak_press_for_hem{
     kWeakPressForHem,
     "no press strong enough: closing it takes {force}, and the machine has {most}"};

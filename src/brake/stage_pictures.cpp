@@ -77,7 +77,7 @@ void add_tools(StrokePicture& picture, const BrakeTools& tools, const Stroke& st
     picture.lower_beam = moved(section_of(tools.machine.lower_beam).outline, die_at);
   const auto& gauge = tools.machine.gauge;
   if (stroke.gauge && gauge)
-    picture.finger = moved(stroke.gauge->in_opening ? gauge->nose->profile : gauge->finger,
+    picture.finger = moved(stroke.gauge->by_nose ? gauge->nose->profile : gauge->finger,
                            {stroke.gauge->distance, stroke.gauge->height});
 }
 

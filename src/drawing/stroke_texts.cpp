@@ -86,11 +86,16 @@ std::string gauge_text(const BendDrawing& drawing, const Stroke& stroke) {
 
 void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
   lines.emplace_back(gauge_text(drawing, stroke), kPlain);
+  if (stroke.open_hem)
+    lines.emplace_back(
+        fmt::format("stop {} above the die", with_unit(drawing, stroke.open_hem->height)),
+        TextStyle{.size = 3.4, .bold = true, .colour = kPageAlert});
   if (!stroke.gauge) return;
   const GaugeStop& stop = *stroke.gauge;
   if (!stop.flange && stop.height > 0.0)
     lines.emplace_back("  fingers " + with_unit(drawing, stop.height) + " up, on the die", kSmall);
-  if (stop.in_opening) lines.emplace_back("  in the opening, by the nose", kSmall);
+  if (stop.in_opening)
+    lines.emplace_back(stop.by_nose ? "  in the opening, by the nose" : "  in the opening", kSmall);
   if (stop.flange)
     lines.emplace_back(
         fmt::format("  on F{}, fingers {} {}", index_of(*stop.flange) + 1,

@@ -225,9 +225,15 @@ Result<Report> laid_for(const std::vector<MadeFlat::Row>& rows, const Report& dr
   std::vector<Finding> overlaps = find_overlaps(given.sheet, made.layout, made.flat);
   if (auto error = relieve(made, given, overlaps)) return tl::unexpected(*error);
   if (auto refusal = overlap_refusal(overlaps)) return tl::unexpected(*refusal);
+  // The layout takes what the flanges give with what the bend takes; a bend table tells the bend's.
   for (FlatBend& bend : made.flat.bends)
     for (const MadeFlat::Row& row : rows)
-      if (bend.bend == row.bend) bend.inside_radius = row.made;
+      if (bend.bend == row.bend) {
+        auto own = allowance_of_radius(given.sheet, row.bend, row.made, options);
+        if (!own) return pass_on(own);
+        bend.inside_radius = row.made;
+        bend.allowance = std::move(*own);
+      }
   return made;
 }
 

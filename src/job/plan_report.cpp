@@ -31,23 +31,32 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   json["distance"] = number_json(units.length(gauge->distance));
   json["edge"] = Json::array({point_json(gauge->edge.a, units), point_json(gauge->edge.b, units)});
   if (gauge->in_opening) json["opening"] = true;
+  if (gauge->by_nose) json["nose"] = true;
   if (gauge->flange) json["flange"] = flange_id(*gauge->flange);
   if (gauge->flange || gauge->height != 0.0)
     json["height"] = number_json(units.length(gauge->height));
   return json;
 }
 
+Schema gauge_schema() {
+  return object({required("distance", measured_length().said("from the bend line")),
+                 required("edge", report_line().said("that touches the fingers")),
+                 optional("opening", flag().said("of the sheet: it touches in one")),
+                 optional("nose", flag().said("touches instead of the finger")),
+                 optional("flange", text().said("formed, whose face does")),
+                 optional("height", measured_length().said("of the fingers"))});
+}
+
 Schema stroke_schema() {
-  const Schema gauge = object({required("distance", measured_length().said("from the bend line")),
-                               required("edge", report_line().said("that touches the fingers")),
-                               optional("opening", flag().said("of the sheet: the nose touches")),
-                               optional("flange", text().said("formed, whose face does")),
-                               optional("height", measured_length().said("of the fingers"))});
   const Schema rows = rows_schema();
   return object(
       {required("bends", list(text()).said("pressed together")),
        optional("press_line", whole(1).said("which one of a bend with several")),
        optional("flattening", flag().said("closes a hem that was bent before")),
+       optional("open_hem",
+                object({required("gap", measured_length().said("between its sides")),
+                        required("height", measured_length().said(
+                                               "of the punch above the die at the end"))})),
        required("angle", angle(kAnyNumber).or_null()),
        required("v_wanted", measured_length().or_null().said("opening of the V")),
        required("radius_drawn", measured_length().said("inside, of the bend")),
@@ -65,7 +74,7 @@ Schema stroke_schema() {
        required("to_gauge", text().or_null().said("flange on the gauge's side")),
        required("gauge_direction",
                 tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
-       required("gauge", gauge.or_null()),
+       required("gauge", gauge_schema().or_null()),
        optional("check_dimension",
                 object({required("flange", text()),
                         required("length", measured_length().said("from the outside of the bend"))})
@@ -169,6 +178,9 @@ Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& chec
   json["bends"] = bend_ids(report, stroke.bends);
   if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
   if (stroke.flattening) json["flattening"] = true;
+  if (stroke.open_hem)
+    json["open_hem"] = {{"gap", number_json(units.length(stroke.open_hem->gap))},
+                        {"height", number_json(units.length(stroke.open_hem->height))}};
   json["angle"] = number_json(stroke.angle.degrees());
   json["v_wanted"] = stroke.flattening ? Json(nullptr) : number_json(units.length(stroke.v_wanted));
   json["radius_drawn"] = number_json(units.length(stroke.radius_drawn));

@@ -34,6 +34,27 @@ TEST(ClosingHems, IsBentAndThenClosed) {
   EXPECT_EQ(plan->strokes[0].bends, plan->strokes[1].bends);
 }
 
+/// Two sides of thickness T at the distance 2 R of each other: the punch stops at 2 T + 2 R. Below
+/// a tenth of T a hem is shut.
+TEST(ClosingHems, SaysWhereThePunchStopsForAnOpenHem) {
+  for (const double radius : {0.04, 0.06, 0.5, 2.0}) {
+    const Sheet sheet = strip(
+        {Straight{60}, Turn{Angle::degrees(180), radius, BendDirection::up}, Straight{12}}, 50,
+        1.0);
+    const auto plan = plan_of_hem(sheet, hemming_tools());
+    ASSERT_TRUE(plan) << plan.error().message;
+    ASSERT_EQ(plan->strokes.size(), 2u);
+    EXPECT_FALSE(plan->strokes[0].open_hem);
+    const auto& open = plan->strokes[1].open_hem;
+    const auto said = std::ranges::count(plan->remarks, "open_hem", &Remark::code);
+    ASSERT_EQ(open.has_value(), radius > 0.05);
+    EXPECT_EQ(said, open ? 1 : 0);
+    if (!open) continue;
+    EXPECT_NEAR(open->gap, 2.0 * radius, 1e-9);
+    EXPECT_NEAR(open->height, 2.0 + 2.0 * radius, 1e-9);
+  }
+}
+
 TEST(ClosingHems, NeedsFlatTools) {
   BrakeTools tools = hemming_tools();
   tools.dies.pop_back();

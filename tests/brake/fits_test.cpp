@@ -181,7 +181,13 @@ TEST(Fits, TakeAWiderVWhereThePressIsWeak) {
   EXPECT_EQ(fit(21.31).pairs, (std::vector<ToolPair>{{0, 0, 0}, {0, 1, 1}}));
   EXPECT_EQ(fit(21.29).pairs, (std::vector<ToolPair>{{0, 1, 1}}));
   EXPECT_EQ(fit(10.66).pairs, (std::vector<ToolPair>{{0, 1, 1}}));
+  const FittingTools unusual = fit(10.64);  // the V of 26 is wider than 12 T, 9.83 kN over it
+  EXPECT_TRUE(unusual.pairs.empty());
+  EXPECT_EQ(unusual.why->code, "weak_over_usual");
+  EXPECT_EQ(unusual.wider, 26.0);
+  tools.dies.pop_back();
   const FittingTools none = fit(10.64);
+  EXPECT_EQ(none.wider, 0.0);
   EXPECT_TRUE(none.pairs.empty());
   ASSERT_TRUE(none.why);
   EXPECT_EQ(none.why->code, "weak_press");

@@ -329,6 +329,19 @@ std::optional<GaugeStop> stop_at_web(const OpenedPart& part, const BrakeTools& t
   return std::nullopt;
 }
 
+/// Where only the nose would touch, the reason names the option; where nothing would, it does not.
+TEST(Gauge, NamesTheOptionWhereTheNoseWouldTouch) {
+  for (const double wide : {9.9, 10.1}) {
+    const OpenedPart part{.wide = wide};
+    Room room(part.sheet(), tools_with_nose(), {});
+    bool named = false;
+    for (const StrokeChoice& choice : room.ways(1, {}))
+      if (const auto why = describe(room.cache(), room.lines({}), choice).ungauged)
+        named = named || why->told.sentence.find("--gauge-openings") != std::string::npos;
+    EXPECT_EQ(named, wide > 10.0) << wide;
+  }
+}
+
 /// The nose touches the border of the opening that is next to the bend, where it is asked for.
 TEST(Gauge, TouchesInAnOpeningOnRequest) {
   const OpenedPart part;
@@ -336,6 +349,7 @@ TEST(Gauge, TouchesInAnOpeningOnRequest) {
   const auto stop = stop_at_web(part, tools_with_nose());
   ASSERT_TRUE(stop);
   EXPECT_TRUE(stop->in_opening);
+  EXPECT_TRUE(stop->by_nose);
   EXPECT_NEAR(stop->distance, part.from + kHalfZone, 1e-9);
   EXPECT_NEAR((stop->edge.b - stop->edge.a).norm(), part.wide, 1e-9);
   EXPECT_EQ(stop->height, 0.0);
@@ -407,11 +421,13 @@ TEST(Gauge, TouchesInALargeOpeningWithAFinger) {
     const auto finger = stop_at_web(large, tools, false);
     ASSERT_EQ(finger.has_value(), deep > 80.0);
     if (finger) {
-      EXPECT_FALSE(finger->in_opening);
+      EXPECT_TRUE(finger->in_opening);
+      EXPECT_FALSE(finger->by_nose);
     }
     const auto nose = stop_at_web(large, tools);
     ASSERT_TRUE(nose);
     EXPECT_TRUE(nose->in_opening);
+    EXPECT_TRUE(nose->by_nose);
   }
   const OpenedPart both{.deep = 85.0, .wide = 50.0, .slope = 0.0, .cut = 45.0};
   EXPECT_NEAR(stop_at_web(both, tools, false)->distance, both.from + kHalfZone, 1e-9);
@@ -419,7 +435,7 @@ TEST(Gauge, TouchesInALargeOpeningWithAFinger) {
   tools.machine.gauge->nose->profile = {{0, 0}, {0, -3}, {90, -3}, {90, 20}, {0, 20}};
   const auto instead = stop_at_web({.deep = 85.0, .wide = 50.0}, tools);
   ASSERT_TRUE(instead) << "the nose is too deep, the finger is not";
-  EXPECT_FALSE(instead->in_opening);
+  EXPECT_FALSE(instead->by_nose);
 }
 
 /// Between flaps that hang down on both sides, 2 away from its ends, an edge of 26 leaves just the

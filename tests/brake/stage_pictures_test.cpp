@@ -87,7 +87,7 @@ TEST(StrokePictures, ShowWhatTouchesTheSheet) {
   stroke.gauge = GaugeStop{25.0, {}, 4.0};
   EXPECT_EQ(finger(), (ToolProfile{{25, 4}, {25, -16}, {105, -16}, {105, 4}}));
   stroke.gauge = GaugeStop{25.0, {}};
-  stroke.gauge->in_opening = true;
+  stroke.gauge->by_nose = true;
   EXPECT_EQ(finger(), (ToolProfile{{25, 0}, {25, -3}, {31, 2}}));
   stroke.gauge.reset();
   EXPECT_TRUE(finger().empty());

@@ -202,6 +202,13 @@ TEST(Bending, LaysThePartFlatForTheRadiiThatAreMade) {
     EXPECT_EQ(row.made, 0.16 * 20.0);
     EXPECT_NEAR(row.change, (std::numbers::pi / 2.0 - 2.0) * (row.made - row.drawn), 1e-9);
     change += row.change;
+    // A bend table tells the bend's own allowance, without what the flanges give for its radius.
+    const auto& table = report.as_made->flat.bends;
+    const auto told = std::ranges::find(table, row.bend, &FlatBend::bend);
+    ASSERT_NE(told, table.end());
+    EXPECT_NEAR(told->allowance.k_factor, 0.44, 1e-12);
+    EXPECT_NEAR(told->allowance.allowance, std::numbers::pi / 2.0 * (3.2 + 0.44 * 2.0), 1e-9);
+    EXPECT_NEAR(told->allowance.deduction, 2.0 * (3.2 + 2.0) - told->allowance.allowance, 1e-9);
   }
   const Vec2 grown = report.as_made->size - report.size;
   EXPECT_NEAR(grown.x() + grown.y(), change, 1e-9);

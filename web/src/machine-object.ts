@@ -113,7 +113,7 @@ export class MachineObject {
 
   private addFingers({ tools, thickness }: OrderAnswer, row: StrokeRow) {
     const edge = gaugeEdge(row.scene),
-      [finger, width] = row.gauge?.opening ? [tools.nose, tools.nose_width] : [tools.finger, tools.finger_width];
+      [finger, width] = row.gauge?.nose ? [tools.nose, tools.nose_width] : [tools.finger, tools.finger_width];
     if (!edge || finger.length < 3) return;
     const up = thickness + row.scene.gauge_height,
       section = finger.map(([y, z]): Vec2 => [y, z + up]);

@@ -70,7 +70,8 @@ struct GaugeStop {
   Segment edge;
   double height = 0.0;                  ///< of the finger's point above the upper skin, mm
   std::optional<FlangeId> flange = {};  ///< formed before, whose outer face touches
-  bool in_opening = false;              ///< of the sheet, by the gauge's nose
+  bool in_opening = false;              ///< of the sheet
+  bool by_nose = false;                 ///< of the gauge, instead of a finger
 };
 
 /// Segments of a tool that stand side by side.
@@ -90,11 +91,18 @@ struct Remark {
   Told told;  ///< one sentence without its full stop; its bends are "B1" to "Bn"
 };
 
+/// A hem that is not closed as far as it goes.
+struct OpenHem {
+  double gap = 0.0;     ///< that stays between its sides, mm
+  double height = 0.0;  ///< of the flat punch above the flat die when it stops, mm
+};
+
 /// Something done at the press brake at once.
 struct Stroke {
   std::vector<BendId> bends;                     ///< pressed together
   std::optional<int> press_line = {};            ///< of a bend with several: which, from 0
   bool flattening = false;                       ///< closes a hem that was bent before
+  std::optional<OpenHem> open_hem = {};          ///< if it flattens, where the punch has to stop
   Angle angle;                                   ///< turned by it, without springback
   std::string punch, die;                        ///< ids
   double v_wanted = 0.0;                         ///< opening, mm; 0 if it flattens

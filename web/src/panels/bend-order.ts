@@ -157,6 +157,7 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     `${row.punch} / ${row.die}`,
     `${row.scene.pattern_up ? 'front' : 'back'} side up`,
     gauge,
+    row.open_hem ? `stop ${length(row.open_hem.height)} above the die` : '',
     check ? `check ${plateOf(ui.state, check.flange)} ${length(check.length)}` : '',
     row.on_ears ? 'lips over ears: push them in to take it off' : '',
   ]
