@@ -193,12 +193,14 @@ class Fitting {
     return nearest;
   }
 
+  /// All bumps of a radius are pressed with one V if one takes them all, so none costs more.
   int away(double opening) const {
+    if (options_.v == VChoice::wanted || line_.bump_pitch) return 0;
     const auto place = [&](double size) {
       return static_cast<int>(
           std::distance(sizes_.begin(), sizes_.lower_bound(size - 0.5 * kWritten)));
     };
-    return options_.v == VChoice::wanted ? 0 : std::abs(place(opening) - place(nearest_));
+    return std::abs(place(opening) - place(nearest_));
   }
 
   bool may_be_taken(const Die& die) const {

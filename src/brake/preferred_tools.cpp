@@ -51,8 +51,16 @@ double off_radius(const StrokeInputs& inputs, int number, const Pair& pair) {
       line.drawn_radius);
 }
 
+/// How far the V of a pair is from the wanted one, for a bump, whose cost does not tell.
+double off_opening(const StrokeInputs& inputs, int number, const Pair& pair) {
+  const BrakeLine& line = inputs.work.lines[number];
+  if (!line.bump_pitch) return 0.0;
+  return std::abs(inputs.tools.dies[pair.die].opening -
+                  wanted_opening(line, inputs.tools, inputs.options));
+}
+
 /// All pairs for the strokes of a run, the preferred first: those that leave the drawn radius most
-/// nearly, then the bluntest.
+/// nearly, then those of the wanted V, then the bluntest.
 std::vector<Pair> pairs_of(const StrokeInputs& inputs, const std::vector<StrokeChoice>& strokes,
                            const Run& run) {
   const BrakeTools& tools = inputs.tools;
@@ -63,15 +71,16 @@ std::vector<Pair> pairs_of(const StrokeInputs& inputs, const std::vector<StrokeC
         if (const Pair one{pair.punch, pair.die};
             pair.v_away == strokes[s].v_away && !std::ranges::count(pairs, one))
           pairs.push_back(one);
-  const auto off = [&](const Pair& pair) {
+  const auto off = [&](const Pair& pair, const auto& off_one) {
     double sum = 0.0;
     for (std::size_t s = run.from; s < run.to; ++s)
-      sum += off_radius(inputs, first_line(strokes[s].lines), pair);
+      sum += off_one(inputs, first_line(strokes[s].lines), pair);
     return std::round(sum / tolerance::kWrittenDigits);
   };
   std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) {
     const Punch& punch = tools.punches[pair.punch];
-    return std::tuple(off(pair), -punch.angle.radians() - tools.dies[pair.die].angle.radians(),
+    return std::tuple(off(pair, off_radius), off(pair, off_opening),
+                      -punch.angle.radians() - tools.dies[pair.die].angle.radians(),
                       -punch.tip_radius);
   });
   return pairs;

@@ -112,6 +112,8 @@ constexpr std::string_view more_blocked = "and {more} more";
 constexpr std::string_view not_after_others =
     "each can be formed, but not all in one order: the order that gets furthest leaves {@bend:id} "
     "flat";
+constexpr std::string_view
+    halves = "; in one piece it closes round the punch: try two (`\"pieces\": 2`)";
 constexpr std::string_view no_plan =
     "no order of strokes was found among {stages:stage}, nor was it shown that there is none: give "
     "it more time";

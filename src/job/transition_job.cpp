@@ -3,9 +3,11 @@
 #include "lay_flat.hpp"
 #include "made_report.hpp"
 #include "refusals.hpp"
+#include "sentences.hpp"
 #include "taken_shop.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/brake/codes.hpp>
 #include <planish/job/transition.hpp>
 
 #include <fmt/format.h>
@@ -83,6 +85,20 @@ std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,
   return lay_flat(piece, {sheet, EdgeDistance(), request}, options, progress);
 }
 
+/// What closes round the punch cannot be bent in one piece, and mostly in two.
+void advise_halves(TransitionPiece& piece, std::optional<Error>& wrong) {
+  const auto advise = [](std::string& message, std::vector<Remedy>& remedies) {
+    message += say::halves;
+    remedies.push_back({.change = "\"pieces\": 2"});
+  };
+  for (Finding& finding : piece.findings)
+    if (finding.code == code::cannot_bend.name) advise(finding.message, finding.remedies);
+  if (!wrong || wrong->code != code::cannot_bend) return;
+  if (wrong->message.ends_with('.')) wrong->message.pop_back();
+  advise(wrong->message, wrong->remedies);
+  wrong->message += '.';
+}
+
 /// The report of a single piece becomes the whole's; of several pieces, only the findings.
 void gather(TransitionReport& report) {
   if (report.pieces.size() == 1) {
@@ -128,6 +144,7 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
     auto wrong = draft ? draw_piece(piece, sheets[i], options, request, progress)
                        : lay_piece(piece, sheets[i], folded_piece(i), options, request, progress);
+    if (sheets.size() == 1) advise_halves(piece, wrong);
     report.pieces.push_back(std::move(piece));
     if (wrong) {
       gather(report);

@@ -122,6 +122,28 @@ TEST(LargeRadius, IsPlannedBumpByBump) {
   EXPECT_EQ(plan->large[0].bumps, 5);
 }
 
+/// The bump beside an end 2.5 from the bend, 5.5 from its line, goes over the V of 8 only. It takes
+/// them all, rather than a second set-up; where the end is far away, all go over the V of 12.
+TEST(LargeRadius, IsBumpedOverOneV) {
+  BrakeTools tools = plain_tools();
+  tools.dies.push_back(die({8.0, Angle::degrees(80)}));
+  tools.dies.back().id = "V8";
+  PlanOptions options;
+  options.chord_error = 0.145;
+  for (const double side : {2.5, 80.0}) {
+    const Sheet sheet = strip(
+        {Straight{80.0}, Turn{Angle::degrees(90), 30.0, BendDirection::up}, Straight{side}}, 50,
+        2.0);
+    const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, tools, options);
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->status, PlanStatus::optimal);
+    ASSERT_EQ(plan->strokes.size(), 8u);
+    EXPECT_EQ(plan->tool_changes, 0);
+    const std::string die = side < 80.0 ? "V8" : tools.dies.front().id;
+    EXPECT_TRUE(std::ranges::all_of(plan->strokes, [&](const Stroke& s) { return s.die == die; }));
+  }
+}
+
 /// A V of 50 needs a side of 25 mm and its shoulder: beside shorter ones the bend is bumped, and
 /// rolled where not even bumps have room.
 TEST(LargeRadius, IsBumpedOrRolledWhereSidesAreShort) {

@@ -138,6 +138,29 @@ TEST(TransitionJob, KeepsThePatternOfAPieceThatIsRefused) {
   EXPECT_TRUE(refused.error().shown->plan);
 }
 
+/// In one piece a duct closes round the punch; of its halves no such thing is said.
+TEST(TransitionJob, AdvisesHalvesWhereOnePieceCannotBeBent) {
+  TransitionFile file = straight_duct();
+  Request request = request_for();
+  for (const auto ask : {Bending::Ask::plan, Bending::Ask::finding}) {
+    request.bending.ask = ask;
+    const auto made = transition_between(file, request);
+    if (ask == Bending::Ask::plan) {
+      ASSERT_FALSE(made);
+      EXPECT_NE(made.error().message.find("`\"pieces\": 2`"), std::string::npos);
+      EXPECT_EQ(made.error().remedies.back().change, "\"pieces\": 2");
+    } else {
+      ASSERT_TRUE(made) << made.error().message;
+      const auto found = std::ranges::find(made->findings, "cannot_bend", &Finding::code);
+      ASSERT_NE(found, made->findings.end());
+      EXPECT_NE(found->message.find("`\"pieces\": 2`"), std::string::npos);
+    }
+  }
+  file.spec.pieces = Division::two;
+  request.bending.ask = Bending::Ask::plan;
+  EXPECT_TRUE(transition_between(file, request));
+}
+
 TEST(TransitionJob, ReadsItsFile) {
   Request request = request_for(test::example("transition/a_square_to_round.json"));
   request.effort = Effort::draft;
