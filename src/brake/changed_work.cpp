@@ -3,6 +3,8 @@
 // must hold: everything else keeps its shape, and the strip lies where no other line is.
 #include "changed_work.hpp"
 
+#include "stage_pose.hpp"
+
 #include <planish/geometry/plane.hpp>
 
 #include <algorithm>
@@ -33,6 +35,18 @@ double farthest(const Body& body, const BrakeLine& from, const Vec2& away) {
   for (const Convex& piece : body.pieces)
     for (const Vec2& p : piece)
       far = std::max(far, away.dot(p - from.origin));
+  return far;
+}
+
+/// How far from a line a body ends, or the next bend begins.
+double plane_until(const Workpiece& work, int body, int line) {
+  const BrakeLine& near = work.lines[line];
+  const Vec2 away = away_from(near, body);
+  double far = farthest(work.bodies[body], near, away);
+  for (const int number : other_lines(work, body, line)) {
+    const BrakeLine& other = work.lines[number];
+    far = std::min(far, away.dot(other.origin - near.origin) - half_zone(other));
+  }
   return far;
 }
 
@@ -108,13 +122,7 @@ double most_shorter(const Workpiece& work, int body, int line) {
   constexpr double kLeft = 0.5;  // mm of the flange
   if (!can_lengthen(work, body, line)) return 0.0;
   const BrakeLine& near = work.lines[line];
-  const Vec2 away = away_from(near, body);
-  double far = farthest(work.bodies[body], near, away);
-  for (const int number : other_lines(work, body, line)) {
-    const BrakeLine& other = work.lines[number];
-    far = std::min(far, away.dot(other.origin - near.origin) - half_zone(other));
-  }
-  return std::max(0.0, far - half_zone(near) - kLeft);
+  return std::max(0.0, plane_until(work, body, line) - half_zone(near) - kLeft);
 }
 
 Workpiece shortened(const Workpiece& work, int body, int line, double by) {
@@ -144,6 +152,29 @@ Workpiece lengthened(const Workpiece& work, int body, int line, double at, doubl
   put_in(made.bodies[body], away, away.dot(near.origin) + at - kBefore, by);
   move_beyond(made, work, body, line, by * away);
   return made;
+}
+
+std::vector<ChangedBody> bodies_to_change(const Workpiece& work, int body, int line) {
+  const PartTree tree(work, line);
+  std::vector<ChangedBody> bodies;
+  const auto add = [&](const PartTree::Part& part) {
+    if (!part.is_zone && part.over >= 0) bodies.push_back({part.index, part.over});
+  };
+  for (int part = tree.part_of_body(body); part >= 0; part = tree.parts()[part].before)
+    add(tree.parts()[part]);
+  for (const PartTree::Part& part : tree.parts())
+    add(part);
+  return bodies;
+}
+
+bool is_web(const Workpiece& work, const ChangedBody& one) {
+  return can_lengthen(work, one.body, one.near) && !other_lines(work, one.body, one.near).empty();
+}
+
+Workpiece widened(const Workpiece& work, const ChangedBody& web, double by) {
+  const BrakeLine& near = work.lines[web.near];
+  return lengthened(work, web.body, web.near,
+                    0.5 * (half_zone(near) + plane_until(work, web.body, web.near)), by);
 }
 
 std::array<Workpiece, 2> split_at(const Workpiece& work, int line) {

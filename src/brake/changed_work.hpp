@@ -22,6 +22,21 @@ bool can_lengthen(const Workpiece& work, int body, int line);
 /// line; what is farther away moves.
 Workpiece lengthened(const Workpiece& work, int body, int line, double at, double by);
 
+/// A body that is changed, and its line towards the bend that is in question.
+struct ChangedBody {
+  int body = 0, near = 0;
+  auto operator<=>(const ChangedBody&) const = default;
+};
+
+/// The bodies on the way from one to a line, then all others that do not lie on it.
+std::vector<ChangedBody> bodies_to_change(const Workpiece& work, int body, int line);
+
+/// Whether it lies between lines that run the same way.
+bool is_web(const Workpiece& work, const ChangedBody& one);
+
+/// The workpiece with a web wider, by a strip in its middle.
+Workpiece widened(const Workpiece& work, const ChangedBody& web, double by);
+
 /// The two workpieces that are left when one is cut at a line and what is bent there falls away.
 std::array<Workpiece, 2> split_at(const Workpiece& work, int line);
 

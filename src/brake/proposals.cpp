@@ -23,6 +23,7 @@ using namespace brake_detail;
 
 constexpr double kFinest = 0.1;            // mm: to which a flange is told
 constexpr double kMostOfFlange = 0.5;      // by which one may be shorter: else it is another part
+constexpr double kMostOfWeb = 10.0;        // thicknesses by which one may be wider
 constexpr double kTallest = 300.0;         // mm: by which punches may be taller
 constexpr double kStepOfPunch = 10.0;      // mm
 constexpr double kOneOpening = 1e-3;       // mm
@@ -72,8 +73,9 @@ class Trying {
   std::vector<Proposal> all() {
     if (work_.lines.empty()) return {};
     const std::vector<void (Trying::*)()> kinds{
-        &Trying::try_rolled,  &Trying::try_orders, &Trying::try_openings, &Trying::try_longer,
-        &Trying::try_punches, &Trying::try_taller, &Trying::try_shorter,  &Trying::try_split};
+        &Trying::try_rolled, &Trying::try_orders,  &Trying::try_openings,
+        &Trying::try_longer, &Trying::try_wider,   &Trying::try_punches,
+        &Trying::try_taller, &Trying::try_shorter, &Trying::try_split};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       // What one kind leaves of its share the others may use.
       share_ = left_ / static_cast<std::int64_t>(kinds.size() - i);
@@ -250,43 +252,42 @@ class Trying {
     return -1;
   }
 
-  struct Changed {
-    int body = 0;
-    int near = 0;  ///< its line towards the bend that is in question
-    auto operator<=>(const Changed&) const = default;
-  };
-
-  /// The bodies on the way from one to a line, then all others that do not lie on it.
-  std::vector<Changed> candidates(int body, int line) const {
-    const PartTree tree(work_, line);
-    std::vector<Changed> bodies;
-    const auto add = [&](const PartTree::Part& part) {
-      if (!part.is_zone && part.over >= 0) bodies.push_back({part.index, part.over});
-    };
-    for (int part = tree.part_of_body(body); part >= 0; part = tree.parts()[part].before)
-      add(tree.parts()[part]);
-    for (const PartTree::Part& part : tree.parts())
-      add(part);
-    return bodies;
-  }
-
   /// The flange that hits, one on the way from it to the bend, or another: with another tool it is
   /// another that hits.
   void try_shorter() {
-    std::set<Changed> tried;
+    std::set<ChangedBody> tried;
     for (const BlockedBend& hit : hits()) {
       if (!hit.with) continue;
       const int line = line_of(hit.bend), body = body_of(*hit.with);
       if (line < 0 || body < 0) continue;
-      for (const Changed& one : candidates(body, line))
-        if (tried.insert(one).second && shortens(one.body, one.near)) return;
+      for (const ChangedBody& one : bodies_to_change(work_, body, line))
+        if (tried.insert(one).second && resizes(one, Kind::shorter_flange)) return;
     }
   }
 
-  bool shortens(int body, int near) {
-    const auto steps = static_cast<int>(kMostOfFlange * most_shorter(work_, body, near) / kFinest);
+  /// The web of a narrow Z, beside which the die has no room.
+  void try_wider() {
+    if (std::ranges::count(found_, Kind::longer_flanges, &Proposal::kind)) return;
+    for (const BlockedBend& one : blocked()) {
+      const int line = line_of(one.bend);
+      if (line < 0 || (one.hits && is_above(one.hits->kind))) continue;
+      for (const int side : work_.lines[line].bodies)
+        if (is_web(work_, {side, line}) && resizes({side, line}, Kind::longer_flanges)) return;
+    }
+  }
+
+  /// By the least that does.
+  bool resizes(const ChangedBody& one, Kind kind) {
+    const auto [body, near] = one;
+    const double most = kind == Kind::shorter_flange
+                            ? kMostOfFlange * most_shorter(work_, body, near)
+                            : kMostOfWeb * work_.thickness;
+    const auto steps = static_cast<int>(most / kFinest);
     const auto does = [&](int step) {
-      return can_bend(shortened(work_, body, near, step * kFinest), tools_, options_);
+      const double by = step * kFinest;
+      return can_bend(
+          kind == Kind::shorter_flange ? shortened(work_, body, near, by) : widened(work_, one, by),
+          tools_, options_);
     };
     if (steps < 1 || !work_.bodies[body].flange) return false;
     // Too much makes it shorter than the die needs.
@@ -300,9 +301,8 @@ class Trying {
       const int middle = (little + enough) / 2;
       (does(middle) ? enough : little) = middle;
     }
-    found_.push_back({.kind = Kind::shorter_flange,
-                      .by = enough * kFinest,
-                      .flanges = {*work_.bodies[body].flange}});
+    found_.push_back(
+        {.kind = kind, .by = enough * kFinest, .flanges = {*work_.bodies[body].flange}});
     return true;
   }
 

@@ -139,6 +139,35 @@ TEST(Proposals, TellByHowMuchFlangesAreTooShort) {
   }
 }
 
+/// The web of a Z is to be wider by as much as a Z that can be bent is: found by bending such ones.
+TEST(Proposals, TellByHowMuchTheWebOfAZIsTooNarrow) {
+  const BrakeTools tools = plain_tools();
+  const auto z = [](double web) {
+    const Turn up{Angle::degrees(90), 1.0, BendDirection::up},
+        down{Angle::degrees(90), 1.0, BendDirection::down};
+    return strip({Straight{60}, up, Straight{web}, down, Straight{60}}, 50, 2.0);
+  };
+  const auto is_bent = [&](double web) {
+    const Sheet sheet = z(web);
+    const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, tools);
+    return plan && plan->status == PlanStatus::optimal;
+  };
+  double narrow = 2.0, wide = 60.0;
+  ASSERT_TRUE(!is_bent(narrow) && is_bent(wide));
+  while (wide - narrow > 1e-3) {
+    const double middle = 0.5 * (narrow + wide);
+    (is_bent(middle) ? wide : narrow) = middle;
+  }
+  for (const double lacks : {0.15, 2.05, 5.95}) {
+    const Tried all = tried(z(wide - lacks), tools);
+    const Proposal* longer = all.of(Kind::longer_flanges);
+    ASSERT_NE(longer, nullptr) << lacks;
+    EXPECT_EQ(longer->flanges, std::vector<FlangeId>{FlangeId(1)});
+    EXPECT_GT(longer->by, lacks - 0.01);
+    EXPECT_LT(longer->by, lacks + 0.11);
+  }
+}
+
 /// Both sides of a bend, of which the first to be told hides the other.
 TEST(Proposals, TellOfShortSidesBehindShortSides) {
   BrakeTools tools = plain_tools();
