@@ -133,9 +133,9 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
         fmt::format("inside radius {}, drawn {}", size_text(drawing, stroke.radius_made),
                     with_unit(drawing, stroke.radius_drawn)),
         kPlain);
-  lines.emplace_back(fmt::format("{} kN, {} clear", number_text(stroke.force, 3),
-                                 with_unit(drawing, stroke.clearance)),
-                     kPlain);
+  std::string force = number_text(stroke.force, 3) + " kN";
+  if (!stroke.flattening) force += ", " + with_unit(drawing, stroke.clearance) + " clear";
+  lines.emplace_back(std::move(force), kPlain);
   if (stroke.on_ears) {
     lines.emplace_back("lips over ears: take what is", kSmall);
     lines.emplace_back("between them out, push them in", kSmall);

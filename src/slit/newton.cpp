@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -193,29 +194,33 @@ std::vector<Touch> touches(const StripSystem& system, std::vector<Member>& membe
     if (!there.is_held) there.model.gradient += force * touch.of_there;
     pull_at(here, contact.here, -force * out);
     pull_at(there, contact.there, force * out);
+    if (touch.here > touch.there) {
+      std::swap(touch.here, touch.there);
+      std::swap(touch.of_here, touch.of_there);
+    }
     found.push_back(std::move(touch));
   }
   return found;
 }
 
-int band_of(const StripSystem& system) {
-  int band = 0;
-  for (const Contact& contact : system.contacts)
-    band = std::max(band, std::abs(contact.here.strip - contact.there.strip));
-  return band;
-}
-
-void add_touch(Model& model, double penalty, const Touch& touch) {
-  const Member &here = model.members[touch.here], &there = model.members[touch.there];
-  const Eigen::VectorXd a = here.is_held ? Eigen::VectorXd() : here.along_manifold(touch.of_here),
-                        b = there.is_held ? Eigen::VectorXd()
-                                          : there.along_manifold(touch.of_there);
-  model.hessian.at(touch.here, touch.here) += penalty * a * a.transpose();
-  model.hessian.at(touch.there, touch.there) += penalty * b * b.transpose();
-  if (touch.here > touch.there)
-    model.hessian.at(touch.here, touch.there) += penalty * a * b.transpose();
-  else
-    model.hessian.at(touch.there, touch.here) += penalty * b * a.transpose();
+/// Second derivatives of what touches, strip beside strip.
+void add_touches(Model& model, double penalty, const std::vector<Touch>& touching) {
+  std::map<std::pair<int, int>, std::vector<const Touch*>> by_strips;
+  for (const Touch& touch : touching)
+    by_strips[{touch.here, touch.there}].push_back(&touch);
+  for (const auto& [strips, touches] : by_strips) {
+    const Member &here = model.members[strips.first], &there = model.members[strips.second];
+    const auto rank = static_cast<Eigen::Index>(touches.size());
+    Eigen::MatrixXd a(here.dimensions(), rank), b(there.dimensions(), rank);
+    for (Eigen::Index i = 0; i < rank; ++i) {
+      if (!here.is_held) a.col(i) = here.along_manifold(touches[i]->of_here);
+      if (!there.is_held) b.col(i) = there.along_manifold(touches[i]->of_there);
+    }
+    model.hessian.on_diagonal(strips.first).noalias() += penalty * a * a.transpose();
+    model.hessian.on_diagonal(strips.second).noalias() += penalty * b * b.transpose();
+    if (!here.is_held && !there.is_held)
+      model.hessian.couple(strips.first, strips.second, penalty * a, std::move(b));
+  }
 }
 
 Model model_of(const StripSystem& system, const Shapes& shapes) {
@@ -228,17 +233,16 @@ Model model_of(const StripSystem& system, const Shapes& shapes) {
     value += members.back().model.value;
   }
   const std::vector<Touch> touching = touches(system, members, value);
-  BlockMatrix hessian(std::move(sizes), band_of(system));
+  BlockMatrix hessian(std::move(sizes));
   Model model{std::move(members), value, Eigen::VectorXd(hessian.dimensions()), std::move(hessian)};
   for (int strip = 0; strip < system.count(); ++strip) {
     Member& member = model.members[strip];
     if (member.is_held) continue;
-    model.hessian.at(strip, strip) = hessian_along_manifold(member);
+    model.hessian.on_diagonal(strip) = hessian_along_manifold(member);
     model.gradient.segment(model.hessian.begin(strip),
                            member.dimensions()) = member.along_manifold(member.model.gradient);
   }
-  for (const Touch& touch : touching)
-    add_touch(model, system.penalty, touch);
+  add_touches(model, system.penalty, touching);
   return model;
 }
 
