@@ -33,26 +33,21 @@ using namespace brep;
 /// Borders are fitted this closely, mm: far below what any machine cuts.
 constexpr double kBorderTolerance = 1e-5;
 
-/// The skins without closed forms (bridges and lances attached at both ends): those are stretched,
-/// not bent. Large ones stay, so that the loop they form is refused as such.
+/// The skins without closed forms (bridges, lances attached at both ends, beads, louvres): those
+/// are stretched, not bent.
 Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
                            Skins skins) {
-  constexpr double kLargestShare = 0.25;  // of the skin
-  const bool drawn = std::ranges::any_of(model.faces, [](const SolidFace& face) {
-    return std::holds_alternative<DoublyCurved>(face.surface);
-  });
-  const Rim rim = drawn ? find_rim(model, outlines, skins)
-                        : Rim{{}, std::vector<int>(model.faces.size(), -1)};
+  const Rim rim = find_rim(model, outlines, skins);
+  const auto take = [&](int f) {
+    if (skins.skin_of[f] != Skin::none)
+      skins.pressed_volume += outlines[f].area * skins.thickness / 2;
+    skins.skin_of[f] = Skin::none;
+  };
   for (const Skin skin : {Skin::first, Skin::second}) {
     const Groups groups = group_faces(model, outlines, skins, skin);
-    const std::vector<int> faces = closed_forms(model, outlines, groups, rim);
-    const double area = sum_of(faces, [&](int f) { return outlines[f].area; });
-    const double whole = skin == Skin::first ? skins.area_first : skins.area_second;
-    if (area > kLargestShare * whole) continue;
-    for (const int f : faces) {
-      skins.skin_of[f] = Skin::none;
-      for (const int partner : skins.partners[f])
-        skins.skin_of[partner] = Skin::none;
+    for (const int f : closed_forms(model, outlines, groups, rim)) {
+      take(f);
+      std::ranges::for_each(skins.partners[f], take);
     }
   }
   return skins;
@@ -93,6 +88,11 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
 /// part of it.
 constexpr double kFormed = 0.08;
 
+/// What is pressed from the sheet at its own thickness may add as much as was there, and hold half
+/// of the body.
+constexpr double kStretched = 0.5;
+constexpr double kPressed = 0.5;
+
 /// Slanted cuts, and what is machined round openings, may have more of a short piece: they are
 /// measured.
 constexpr double kSlanted = 0.25;
@@ -101,13 +101,14 @@ constexpr double kSlanted = 0.25;
 /// part is milled from a plate.
 constexpr double kMachined = 0.15;
 
-/// The largest share for a sheet.
+/// How much forms may add to a sheet or take off, mm³.
 double formed_at_most(const Sheet& sheet) {
   const bool slanted = !sheet.features.empty() &&
                        std::ranges::all_of(sheet.features, [](const FormedFeature& feature) {
                          return feature.kind == "slanted cut";
                        });
-  return slanted ? kSlanted : kFormed;
+  const double pressed = std::min(sheet.pressed_volume, kPressed * *sheet.volume);
+  return (slanted ? kSlanted : kFormed) * *sheet.volume + kStretched * pressed;
 }
 
 /// How far the volume without forms and mitres may be off: slanted cuts add or remove some. A form
@@ -194,7 +195,7 @@ Doubts doubts_about(const Sheet& sheet) {
   const double bored = sum_of(sheet.measured_openings, &MeasuredOpening::beyond);
   const double machined = sum_of(sheet.measured_outlines, &MeasuredOutline::lacking);
   const double forms = sheet.forms_volume.value_or(0.0) + bored + machined;
-  const bool formed_too_much = std::abs(forms) > formed_at_most(sheet) * *sheet.volume ||
+  const bool formed_too_much = std::abs(forms) > formed_at_most(sheet) ||
                                bored > kSlanted * *sheet.volume ||
                                machined > kMachined * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
