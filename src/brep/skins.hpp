@@ -27,6 +27,7 @@ struct Skins {
 enum class SkinStart {
   largest,        ///< at the faces that together are the largest
   largest_plane,  ///< at the largest of those that lie in one plane: the skin of a flat plate
+  milled,         ///< at the largest, some of them opposite pockets that leave little of a skin
 };
 
 /// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the faces at
