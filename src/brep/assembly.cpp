@@ -215,6 +215,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
   Recognition of = recognition;
   of.tangent_openings = tangent_openings(recognition);
   of.bend_openings = bend_openings(recognition);
+  of.far_runs = far_runs(of);
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);
