@@ -90,6 +90,21 @@ TEST(MilledSheets, AreAsThickAsTheirRim) {
     }
 }
 
+TEST(MilledSheets, MayHaveIslands) {
+  // As high as the rim, in a pocket of 0.3 mm above or below.
+  for (const double z : {-1.0, 1.7})
+    for (const double share : {0.3, 0.9})
+      for (const int islands : {1, 2}) {
+        const double x = kLong * std::sqrt(share), y = kBroad * std::sqrt(share);
+        TopoDS_Shape tool = BRepPrimAPI_MakeBox(gp_Pnt((kLong - x) / 2, (kBroad - y) / 2, z), x, y,
+                                                1.3)
+                                .Shape();
+        for (int i = 0; i < islands; ++i)
+          tool = less(tool, BRepPrimAPI_MakeBox(gp_Pnt(30 + 20 * i, 35, -2), 10, 12, 9).Shape());
+        expect_sheet(less(flat_sheet(2), tool), 2, kLong * kBroad);
+      }
+}
+
 TEST(MilledSheets, MayBeBent) {
   for (const double radius : {1.0, 3.0}) {
     const BentBracket of{
