@@ -215,6 +215,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
   Recognition of = recognition;
   of.tangent_openings = tangent_openings(recognition);
   of.bend_openings = bend_openings(recognition);
+  of.far_runs = far_runs(of);
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
   const SheetMap map = add_faces(builder, of);
@@ -228,6 +229,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
   add_features(builder, map, of);
   measure_wide_cuts(builder, map, of);
   builder.set_volume(volume_of(of.model));
+  builder.set_pressed_volume(of.skins.pressed_volume);
   builder.set_genus(of.model.genus);
   auto sheet = std::move(builder).build();
   if (!sheet && sheet.error().code == code::invalid_sheet) {

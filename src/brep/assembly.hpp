@@ -4,6 +4,7 @@
 #include "grouping.hpp"
 #include "rim.hpp"
 #include "tangent_openings.hpp"
+#include "windows.hpp"
 
 #include <planish/sheet/sheet.hpp>
 
@@ -20,6 +21,7 @@ struct Recognition {
   double tolerance;  ///< to which borders are read, mm
   std::vector<TangentOpening> tangent_openings = {};
   std::vector<BendOpening> bend_openings = {};
+  std::vector<FarRun> far_runs = {};
 };
 
 /// Loops that a part touches on the reference skin, and on the other one.

@@ -1,5 +1,7 @@
 #include "closed_forms.hpp"
 
+#include "dihedral.hpp"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -7,11 +9,15 @@
 // Bridges and lances that stay attached at both ends are stretched, not bent, and would make a loop
 // of joints. A group inside an inner loop of a flange is one if it makes a ring with the flange: a
 // tree of n groups has n joints with it and among themselves, more of them make a ring; so do two
-// between the same groups along different lines. Doubly curved faces that stand out of the sheet
-// join groups too: the round ends of beads and louvres.
+// between the same groups along different lines. What rises from the sheet joins groups too: the
+// round ends of beads and louvres, and upright ones, which stand on one skin in an inward corner,
+// where the wall of a cut leads from skin to skin and has none.
 
 namespace planish::brep {
 namespace {
+
+/// What has more of a skin is no form: it stays, so that the loop that it makes is refused as such.
+constexpr double kLargestShare = 0.25;
 
 using Neighbours = std::vector<std::vector<int>>;  // by group, then by part of the rim
 
@@ -19,8 +25,31 @@ bool is_drawn(const SolidModel& model, int face) {
   return std::holds_alternative<DoublyCurved>(model.faces[face].surface);
 }
 
+/// Faces of the rim that stand on one skin, with an inward corner between.
+std::vector<bool> upright_faces(const SolidModel& model, const Rim& rim) {
+  std::vector<int> skin_of(model.faces.size());
+  for (const RimPart& part : rim.parts)
+    for (const auto& [loops, skin] : {std::pair(&part.first, 1), std::pair(&part.second, 2)})
+      for (const LoopRef& ref : *loops)
+        skin_of[ref.face] = skin;
+  std::vector<int> touched(model.faces.size());  // skins, as a sum
+  std::vector<bool> inward(model.faces.size());
+  for (int e = 0; e < std::ssize(model.edges); ++e)
+    for (const int side : {0, 1}) {
+      const auto& faces = model.edges[e].faces;
+      const int skin = faces[side], wall = faces[1 - side];
+      if (skin < 0 || wall < 0 || skin_of[skin] == 0 || rim.part_of[wall] < 0) continue;
+      touched[wall] |= skin_of[skin];
+      if (dihedral(model, e).value_or(0.0) < -kSmoothAngle) inward[wall] = true;
+    }
+  for (std::size_t f = 0; f < inward.size(); ++f)
+    inward[f] = inward[f] && touched[f] < 3;
+  return inward;
+}
+
 Neighbours neighbours_of(const SolidModel& model, const Groups& groups, const Rim& rim) {
   const std::size_t count = groups.rows.size();
+  const std::vector<bool> upright = upright_faces(model, rim);
   Neighbours neighbours(count + rim.parts.size());
   for (const GroupJoint& joint : groups.joints) {
     if (joint.a == joint.b) continue;
@@ -31,7 +60,8 @@ Neighbours neighbours_of(const SolidModel& model, const Groups& groups, const Ri
     for (const int side : {0, 1}) {
       const int skin = edge.faces[side], drawn = edge.faces[1 - side];
       if (skin < 0 || drawn < 0 || groups.of_face[skin] < 0 || rim.part_of[drawn] < 0) continue;
-      if (!is_drawn(model, drawn) || rim.parts[rim.part_of[drawn]].within) continue;
+      const bool domed = is_drawn(model, drawn) && !rim.parts[rim.part_of[drawn]].within;
+      if (!domed && !upright[drawn]) continue;
       const int part = static_cast<int>(count) + rim.part_of[drawn];
       neighbours[groups.of_face[skin]].push_back(part);
       neighbours[part].push_back(groups.of_face[skin]);
@@ -112,12 +142,18 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
   std::map<int, GroupJoint> joint_at;  // by edge
   for (const GroupJoint& joint : groups.joints)
     joint_at[joint.edge] = joint;
+  const auto area_of = [&](const Group& group) {
+    return sum_of(group.faces, [&](int f) { return outlines[f].area; });
+  };
+  const double most = kLargestShare * sum_of(groups.rows, area_of);
   std::set<int> taken;
   const auto look_inside = [&](int flange, const std::vector<CoEdge>& loop) {
     const std::set<int> seeds = joined_along(loop, joint_at, flange);
     if (seeds.empty()) return;
     const std::set<int> inside = reached_from(seeds, neighbours, flange);
-    if (makes_ring(model, groups, neighbours, inside, flange))
+    const double area = sum_of(
+        inside, [&](int g) { return g < std::ssize(groups.rows) ? area_of(groups.rows[g]) : 0.0; });
+    if (area <= most && makes_ring(model, groups, neighbours, inside, flange))
       taken.insert(inside.begin(), inside.end());
   };
   for (int g = 0; g < std::ssize(groups.rows); ++g) {

@@ -2,6 +2,7 @@
 
 #include "borders.hpp"
 #include "narrowest.hpp"
+#include "skin_outlines.hpp"
 #include "widest.hpp"
 
 #include <planish/base/id_vector.hpp>
@@ -120,6 +121,7 @@ struct CutUse {
   CoEdge use;
   int border = -1;     ///< of the loop, that it stands for; −1: it leads from one to the next
   bool below = false;  ///< it lies below the skin
+  bool far = false;    ///< on the other one
   int bridge = -1;     ///< the tangent opening over which a straight border leads to it
 };
 
@@ -145,10 +147,15 @@ std::vector<CutUse> cut_uses(const Recognition& of, const LoopRef& ref) {
   };
   for (int i = 0; i < std::ssize(loop); ++i) {
     if (opening_at(of, ref, i) >= 0) continue;
+    if (const FarRun* far = far_run_at(of, ref, i)) {
+      for (int k = 0; far->here.first == i && k < std::ssize(far->uses); ++k)
+        uses.push_back({far->uses[k], far->stands_for(k, std::ssize(loop)), true, true});
+      continue;
+    }
     const CoEdge cut = is_beside_form(of, ref.face, loop[i])
                            ? loop[i]
                            : widest_edge(of.model, of.rim, of.skins.thickness, ref.face, loop[i]);
-    CutUse next{cut, i, cut.edge != loop[i].edge};
+    CutUse next{cut, i, cut.edge != loop[i].edge, false};
     next.bridge = opening_at(of, ref, i - 1);
     lead_to(next);
     uses.push_back(next);
@@ -186,6 +193,7 @@ void extend_joints(const Recognition& of, int face, const std::vector<CutUse>& u
     const Vec2 start = end_of(read[last].curve), end = start_of(read[next].curve);
     const auto moves = [&](const CutUse& beside, const Vec2& to, const Vec2& from, bool before) {
       if (!beside.below || std::abs(cross(along, to - from)) > kAside) return false;
+      if (beside.far) return true;
       const int vertex = before ? vertex_after(of.model, beside.use)
                                 : vertex_before(of.model, beside.use);
       return meets_across(of, across, uses[i].use, vertex, before);
@@ -244,11 +252,14 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   const std::vector<CutUse> uses = cut_uses(of, ref);
   ReadLoop result;
   result.widened = std::ranges::any_of(uses, &CutUse::below);
+  const bool only_far = std::ranges::none_of(
+      uses, [](const CutUse& use) { return use.below && !use.far; });
   BorderLoop read = read_borders(of.model, mapped(uses, &CutUse::use), surface, u_near,
                                  of.tolerance);
   if (const auto* plane = std::get_if<Frame>(&surface); plane && is_rim_alone(of, ref))
     read = with_bulges(of, *plane, std::move(read));
-  result.widened |= std::ranges::any_of(read, [](const Border& border) { return !border.edge; });
+  const bool bulges = std::ranges::any_of(read, [](const Border& border) { return !border.edge; });
+  result.widened |= bulges;
   if (result.widened) extend_joints(of, ref.face, uses, read);
   result.places.assign(of.model.faces[ref.face].loops[ref.loop].size(), -1);
   for (size_t i = 0; i < uses.size(); ++i) {
@@ -267,6 +278,7 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
     result.borders.push_back(std::move(read[i]));
   }
   if (result.widened) connect(result.borders, Border(result.borders.front()));
+  result.widened = bulges || !only_far;
   return result;
 }
 

@@ -71,14 +71,33 @@ Box3 box_of(const Recognition& of, const RimPart& part) {
   return enlarged(box, of.skins.thickness);
 }
 
-/// Whether a form that leaves the sheet also appears on the reference skin (an emboss has two
-/// sides).
-bool formed_here(const Recognition& of, const RimPart& part) {
-  const Box3 box = box_of(of, part);
-  return std::ranges::any_of(of.rim.parts, [&](const RimPart& other) {
-    return &other != &part && !other.within && !loops_here(of, other).empty() &&
-           box.intersects(box_of(of, other));
+/// Parts that are forms, by part: they leave the sheet, or are the hollow across from one that
+/// does.
+std::vector<bool> formed_parts(const Recognition& of) {
+  const auto is_across = [&](const RimPart& form, const RimPart& hollow) {
+    const bool here = loops_here(of, hollow).empty();
+    if (form.within || (here ? loops_here(of, form) : loops_there(of, form)).empty()) return false;
+    const Box3 near = enlarged(box_of(of, form), of.skins.thickness);
+    return std::ranges::all_of(hollow.faces,
+                               [&](int f) { return near.contains(of.outlines[f].space); });
+  };
+  return mapped(of.rim.parts, [&](const RimPart& part) {
+    if (!part.within) return true;
+    if (!loops_here(of, part).empty() && !loops_there(of, part).empty()) return false;
+    return std::ranges::any_of(of.rim.parts,
+                               [&](const RimPart& form) { return is_across(form, part); });
   });
+}
+
+/// Whether a form also appears on the reference skin (an emboss has two sides).
+bool formed_here(const Recognition& of, const std::vector<bool>& formed, const RimPart& part) {
+  const Box3 box = box_of(of, part);
+  for (std::size_t p = 0; p < formed.size(); ++p)
+    if (const RimPart& other = of.rim.parts[p]; formed[p] && &other != &part &&
+                                                !loops_here(of, other).empty() &&
+                                                box.intersects(box_of(of, other)))
+      return true;
+  return false;
 }
 
 /// Whether two outlines of a cut are offset from each other, as by a slope over the thickness.
@@ -316,6 +335,7 @@ std::set<int> add_silhouettes(SheetBuilder& builder, const SheetMap& map, const 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   std::set<LoopRef> widened = map.widened;
   const std::set<int> at_bends = add_openings_at_bends(builder, map, of, widened);
+  const std::vector<bool> formed = formed_parts(of);
   std::set<int> chamfered_there;
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
     const RimPart& part = of.rim.parts[p];
@@ -329,17 +349,16 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       else if (add_far_chamfers(builder, map, of, part))
         chamfered_there.insert(p);
     } else if (here.empty()) {
-      if (part.within || !formed_here(of, part))
+      if (!formed[p] || !formed_here(of, formed, part))
         for (const LoopRef& ref : there)
           if (opening_in_plane(of, ref))
-            add_far_outline(builder, map, of, part.within ? "pocket" : "formed", part, ref);
+            add_far_outline(builder, map, of, formed[p] ? "formed" : "pocket", part, ref);
       add_hidden_openings(builder, map, of, part);
       builder.add_form_volume(form_volume(of, part));
-    } else if (!part.within) {
-      add_marked(builder, map, of, p, "formed", raised_side(of, part), part.refusal);
-      builder.add_form_volume(form_volume(of, part));
-    } else if (there.empty() || several) {
-      add_marked(builder, map, of, p, "pocket", FormSide::up, recess_at_rim(of.model, part));
+    } else if (formed[p] || there.empty() || several) {
+      const char* kind = formed[p] ? "formed" : "pocket";
+      add_marked(builder, map, of, p, kind, formed[p] ? raised_side(of, part) : FormSide::up,
+                 part.within ? recess_at_rim(of.model, part) : part.refusal);
       builder.add_form_volume(form_volume(of, part));
     } else if (add_far_chamfers(builder, map, of, part)) {
       chamfered_there.insert(p);

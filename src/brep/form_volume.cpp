@@ -7,11 +7,15 @@
 
 // The volume that a form adds to the plain sheet, by the divergence theorem: each face has its
 // integral of x·n/3, and each outline in the plane of a skin is closed by a cover that counts a
-// third of its area times its height. The sum is exact where the faces' volumes are. A form whose
-// outline lies elsewhere has no such cover, so its volume stays unknown (math.md#volume-identity).
+// third of its area times its height; islands in it have one already. The sum is exact where the
+// faces' volumes are. A form whose outline lies elsewhere has no such cover, so its volume stays
+// unknown (math.md#volume-identity).
 
 namespace planish::brep {
 namespace {
+
+/// Of the thickness: as high as the skin round it.
+constexpr double kLevel = 1e-3;
 
 /// The region enclosed by a loop in the plane of a skin.
 struct Cover {
@@ -27,6 +31,24 @@ Cover cover_of(const Recognition& of, const LoopRef& ref) {
 
 double volume_under(const Recognition& of, const RimPart& part) {
   return sum_of(part.faces, [&](int f) { return of.model.faces[f].volume; });
+}
+
+/// Whether a loop goes round a plane that a pocket leaves standing within an opening of that plane.
+bool is_island(const Recognition& of, const RimPart& part, const LoopRef& ref,
+               const std::vector<LoopRef>& loops) {
+  const SolidFace& face = of.model.faces[ref.face];
+  const auto* plane = std::get_if<Frame>(&face.surface);
+  if (!part.within || !plane || opening_in_plane(of, ref)) return false;
+  const bool alone = std::ranges::all_of(face.loops[ref.loop], [&](const CoEdge& use) {
+    const int wall = face_across(of.model.edges[use.edge], ref.face);
+    return wall >= 0 && std::ranges::count(part.faces, wall) > 0;
+  });
+  const auto is_round = [&](const LoopRef& other) {
+    const auto* level = std::get_if<Frame>(&of.model.faces[other.face].surface);
+    return opening_in_plane(of, other) && level && plane->z.dot(level->z) > 0.0 &&
+           std::abs(plane->local(level->origin).z()) <= of.skins.thickness * kLevel;
+  };
+  return alone && std::ranges::any_of(loops, is_round);
 }
 
 /// Whether a part goes round one plane on either skin, as the rim of a plate, and nothing else.
@@ -70,9 +92,10 @@ std::optional<double> form_volume(const Recognition& of, const RimPart& part) {
   double excess = volume_under(of, part);
   for (const auto* loops : {&part.first, &part.second})
     for (const LoopRef& ref : *loops) {
-      if (!opening_in_plane(of, ref)) return {};
+      const bool island = is_island(of, part, ref, *loops);
+      if (!island && !opening_in_plane(of, ref)) return {};
       const Cover over = cover_of(of, ref);
-      excess -= over.area * over.height / 3;
+      excess -= (island ? -over.area : over.area) * over.height / 3;
     }
   return excess;
 }

@@ -2,6 +2,7 @@
 #include "body.hpp"
 #include "closed_forms.hpp"
 #include "guarded.hpp"
+#include "model_places.hpp"
 #include "reference_skin.hpp"
 #include "refusals.hpp"
 #include "solid_reader.hpp"
@@ -33,26 +34,21 @@ using namespace brep;
 /// Borders are fitted this closely, mm: far below what any machine cuts.
 constexpr double kBorderTolerance = 1e-5;
 
-/// The skins without closed forms (bridges and lances attached at both ends): those are stretched,
-/// not bent. Large ones stay, so that the loop they form is refused as such.
+/// The skins without closed forms (bridges, lances attached at both ends, beads, louvres): those
+/// are stretched, not bent.
 Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
                            Skins skins) {
-  constexpr double kLargestShare = 0.25;  // of the skin
-  const bool drawn = std::ranges::any_of(model.faces, [](const SolidFace& face) {
-    return std::holds_alternative<DoublyCurved>(face.surface);
-  });
-  const Rim rim = drawn ? find_rim(model, outlines, skins)
-                        : Rim{{}, std::vector<int>(model.faces.size(), -1)};
+  const Rim rim = find_rim(model, outlines, skins);
+  const auto take = [&](int f) {
+    if (skins.skin_of[f] != Skin::none)
+      skins.pressed_volume += outlines[f].area * skins.thickness / 2;
+    skins.skin_of[f] = Skin::none;
+  };
   for (const Skin skin : {Skin::first, Skin::second}) {
     const Groups groups = group_faces(model, outlines, skins, skin);
-    const std::vector<int> faces = closed_forms(model, outlines, groups, rim);
-    const double area = sum_of(faces, [&](int f) { return outlines[f].area; });
-    const double whole = skin == Skin::first ? skins.area_first : skins.area_second;
-    if (area > kLargestShare * whole) continue;
-    for (const int f : faces) {
-      skins.skin_of[f] = Skin::none;
-      for (const int partner : skins.partners[f])
-        skins.skin_of[partner] = Skin::none;
+    for (const int f : closed_forms(model, outlines, groups, rim)) {
+      take(f);
+      std::ranges::for_each(skins.partners[f], take);
     }
   }
   return skins;
@@ -65,18 +61,24 @@ struct Reading {
 };
 
 /// The likeliest thicknesses; then the flat plate: the walls of a frame or of a grating may be
-/// larger than its skins, and then the first readings take them for the sheet.
+/// larger than its skins, and then the first readings take them for the sheet; then the plate most
+/// of which is milled, of the thickness that its rim has.
 std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outline>& outlines,
                                  const RecognizeOptions& options) {
   if (options.thickness)
     return {{*options.thickness, SkinStart::largest},
-            {*options.thickness, SkinStart::largest_plane}};
+            {*options.thickness, SkinStart::largest_plane},
+            {*options.thickness, SkinStart::milled}};
   auto readings = mapped(likely_thicknesses(model, outlines, options.thickness_tolerance),
                          [&](double thickness) { return Reading{thickness}; });
   if (const auto thickness = plate_thickness(model, outlines))
     readings.push_back({*thickness, SkinStart::largest_plane});
+  for (const double thickness : milled_thicknesses(model, outlines, options.thickness_tolerance))
+    readings.push_back({thickness, SkinStart::milled});
   return readings;
 }
+
+bool is_formed(const FormedFeature& feature) { return feature.kind == "formed"; }
 
 Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
                        const std::vector<Outline>& outlines, double tolerance) {
@@ -86,28 +88,43 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
   const Rim rim = find_rim(model, outlines, skins);
   const Skin skin = reference_skin(model, outlines, skins);
   const Groups groups = group_faces(model, outlines, skins, skin);
-  return assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
+  auto sheet = assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
+  if (!sheet || reading.start != SkinStart::milled) return sheet;
+  // What stands out of a rim belongs to a body that only has one.
+  if (const auto form = std::ranges::find_if(sheet->features, is_formed);
+      form != sheet->features.end())
+    return fail(refuse::beyond_sheet,
+                {{"face", face_place(model, form->source_face.value_or(1) - 1)},
+                 {"thickness", sheet->thickness, unit::mm}});
+  return sheet;
 }
 
 /// Forms may have this share of a sheet's volume; beyond, they are the body and the sheet is only a
 /// part of it.
 constexpr double kFormed = 0.08;
 
+/// What is pressed from the sheet at its own thickness may add as much as was there, and hold half
+/// of the body.
+constexpr double kStretched = 0.5;
+constexpr double kPressed = 0.5;
+
 /// Slanted cuts, and what is machined round openings, may have more of a short piece: they are
 /// measured.
 constexpr double kSlanted = 0.25;
 
-/// The same of what is machined off beside outlines and in recesses that share holes: beyond, the
-/// part is milled from a plate.
+/// The same of what is machined off, in recesses or beside outlines: beyond, the part is milled
+/// from a plate, if that is stated, and has at least half of it.
 constexpr double kMachined = 0.15;
+constexpr double kMilled = 0.5;
 
-/// The largest share for a sheet.
+/// How much forms may add to a sheet or take off, mm³.
 double formed_at_most(const Sheet& sheet) {
   const bool slanted = !sheet.features.empty() &&
                        std::ranges::all_of(sheet.features, [](const FormedFeature& feature) {
                          return feature.kind == "slanted cut";
                        });
-  return slanted ? kSlanted : kFormed;
+  const double pressed = std::min(sheet.pressed_volume, kPressed * *sheet.volume);
+  return (slanted ? kSlanted : kFormed) * *sheet.volume + kStretched * pressed;
 }
 
 /// How far the volume without forms and mitres may be off: slanted cuts add or remove some. A form
@@ -173,10 +190,13 @@ FlattenOptions usual_layout() {
 struct Doubts {
   std::optional<Error> narrow = {};  ///< it is hardly wider than thick
   bool is_strip = false;             ///< but long
+  std::optional<Error> milled = {};  ///< more is machined off than from other sheets
   std::optional<Error> wrong = {};   ///< it does not lie flat, or has not the volume of the solid
                                      ///< within what its features allow
 
-  const std::optional<Error>& first() const { return narrow ? narrow : wrong; }
+  const std::optional<Error>& first() const { return narrow ? narrow : wrong ? wrong : milled; }
+  /// Whether it would be a sheet if its thickness were stated.
+  bool may_be_stated() const { return (is_strip || (milled && !narrow)) && !wrong; }
 };
 
 Doubts doubts_about(const Sheet& sheet) {
@@ -194,9 +214,13 @@ Doubts doubts_about(const Sheet& sheet) {
   const double bored = sum_of(sheet.measured_openings, &MeasuredOpening::beyond);
   const double machined = sum_of(sheet.measured_outlines, &MeasuredOutline::lacking);
   const double forms = sheet.forms_volume.value_or(0.0) + bored + machined;
-  const bool formed_too_much = std::abs(forms) > formed_at_most(sheet) * *sheet.volume ||
-                               bored > kSlanted * *sheet.volume ||
-                               machined > kMachined * *sheet.volume;
+  const double off = std::max(-forms, machined);
+  const bool formed = std::ranges::any_of(sheet.features, is_formed);
+  if (off > std::max(kMachined * flat, formed_at_most(sheet)))
+    doubts.milled = error_of(refuse::milled_off, {{"thickness", sheet.thickness, unit::mm},
+                                                  {"share", 100 * off / flat, unit::percent}});
+  const bool formed_too_much = (formed ? std::abs(forms) : forms) > formed_at_most(sheet) ||
+                               off > kMilled * flat || bored > kSlanted * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     doubts.wrong = error_of(refuse::volume_unexplained,
                             {{"thickness", sheet.thickness, unit::mm},
@@ -212,9 +236,12 @@ class Trials {
   /// Whether it is the sheet of the solid.
   bool accept(const Result<Sheet>& sheet) {
     Doubts doubts = sheet ? doubts_about(*sheet) : Doubts{.wrong = sheet.error()};
-    if (options_.thickness) doubts.narrow.reset();
+    if (options_.thickness) {
+      doubts.narrow.reset();
+      doubts.milled.reset();
+    }
     if (!doubts.first()) return true;
-    if (doubts.is_strip && !doubts.wrong) note_narrow(sheet->thickness);
+    if (doubts.may_be_stated()) note_stated(sheet->thickness, doubts);
     if (first_) return false;
     first_ = doubts.first();
     is_narrow_ = doubts.is_strip;
@@ -225,9 +252,11 @@ class Trials {
   /// The error of the first, with what would help; `opened` judges a closed sheet that rips open.
   Error refusal(const SheetCheck& opened) const {
     if (closed_) return loop_refusal(*closed_, *first_, usual_layout(), opened);
-    Error why = first_.value_or(error_of(refuse::no_opposite_faces, {}));
-    if (!is_narrow_) return why;
-    for (const double thickness : narrow_) {
+    Error why = is_narrow_
+                    ? *first_
+                    : milled_.value_or(first_.value_or(error_of(refuse::no_opposite_faces, {})));
+    if (!is_narrow_ && !milled_) return why;
+    for (const double thickness : stated_) {
       const std::string text = trimmed_number(thickness, 4);
       why.remedies.push_back(
           {"thickness", text, fmt::format("Take it for a sheet of {} mm", text)});
@@ -236,15 +265,17 @@ class Trials {
   }
 
  private:
-  void note_narrow(double thickness) {
-    if (std::ranges::count(narrow_, thickness) == 0) narrow_.push_back(thickness);
+  void note_stated(double thickness, const Doubts& doubts) {
+    if (std::ranges::count(stated_, thickness) == 0) stated_.push_back(thickness);
+    if (!doubts.narrow && !milled_) milled_ = doubts.milled;
   }
 
   const RecognizeOptions& options_;
   std::optional<Error> first_;
   std::optional<Sheet> closed_;
+  std::optional<Error> milled_;  ///< of the first that is a sheet but for what is machined off
   bool is_narrow_ = false;
-  std::vector<double> narrow_;  ///< thicknesses of which it would be a sheet, if it were wider
+  std::vector<double> stated_;  ///< thicknesses of which it would be a sheet, if they were stated
 };
 
 /// What a closed sheet must pass that is opened by rips.

@@ -78,6 +78,11 @@ constexpr Refusal too_narrow{
 constexpr Refusal a_block{code::not_a_sheet,
                           "The body is {thickness} thick and only about {width} wide: a bar, block "
                           "or profile, not a sheet."};
+constexpr Refusal milled_off{
+    code::not_a_sheet,
+    "The body fits a sheet of {thickness}, its thickness at the rim, of which {share} is milled "
+    "off: it was not made of sheet alone.",
+    "If it is milled from such a sheet, set `thickness` to that of the sheet."};
 constexpr Refusal volume_unexplained{
     code::not_a_sheet,
     "A sheet of {thickness} accounts for {share} of the body's volume: the body is not made of one "

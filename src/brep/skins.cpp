@@ -10,7 +10,8 @@
 #include <limits>
 
 // Both skins of a sheet, grown over smooth and sharply bent edges from candidates: faces that have
-// enough of their area covered by opposite ones at the sheet's thickness. The first skin is the
+// enough of their area covered by opposite ones at the sheet's thickness, or by the floors of
+// pockets. The first skin is the
 // largest component (of a flat plate the largest in one plane), the second the one that shares most
 // area with it. An island opposite one skin, cut off from the other, belongs to that other. At last
 // depths must agree, or it is no sheet.
@@ -22,6 +23,31 @@ namespace {
 std::vector<bool> covered_faces(const FacePairs& pairs) {
   constexpr double kCovered = 0.3;  // of the face
   return mapped(pairs.covered, [&](double share) { return share >= kCovered; });
+}
+
+/// The same, and planes that pockets across the sheet leave little of: most of what lies below them
+/// is nearer than the sheet is thick.
+std::vector<bool> covered_over_pockets(const SolidModel& model,
+                                       const std::vector<Outline>& outlines, const FacePairs& pairs,
+                                       double thickness, double slack) {
+  constexpr double kRim = 0.02;   // of the face, at the thickness
+  constexpr double kFloor = 0.5;  // of the face, with the floors of pockets
+  const auto nearer = [&](int f) {
+    double area = 0.0;
+    for (int g = 0; g < std::ssize(outlines); ++g)
+      if (const auto seen = g == f ? std::nullopt : opposite(model, outlines, f, g);
+          seen && seen->depth > slack && seen->depth < thickness - slack && seen->spread <= slack)
+        area += seen->overlap;
+    return area;
+  };
+  std::vector<bool> candidates = covered_faces(pairs);
+  for (int f = 0; f < std::ssize(candidates); ++f) {
+    const double rim = pairs.covered[f];
+    if (candidates[f] || rim < kRim || !std::holds_alternative<Frame>(model.faces[f].surface))
+      continue;
+    candidates[f] = rim + nearer(f) / outlines[f].area >= kFloor;
+  }
+  return candidates;
 }
 
 /// Candidates connected over smooth and sharply bent edges.
@@ -174,7 +200,10 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
                          double thickness, double tolerance, SkinStart start) {
   const double slack = tolerance * thickness;
   const FacePairs pairs = pair_faces(model, outlines, thickness, slack);
-  std::vector<bool> candidates = covered_faces(pairs);
+  std::vector<bool> candidates = start == SkinStart::milled
+                                     ? covered_over_pockets(model, outlines, pairs, thickness,
+                                                            slack)
+                                     : covered_faces(pairs);
   const auto rounded = rounded_outsides(model, outlines, candidates, thickness, slack);
   for (const RoundedOutside& outside : rounded)
     candidates[outside.face] = true;

@@ -19,6 +19,7 @@ struct Skins {
   std::vector<std::vector<int>> partners;      ///< by face: faces opposite at the thickness
   std::vector<SharpEdge> sharp;                ///< on both skins
   double area_first = 0.0, area_second = 0.0;  ///< mm², coarse
+  double pressed_volume = 0.0;                 ///< of forms taken from the skins, mm³, coarse
   int islands_first = 0, islands_second = 0;   ///< faces of a skin that are not connected to it
 };
 
@@ -26,6 +27,7 @@ struct Skins {
 enum class SkinStart {
   largest,        ///< at the faces that together are the largest
   largest_plane,  ///< at the largest of those that lie in one plane: the skin of a flat plate
+  milled,         ///< at the largest, some of them opposite pockets that leave little of a skin
 };
 
 /// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the faces at

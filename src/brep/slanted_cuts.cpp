@@ -9,9 +9,9 @@
 #include <cmath>
 
 // Cuts that are not square to the sheet (math.md#slanted-cuts): saw cuts, mitres. The pattern keeps
-// the reference skin's outline there, and the volume that the solid has more or less is half the
-// difference of the skins' areas, as walls between them are straight. Nothing is measured where
-// chamfers or sharp bends make the skins differ too.
+// the reference skin's outline there, or that of a window on the other skin, and the volume that
+// the solid has more or less is half the difference of the skins' areas, as walls between them are
+// straight. Nothing is measured where chamfers or sharp bends make the skins differ too.
 
 namespace planish::brep {
 namespace {
@@ -73,6 +73,22 @@ double filled_area(const Recognition& of, int f) {
   return std::abs(area);
 }
 
+/// How much more area than the reference skin has is left where windows are cut along the other
+/// one.
+double left_at_windows(const SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  std::set<LoopRef> loops;
+  for (const FarRun& run : of.far_runs)
+    loops.insert(run.here.loop);
+  return sum_of(loops, [&](const LoopRef& ref) {
+    const SolidFace& face = of.model.faces[ref.face];
+    const BorderRef& cut = map.cut_loops.at(ref);
+    const BorderLoop own = read_borders(of.model, face.loops[ref.loop], face.surface,
+                                        of.outlines[ref.face].u_middle, of.tolerance);
+    return std::abs(signed_middle_area(of, ref.face, builder.sheet()[cut.face].loops[cut.loop])) -
+           std::abs(signed_middle_area(of, ref.face, own));
+  });
+}
+
 /// What the solid holds beyond the reference skin's outline over the whole thickness: straight
 /// walls between two skins leave half of the difference (math.md#slanted-cuts).
 double slanted_volume(const Recognition& of) {
@@ -121,7 +137,10 @@ void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognit
   // Skins differ by chamfers and by what is machined over tangent lines, too, which count already.
   const bool alone = of.tangent_openings.empty() && measured.empty();
   if (found && !formed)
-    builder.add_form_volume(alone ? std::optional(slanted_volume(of)) : std::nullopt);
+    builder.add_form_volume(
+        alone ? std::optional(slanted_volume(of) -
+                              of.skins.thickness * left_at_windows(builder, map, of))
+              : std::nullopt);
 }
 
 }  // namespace planish::brep

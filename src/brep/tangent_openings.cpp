@@ -27,28 +27,6 @@
 namespace planish::brep {
 namespace {
 
-bool is_wall_of(const Recognition& of, int part, int face, const CoEdge& use) {
-  const int wall = face_across(of.model.edges[use.edge], face);
-  return wall >= 0 && of.rim.part_of[wall] == part;
-}
-
-/// The edges of a loop along a part, if they follow each other.
-std::optional<LoopRun> run_along(const Recognition& of, int part, const LoopRef& ref) {
-  const auto& loop = loop_of(of, ref);
-  const int count = static_cast<int>(loop.size());
-  LoopRun run{ref};
-  int starts = 0;
-  for (int i = 0; i < count; ++i) {
-    if (!is_wall_of(of, part, ref.face, loop[i])) continue;
-    ++run.count;
-    if (is_wall_of(of, part, ref.face, loop[(i + count - 1) % count])) continue;
-    run.first = i;
-    ++starts;
-  }
-  if (run.count == 0 || starts > 1) return {};
-  return run;
-}
-
 int vertex_of(const Recognition& of, const CoEdge& use, bool after) {
   return of.model.edges[use.edge].vertices[use.forward == after ? 1 : 0];
 }

@@ -10,6 +10,31 @@
 
 namespace planish::brep {
 
+namespace {
+
+bool is_wall_of(const Recognition& of, int part, int face, const CoEdge& use) {
+  const int wall = face_across(of.model.edges[use.edge], face);
+  return wall >= 0 && of.rim.part_of[wall] == part;
+}
+
+}  // namespace
+
+std::optional<LoopRun> run_along(const Recognition& of, int part, const LoopRef& ref) {
+  const auto& loop = loop_of(of, ref);
+  const int count = static_cast<int>(loop.size());
+  LoopRun run{ref};
+  int starts = 0;
+  for (int i = 0; i < count; ++i) {
+    if (!is_wall_of(of, part, ref.face, loop[i])) continue;
+    ++run.count;
+    if (is_wall_of(of, part, ref.face, loop[(i + count - 1) % count])) continue;
+    run.first = i;
+    ++starts;
+  }
+  if (run.count == 0 || starts > 1) return {};
+  return run;
+}
+
 std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run) {
   const auto& loop = loop_of(of, run.loop);
   std::vector<CoEdge> uses;

@@ -6,6 +6,9 @@ namespace planish::brep {
 
 // Outlines of openings over a tangent line, on a plane and on the cylinder beside it.
 
+/// The edges of a loop along a part of the rim, if they follow each other.
+std::optional<LoopRun> run_along(const Recognition& of, int part, const LoopRef& ref);
+
 /// The edges of a run, as its face runs along them; where one begins, or ends (`after`).
 std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run);
 Vec3 point_of(const Recognition& of, const CoEdge& use, bool after);

@@ -7,7 +7,8 @@
 
 // The likely thicknesses of a solid. Large faces vote for the depths of the nearest faces opposite
 // them, with the areas that they share; votes within the tolerance of each other are counted
-// together, and at most three are returned. The number of voters bounds the cost, and small general
+// together, and at most three are returned. Where most of a skin is milled off, its floor outvotes
+// the rim, which is as thick as the sheet. The number of voters bounds the cost, and small general
 // surfaces, mostly the walls of letters, do not vote.
 
 namespace planish::brep {
@@ -85,22 +86,43 @@ std::vector<Vote> counted(std::vector<Vote> votes, double tolerance) {
   return rows;
 }
 
-}  // namespace
-
-std::vector<double> likely_thicknesses(const SolidModel& model,
-                                       const std::vector<Outline>& outlines, double tolerance) {
-  constexpr double kWorthTrying = 0.15;  // of the heaviest
-  constexpr size_t kMost = 3;
+/// Depths that agree with the areas that they share, heaviest first.
+std::vector<Vote> vote_rows(const SolidModel& model, const std::vector<Outline>& outlines,
+                            double tolerance) {
   std::vector<Vote> votes;
   for (const int face : voters(model, outlines))
     for (const Vote& vote : votes_of(model, outlines, face))
       votes.push_back(vote);
   std::vector<Vote> rows = counted(std::move(votes), tolerance);
   std::ranges::sort(rows, std::ranges::greater(), &Vote::area);
+  return rows;
+}
+
+}  // namespace
+
+std::vector<double> likely_thicknesses(const SolidModel& model,
+                                       const std::vector<Outline>& outlines, double tolerance) {
+  constexpr double kWorthTrying = 0.15;  // of the heaviest
+  constexpr size_t kMost = 3;
+  const std::vector<Vote> rows = vote_rows(model, outlines, tolerance);
   std::vector<double> depths;
   for (const Vote& row : rows)
     if (depths.size() < kMost && row.area >= kWorthTrying * rows.front().area)
       depths.push_back(row.depth);
+  return depths;
+}
+
+std::vector<double> milled_thicknesses(const SolidModel& model,
+                                       const std::vector<Outline>& outlines, double tolerance) {
+  constexpr double kRim = 0.02;  // of the heaviest: a narrower rim is hardly seen
+  constexpr size_t kMost = 3;
+  const std::vector<Vote> rows = vote_rows(model, outlines, tolerance);
+  std::vector<double> depths;
+  for (const Vote& row : rows)
+    if (row.area >= kRim * rows.front().area && row.depth > (1 + tolerance) * rows.front().depth)
+      depths.push_back(row.depth);
+  std::ranges::sort(depths);
+  if (depths.size() > kMost) depths.resize(kMost);
   return depths;
 }
 

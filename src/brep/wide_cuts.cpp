@@ -1,6 +1,7 @@
 #include "wide_cuts.hpp"
 
 #include "skin_outlines.hpp"
+#include "windows.hpp"
 
 #include <planish/base/id_vector.hpp>
 #include <planish/geometry/plane.hpp>
@@ -131,17 +132,6 @@ Off off(const std::vector<CutGroup>& groups, const Vec3& point) {
       if (away && (!least || away->distance < least->distance)) least = away;
     }
   return least.value_or(Off{});
-}
-
-/// The part of the rim along the outline: the largest one.
-int outermost(const Recognition& of) {
-  const auto size = [&](const RimPart& part) {
-    Box3 box;
-    for (const int wall : part.faces)
-      box.extend(of.outlines[wall].space);
-    return box.diagonal().norm();
-  };
-  return static_cast<int>(std::ranges::max_element(of.rim.parts, {}, size) - of.rim.parts.begin());
 }
 
 /// Whether a part is an opening at a bend that is machined, or cut across a tangent line. What is

@@ -128,7 +128,7 @@ const std::vector<Option>& sheet_options() {
                      stored<&Request::root>, OptionKind::face),
            row::number("thickness", kAboveZero,
                        "thickness of the sheet, in mm, where it is not the one found: of strips as "
-                       "narrow as a bar",
+                       "narrow as a bar, of milled sheets",
                        stored<&Request::thickness>),
            row::name("rip_edges",
                      "edges along which a closed part is cut open, by their numbers in the file, "

@@ -112,7 +112,8 @@ Fault fault_of_sizes(const Sheet& sheet) {
     return fault("The thickness spread of a sheet is a number of at least 0.", whole());
   if (sheet.volume && !(*sheet.volume > 0.0 && std::isfinite(*sheet.volume)))
     return fault("The volume of a sheet, where it is known, is a number above 0.", whole());
-  if (!std::isfinite(sheet.forms_volume.value_or(0.0)) || !std::isfinite(sheet.mitres_volume))
+  if (!std::isfinite(sheet.forms_volume.value_or(0.0)) || !std::isfinite(sheet.mitres_volume) ||
+      !std::isfinite(sheet.pressed_volume))
     return fault("The volumes of forms and mitres are numbers.", whole());
   if (sheet.faces.empty()) return fault("A sheet has faces.", whole());
   for (const MeasuredOpening& opening : sheet.measured_openings)

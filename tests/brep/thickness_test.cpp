@@ -54,6 +54,21 @@ TEST(LikelyThicknesses, AreNotMeasuredToTheLedgesOfCounterbores) {
   EXPECT_NEAR(plate_thickness(bored, outlines_of(bored)).value(), 2.0, 1e-9);
 }
 
+TEST(MilledThicknesses, AreBeyondTheLikeliest) {
+  // The rim on the left is 3 mm wide, the floor 97 mm.
+  const SolidModel milled = prism(
+      {{Segment{{0, 0}, {100, 0}}, Segment{{100, 0}, {100, 2}}, Segment{{100, 2}, {3, 2}},
+        Segment{{3, 2}, {3, 5}}, Segment{{3, 5}, {0, 5}}, Segment{{0, 5}, {0, 0}}}},
+      200);
+  EXPECT_THAT(thicknesses(milled), ElementsAre(DoubleNear(2, 1e-9)));
+  EXPECT_THAT(milled_thicknesses(milled, outlines_of(milled), 0.02),
+              ElementsAre(DoubleNear(3, 1e-9), DoubleNear(5, 1e-9), DoubleNear(100, 1e-9)))
+      << "across the rim, at the rim, from wall to wall";
+  const SolidModel whole = plate(2, {100, 60});
+  for (const double deeper : milled_thicknesses(whole, outlines_of(whole), 0.02))
+    EXPECT_GT(deeper, 50.0) << "from wall to wall";
+}
+
 TEST(LikelyThicknesses, AreOrderedByTheAreaThatAgrees) {
   // Bottom and tops vote for 2 mm with 60 × 200 mm² each, for 5 mm with 40 × 200.
   EXPECT_THAT(thicknesses(stepped(2, 5)), ElementsAre(DoubleNear(2, 1e-9), DoubleNear(5, 1e-9)));

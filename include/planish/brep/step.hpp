@@ -62,7 +62,8 @@ struct RecognizeOptions {
                                     ///< as one
   double thickness_tolerance = 0.02;  ///< of the thickness: spread allowed between skins
   std::vector<int> rip_edges = {};    ///< along which the sheet is cut open (sheet/rip.hpp)
-  /// Only a sheet of this thickness (mm) is looked for, though it may be as narrow as a bar.
+  /// Only a sheet of this thickness (mm) is looked for, though it may be as narrow as a bar, or up
+  /// to half of it milled off.
   std::optional<double> thickness = {};
   /// What a closed sheet must pass, besides, for a refusal to name the rips that open it.
   SheetCheck passes = {};

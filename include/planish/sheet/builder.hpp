@@ -48,6 +48,7 @@ class SheetBuilder {
   void set_thickness_spread(double spread) { sheet_.thickness_spread = spread; }
   void set_volume(std::optional<double> volume) { sheet_.volume = volume; }
   void set_genus(std::optional<int> genus) { sheet_.genus = genus; }
+  void set_pressed_volume(double volume) { sheet_.pressed_volume = volume; }
   /// What another feature adds to the plain sheet, mm³; empty if it cannot be measured.
   void add_form_volume(std::optional<double> volume);
 

@@ -189,7 +189,8 @@ struct Sheet {
   /// What the features add to the plain sheet (pockets: negative), mm³; empty if one of them cannot
   /// be measured.
   std::optional<double> forms_volume = 0.0;
-  double mitres_volume = 0.0;  ///< what sharply folded corners hold beyond a bend's arc, mm³
+  double pressed_volume = 0.0;  ///< of forms that have the sheet's thickness, mm³, coarse
+  double mitres_volume = 0.0;   ///< what sharply folded corners hold beyond a bend's arc, mm³
 
   /// The item of an id. Ids and positions outside this sheet fail an assertion.
   const Face& operator[](FaceId id) const { return faces[id]; }
