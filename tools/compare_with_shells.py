@@ -111,55 +111,71 @@ class Strip:
             yield 1 + share, at + share * (self.middles()[-1] - at), self.last
 
 
-def deck(bricks, strip, material, thickness, loads, gravity):
-    """The input of CalculiX."""
-    out = ["*NODE"]
-    place = {n: strip.start + strip.first @ at for n, at in bricks.places.items()}
-    out += ["%d, %.9g, %.9g, %.9g" % (n, *at) for n, at in place.items()]
+def mesh(bricks, place, material):
+    out = ["*NODE"] + ["%d, %.9g, %.9g, %.9g" % (n, *at) for n, at in place.items()]
     out.append("*ELEMENT, TYPE=C3D20, ELSET=ALL")
     for i, brick in enumerate(bricks.bricks):
         out.append("%d, %s,\n%s" % (i + 1, ", ".join(map(str, brick[:10])),
                                     ", ".join(map(str, brick[10:]))))
-    density = material.get("density", 1.0) * 1e-9
-    out += ["*MATERIAL, NAME=SHEET", "*ELASTIC", "%g, %g" % (material["young"],
-                                                             material.get("poisson", 0.3)),
-            "*DENSITY", "%g" % density, "*SOLID SECTION, ELSET=ALL, MATERIAL=SHEET"]
-    end = bricks.section(2 * ALONG)
+    return out + ["*MATERIAL, NAME=SHEET", "*ELASTIC",
+                  "%g, %g" % (material["young"], material.get("poisson", 0.3)),
+                  "*DENSITY", "%g" % density_of(material),
+                  "*SOLID SECTION, ELSET=ALL, MATERIAL=SHEET"]
+
+
+def density_of(material):
+    return material.get("density", 1.0) * 1e-9  # t/mm³
+
+
+def led(bricks, place, strip):
+    """How the nodes of the end go: the tables, and the conditions that name them."""
+    tables, conditions = [], []
     way = list(strip.way())
-    for n in end:
+    for n in bricks.section(2 * ALONG):
         local = bricks.places[n] - np.array([strip.length, 0, 0])
         goes = np.array([at + frame @ local - place[n] for _, at, frame in way])
         for axis in range(3):
-            out.append("*AMPLITUDE, NAME=A%d_%d, TIME=TOTAL TIME" % (n, axis))
-            out += ["%.6g, %.9g" % (time, goes[i, axis]) for i, (time, _, _) in enumerate(way)]
-    clamp = ["%d, 1, 3, 0" % n for n in bricks.section(0)]
-    printed = ["*NODE PRINT, NSET=SKINS, FREQUENCY=9999", "U"]
-    skins = [n for i in range(ALONG + 1) for n in bricks.skins(2 * i)]
-    out += ["*NSET, NSET=SKINS"] + ["%d," % n for n in skins]
-    out += ["*STEP, NLGEOM, INC=2000", "*STATIC", "0.01, 2.0, 1e-6, 0.05", "*BOUNDARY"] + clamp
-    for n in end:
-        for axis in range(3):
-            out += ["*BOUNDARY, AMPLITUDE=A%d_%d" % (n, axis), "%d, %d, %d, 1.0" % (n, axis + 1,
-                                                                                 axis + 1)]
-    out += printed + ["*END STEP"]
-    on_plane = ["%d, 1, 1, %.9g" % (n, -place[n][0]) for n in end]
-    out += ["*STEP, NLGEOM, INC=2000", "*STATIC", "0.1, 1.0", "*BOUNDARY, OP=NEW"] + clamp + on_plane
-    out += printed + ["*END STEP", "*STEP, NLGEOM, INC=2000", "*STATIC", "0.1, 1.0"]
-    mass = density * strip.length * strip.width * thickness
+            tables.append("*AMPLITUDE, NAME=A%d_%d, TIME=TOTAL TIME" % (n, axis))
+            tables += ["%.6g, %.9g" % (time, goes[i, axis]) for i, (time, _, _) in enumerate(way)]
+            conditions += ["*BOUNDARY, AMPLITUDE=A%d_%d" % (n, axis),
+                           "%d, %d, %d, 1.0" % (n, axis + 1, axis + 1)]
+    return tables, conditions
+
+
+def forces(bricks, loads, mass, gravity):
+    """Of the half of a strip: at nodes, and spread as a pull on its mass."""
     pull = np.array([0, -GRAVITY if gravity else 0.0, 0])
-    out.append("*CLOAD")
+    out = ["*CLOAD"]
     for load in loads:
-        force = 0.5 * np.array(load["force"], dtype=float)  # of the half
+        force = 0.5 * np.array(load["force"], dtype=float)
         if "at" not in load:
             pull += force / mass
             continue
         nodes = bricks.skins(2 * round(load["at"] * ALONG))
         out += ["%d, %d, %.9g" % (n, axis + 1, force[axis] / len(nodes))
                 for n in nodes for axis in range(3)]
-    if np.linalg.norm(pull) > 0:
-        size = np.linalg.norm(pull)
+    size = np.linalg.norm(pull)
+    if size > 0:
         out += ["*DLOAD", "ALL, GRAV, %.9g, %.9g, %.9g, %.9g" % (size, *(pull / size))]
-    return "\n".join(out + printed + ["*END STEP"]) + "\n"
+    return out
+
+
+def deck(bricks, strip, design, loads):
+    """The input of CalculiX: the end is led to its place, let go along the plane, and loaded."""
+    place = {n: strip.start + strip.first @ at for n, at in bricks.places.items()}
+    tables, conditions = led(bricks, place, strip)
+    clamp = ["%d, 1, 3, 0" % n for n in bricks.section(0)]
+    on_plane = ["%d, 1, 1, %.9g" % (n, -place[n][0]) for n in bricks.section(2 * ALONG)]
+    done = ["*NODE PRINT, NSET=SKINS, FREQUENCY=9999", "U", "*END STEP"]
+    step = ["*STEP, NLGEOM, INC=2000", "*STATIC"]
+    skins = [n for i in range(ALONG + 1) for n in bricks.skins(2 * i)]
+    mass = density_of(design["material"]) * strip.length * strip.width * design["thickness"]
+    return "\n".join(mesh(bricks, place, design["material"]) + tables
+                     + ["*NSET, NSET=SKINS"] + ["%d," % n for n in skins]
+                     + step + ["0.01, 2.0, 1e-6, 0.05", "*BOUNDARY"] + clamp + conditions + done
+                     + step + ["0.1, 1.0", "*BOUNDARY, OP=NEW"] + clamp + on_plane + done
+                     + step + ["0.1, 1.0"]
+                     + forces(bricks, loads, mass, design.get("gravity", False)) + done) + "\n"
 
 
 def displacements(text):
@@ -203,9 +219,7 @@ def main():
         bricks = Bricks(strip.length, strip.width, design["thickness"])
         loads = [load for load in design["loads"] if load["strip"] == number]
         job = folder / ("strip%d" % number)
-        job.with_suffix(".inp").write_text(deck(bricks, strip, design["material"],
-                                                design["thickness"], loads,
-                                                design.get("gravity", False)))
+        job.with_suffix(".inp").write_text(deck(bricks, strip, design, loads))
         run = subprocess.run([options.ccx, job.name], cwd=folder, capture_output=True, text=True)
         steps = displacements(job.with_suffix(".dat").read_text())
         if len(steps) < 3:

@@ -56,6 +56,38 @@ Finding yields(const SlitReport& report, int strip, const Vec2& at) {
       "Use a thinner sheet or a stronger material, or bend the strip less");
 }
 
+Finding unstable(int strip, const Vec2& at) {
+  return with_remedy(finding_of("unstable", Severity::warning, say::strip_unstable,
+                                {{"strip", place::strip(strip)}}, {at}),
+                     "Use a thicker sheet, make the strip shorter or wider, or load it less");
+}
+
+Finding falls_over(const SlitStanding& standing) {
+  const double back = std::max(0.0, -standing.margin.degrees());
+  return with_remedy(finding_of("falls_over", Severity::warning, say::falls_over,
+                                {{"margin", back, unit::degrees}}, {}),
+                     "Move the load over the feet, or set the feet wider apart");
+}
+
+/// One for all strips that spring open.
+Finding springs_open(const SlitReport& report, const std::vector<int>& strips,
+                     const std::vector<Vec2>& at) {
+  Facts facts;
+  std::vector<Vec2> where;
+  double most = 0.0;
+  for (const int strip : strips) {
+    facts.emplace_back("strip", place::strip(strip));
+    where.push_back(at[strip]);
+    most = std::max(most, report.equilibrium->stress[strip]);
+  }
+  facts.emplace_back("spring", strips.size() == 1 ? "springs" : "spring");
+  facts.emplace_back("stress", most, kStress);
+  facts.emplace_back("yield", *report.design.material->yield, kStress);
+  return with_remedy(
+      finding_of("springs_open", Severity::info, say::springs_open, facts, std::move(where)),
+      "Hold the ends of the strips");
+}
+
 }  // namespace
 
 std::vector<Field> strip_equilibrium_fields() {
@@ -115,37 +147,16 @@ std::vector<Finding> equilibrium_findings(const SlitReport& report, const std::v
   if (!report.equilibrium) return findings;
   const SlitEquilibrium& state = *report.equilibrium;
   const auto yield = report.design.material->yield;
-  Facts springs;
-  std::vector<Vec2> where;
-  double most = 0.0;
+  std::vector<int> springs;
   for (int strip = 0; strip < std::ssize(state.stress); ++strip) {
-    if (yield && state.stress[strip] > *yield) {
-      findings.push_back(yields(report, strip, at[strip]));
-    } else if (yield && state.stress[strip] > 0.0) {
-      springs.emplace_back("strip", place::strip(strip));
-      where.push_back(at[strip]);
-      most = std::max(most, state.stress[strip]);
-    }
+    const double stress = state.stress[strip];
+    if (yield && stress > *yield) findings.push_back(yields(report, strip, at[strip]));
+    if (yield && stress > 0.0 && stress <= *yield) springs.push_back(strip);
     if (!state.is_stable.empty() && !state.is_stable[strip])
-      findings.push_back(
-          with_remedy(finding_of("unstable", Severity::warning, say::strip_unstable,
-                                 {{"strip", place::strip(strip)}}, {at[strip]}),
-                      "Use a thicker sheet, make the strip shorter or wider, or load it less"));
+      findings.push_back(unstable(strip, at[strip]));
   }
-  if (state.standing && !state.standing->stands)
-    findings.push_back(with_remedy(
-        finding_of("falls_over", Severity::warning, say::falls_over,
-                   {{"margin", std::max(0.0, -state.standing->margin.degrees()), unit::degrees}},
-                   {}),
-        "Move the load over the feet, or set the feet wider apart"));
-  if (!springs.empty()) {
-    springs.emplace_back("spring", springs.size() == 1 ? "springs" : "spring");
-    springs.emplace_back("stress", most, kStress);
-    springs.emplace_back("yield", *yield, kStress);
-    findings.push_back(with_remedy(
-        finding_of("springs_open", Severity::info, say::springs_open, springs, std::move(where)),
-        "Hold the ends of the strips"));
-  }
+  if (state.standing && !state.standing->stands) findings.push_back(falls_over(*state.standing));
+  if (!springs.empty()) findings.push_back(springs_open(report, springs, at));
   return findings;
 }
 

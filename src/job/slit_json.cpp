@@ -364,11 +364,7 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
   std::vector<ScanPlace> scans = scans_at(place["scan"]);
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());
-  if (!material.empty() && folder) {
-    const auto read = read_elastic(*folder / material);
-    if (!read) return pass_on(read);
-    file.design.material = *read;
-  }
+  if (auto read = take_material(material, folder, file.design); !read) return pass_on(read);
   for (ScanPlace& scan : scans) {
     if (scan.file.empty() || !folder) {
       file.design.scans.push_back(std::move(scan.scan));

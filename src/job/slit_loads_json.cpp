@@ -50,6 +50,29 @@ SlitLoad load_at(const JsonPlace& place) {
   return load;
 }
 
+Result<SlitMaterial> read_elastic(const std::filesystem::path& path) {
+  const auto text = read_text(path, "material file");
+  if (!text) return pass_on(text);
+  const auto read = shop::parse_material(*text, path.string());
+  if (!read) return pass_on(read);
+  SlitMaterial material;
+  if (const auto* curve = std::get_if<MeasuredCurve>(&read->tension)) {
+    const auto first = std::ranges::find_if(
+        curve->points, [](const MeasuredCurve::Point& point) { return point.strain > 0.0; });
+    material.young = first->stress / first->strain;
+    material.yield = first->stress;
+  }
+  if (read->young) material.young = *read->young;
+  if (read->yield) material.yield = *read->yield;
+  if (!(material.young > 0.0))
+    return tl::unexpected(
+        placed(error_of(refuse::material_without_modulus, {{"field", place::pointer("/young")}}),
+               path.string()));
+  material.poisson = read->poisson.value_or(material.poisson);
+  material.density = read->density;
+  return material;
+}
+
 }  // namespace
 
 std::vector<Field> load_fields() {
@@ -72,27 +95,13 @@ std::string take_loads(const JsonPlace& place, SlitDesign& design) {
   return {};
 }
 
-Result<SlitMaterial> read_elastic(const std::filesystem::path& path) {
-  const auto text = read_text(path, "material file");
-  if (!text) return pass_on(text);
-  const auto read = shop::parse_material(*text, path.string());
+Result<void> take_material(const std::string& name,
+                           const std::optional<std::filesystem::path>& folder, SlitDesign& design) {
+  if (name.empty() || !folder) return {};
+  const auto read = read_elastic(*folder / name);
   if (!read) return pass_on(read);
-  SlitMaterial material;
-  if (const auto* curve = std::get_if<MeasuredCurve>(&read->tension)) {
-    const auto first = std::ranges::find_if(
-        curve->points, [](const MeasuredCurve::Point& point) { return point.strain > 0.0; });
-    material.young = first->stress / first->strain;
-    material.yield = first->stress;
-  }
-  if (read->young) material.young = *read->young;
-  if (read->yield) material.yield = *read->yield;
-  if (!(material.young > 0.0))
-    return tl::unexpected(
-        placed(error_of(refuse::material_without_modulus, {{"field", place::pointer("/young")}}),
-               path.string()));
-  material.poisson = read->poisson.value_or(material.poisson);
-  material.density = read->density;
-  return material;
+  design.material = *read;
+  return {};
 }
 
 }  // namespace planish::job

@@ -15,8 +15,10 @@ std::vector<schema::Field> load_fields();
 /// Reads them. Returns the name of the material's file, which is read apart; empty without one.
 std::string take_loads(const schema::JsonPlace& place, SlitDesign& design);
 
-/// The material of a file (formats.md#material), as far as a sheet is elastic. Errors:
-/// `cannot_read`, `invalid_input`, also of a file that tells no modulus.
-Result<SlitMaterial> read_elastic(const std::filesystem::path& path);
+/// Takes the material of such a file (formats.md#material), as far as a sheet is elastic, if there
+/// is a name and a folder. Errors: `cannot_read`, `invalid_input`, also of a file that tells no
+/// modulus.
+Result<void> take_material(const std::string& name,
+                           const std::optional<std::filesystem::path>& folder, SlitDesign& design);
 
 }  // namespace planish::job

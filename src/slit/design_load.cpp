@@ -10,10 +10,12 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace planish::slit_detail {
 namespace {
 
+constexpr std::string_view kNewton = "N", kStress = "N/mm²";
 constexpr double kMostForce = 1e9;  // N
 
 tl::unexpected<Error> bad_number(const char* name, double value, std::string_view unit,
@@ -26,7 +28,7 @@ Result<void> check_material(const SlitMaterial& material) {
   const std::string where = "/material/";
   const auto above_zero = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!above_zero(material.young))
-    return bad_number("Young's modulus", material.young, unit::stress, "a number above 0",
+    return bad_number("Young's modulus", material.young, kStress, "a number above 0",
                       where + "young");
   if (!(material.poisson >= 0.0 && material.poisson < 0.5))
     return bad_number("Poisson's ratio", material.poisson, {}, "a number from 0 to below 0.5",
@@ -35,7 +37,7 @@ Result<void> check_material(const SlitMaterial& material) {
     return bad_number("The density", *material.density, {}, "a number above 0 (kg/dm³)",
                       where + "density");
   if (material.yield && !above_zero(*material.yield))
-    return bad_number("The yield stress", *material.yield, unit::stress, "a number above 0",
+    return bad_number("The yield stress", *material.yield, kStress, "a number above 0",
                       where + "yield");
   return {};
 }
@@ -49,11 +51,11 @@ Result<void> check_one(const SlitDesign& design, int index) {
                       "a share of the strip's length, from 0 to 1", where + "/at");
   if (!load.force.allFinite() || load.force.cwiseAbs().maxCoeff() > kMostForce)
     return fail(refuse::bad_force, {{"strip", place::strip(load.strip)},
-                                    {"most", kMostForce, unit::newton},
+                                    {"most", kMostForce, kNewton},
                                     {"field", field(where, "/force")}});
   if (design.sheet.symmetric && load.force.x() != 0.0)
     return fail(refuse::force_across_plane, {{"strip", place::strip(load.strip)},
-                                             {"force", load.force.x(), unit::newton},
+                                             {"force", load.force.x(), kNewton},
                                              {"field", field(where, "/force")}});
   return {};
 }

@@ -21,9 +21,9 @@ StripLoad load_of(const SlitDesign& design, int strip);
 /// Whether two designs of the same sheet are loaded alike.
 bool same_load(const SlitDesign& a, const SlitDesign& b);
 
-/// Checks material, weight and loads. Errors: `invalid_input`, `unknown_strip`, `bad_option` (a
-/// load without a material, weight without a density, either with another objective than energy, a
-/// force across the symmetry plane).
+/// Checks material, weight and loads. Errors: `unknown_strip`, `invalid_input` (numbers out of
+/// their range, a load without a material, weight without a density, either with another objective
+/// than energy, a force across the symmetry plane).
 Result<void> check_load(const SlitDesign& design);
 
 }  // namespace planish::slit_detail

@@ -60,7 +60,7 @@ Vec3 turning(const Eigen::Matrix3d& moment) {
 
 std::vector<Behind> behind_ridges(const StripBase& base, const StripFold& fold,
                                   const EndForces& forces) {
-  std::vector<Behind> behind(static_cast<std::size_t>(base.quads));
+  std::vector<Behind> behind(base.quads);
   Behind sum;
   for (int ridge = base.quads - 1; ridge >= 0; --ridge) {
     for (int side = 0; side < 2; ++side) {
@@ -191,7 +191,7 @@ class Work {
 }  // namespace
 
 EndForces end_forces(const StripBase& base, const StripParameters& p, const StripLoad& load) {
-  const std::vector<Vec3> none(static_cast<std::size_t>(base.quads) + 1, Vec3::Zero());
+  const std::vector<Vec3> none(base.quads + 1, Vec3::Zero());
   EndForces forces{none, none};
   for (int quad = 0; quad < base.quads; ++quad) {
     const auto edges = edges_of(base, p, quad);

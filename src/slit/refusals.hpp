@@ -4,10 +4,6 @@
 #include <planish/sheet/codes.hpp>
 #include <planish/slit/codes.hpp>
 
-namespace planish::unit {
-inline constexpr std::string_view newton = "N", stress = "N/mm²";
-}
-
 /// The sentences with which slit refuses. Fields of the file are named as they are there
 /// ("mould.up").
 namespace planish::refuse {
@@ -136,19 +132,20 @@ constexpr Refusal not_at_right_angles{
 
 // Weight and loads.
 constexpr Refusal load_without_material{
-    code::bad_option, "{@field} is given, but no material, so nothing says how stiff the sheet is.",
+    code::invalid_input,
+    "{@field} is given, but no material, so nothing says how stiff the sheet is.",
     "Give the material: young, and density for its weight."};
 constexpr Refusal load_without_energy{
-    code::bad_option, "{@field} is given, but the strips are to be smooth, not of least energy.",
+    code::invalid_input, "{@field} is given, but the strips are to be smooth, not of least energy.",
     "Leave out weights.smooth, and set objective to energy."};
 constexpr Refusal weight_without_density{
-    code::bad_option, "{@field} is true, but the material has no density.",
+    code::invalid_input, "{@field} is true, but the material has no density.",
     "Give material.density in kg/dm³ (steel: 7.85), or set gravity to false."};
 constexpr Refusal bad_force{code::invalid_input,
                             "A force on {@strip} is not a finite number, or beyond {most}.",
                             "Give it in newtons."};
 constexpr Refusal force_across_plane{
-    code::bad_option,
+    code::invalid_input,
     "A load pushes {@strip} of a symmetric sheet across its symmetry plane, with {force} along x.",
     "Set the first number of force to 0, or model the whole sheet with symmetric false."};
 
