@@ -245,6 +245,10 @@ constexpr Refusal ends_of_symmetric{
 constexpr Refusal ends_and_panel{code::invalid_input,
                                  "{@field} is given, but the strips end at the second panel.",
                                  "Leave one of them out."};
+constexpr Refusal material_without_modulus{
+    code::invalid_input,
+    "The material file states no Young's modulus, and its curve has no straight beginning.",
+    "Add young, in N/mm²."};
 constexpr Refusal smooth_of_energy{
     code::invalid_input,
     "{@field} is given, but strips of least bending energy are not weighed by it.",

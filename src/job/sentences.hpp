@@ -93,6 +93,18 @@ constexpr std::string_view strips_meet = "{meet} when folded, {depth:3} deep or 
 constexpr std::string_view strips_press =
     "{pair} need the same space, {depth:3} deep or more: move their curves apart, or chamfer their "
     "edges";
+constexpr std::string_view strip_yields =
+    "{@strip} is bent beyond its yield stress: {stress:3}, where the material yields at {yield:3}";
+constexpr std::string_view strip_yields_and_keeps =
+    "{@strip} is bent beyond its yield stress: {stress:3}, where the material yields at {yield:3}; "
+    "let go, it keeps a radius of {kept:3}";
+constexpr std::string_view springs_open =
+    "{@strip} {spring} open when let go, as the largest bending stress, {stress:3}, is less than "
+    "the yield stress, {yield:3}";
+constexpr std::string_view
+    strip_unstable = "{@strip} does not stay in this shape: it buckles, or sways aside";
+constexpr std::string_view falls_over =
+    "the sheet falls over with its load: it would stand if it were tilted back by {margin:3}";
 constexpr std::string_view seam_edges =
     "the seam lies in a fold, where square edges meet on the inside first, {depth:3} deep: bevel "
     "them, or move the seam";

@@ -3,6 +3,7 @@
 #include "lay_flat.hpp"
 #include "made_report.hpp"
 #include "refusals.hpp"
+#include "slit_equilibrium.hpp"
 #include "strip_meetings.hpp"
 #include "verdict.hpp"
 
@@ -62,6 +63,7 @@ Result<SlitSession> solved(const SlitFile& file, SlitReport& report, const Progr
 void take_result(SlitReport& report, const SlitSession& session) {
   report.design = session.design();
   report.folded = session.folded();
+  report.equilibrium = session.equilibrium();
   for (int strip = 0; strip < session.strip_count(); ++strip) {
     report.strips.push_back(session.state(strip));
     report.gap = std::max(report.gap, session.state(strip).gap);
@@ -140,6 +142,7 @@ void add_findings(SlitReport& report) {
     report.findings.push_back(
         {code, Severity::warning, std::move(message), {flat_middle(report, strip, ridge)}});
   };
+  std::vector<Vec2> at;
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
@@ -167,7 +170,10 @@ void add_findings(SlitReport& report) {
           fmt::format("strip {} ends where it must, but is not finished and could be smoother",
                       i + 1),
           i, last / 2);
+    at.push_back(flat_middle(report, i, strip.tightest_ridge));
   }
+  for (Finding& finding : equilibrium_findings(report, at))
+    report.findings.push_back(std::move(finding));
 }
 
 double flat_deviation(const Sheet& sheet, const Layout& layout) {

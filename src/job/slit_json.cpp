@@ -1,5 +1,6 @@
 #include "makers.hpp"
 #include "refusals.hpp"
+#include "slit_loads_json.hpp"
 
 #include <planish/job/slit_json.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -172,6 +173,8 @@ Schema make_slits_schema() {
                                 .defaulting("energy")
                                 .said("what a strip's shape has least of: bending energy, or "
                                       "changes of its folds")));
+  for (Field& field : load_fields())
+    add(std::move(field));
   add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));
@@ -357,9 +360,11 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
   JsonReading reading(json, "slit file", name, slits_schema());
   const JsonPlace place(reading);
   SlitFile file = file_at(place);
+  const std::string material = take_loads(place, file.design);
   std::vector<ScanPlace> scans = scans_at(place["scan"]);
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());
+  if (auto read = take_material(material, folder, file.design); !read) return pass_on(read);
   for (ScanPlace& scan : scans) {
     if (scan.file.empty() || !folder) {
       file.design.scans.push_back(std::move(scan.scan));
@@ -373,10 +378,14 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
 }
 
 // These must not be overwritten, even if the slit file has mistakes elsewhere.
-std::vector<NamedFile> point_files_of(const std::string& json) {
+std::vector<NamedFile> slit_files_of(const std::string& json) {
   std::vector<NamedFile> files;
   const Json document = Json::parse(json, nullptr, false);
-  if (!document.is_object() || !document.contains("scan")) return files;
+  if (!document.is_object()) return files;
+  if (const auto material = document.find("material");
+      material != document.end() && material->is_string())
+    files.push_back({material->get<std::string>(), "/material"});
+  if (!document.contains("scan")) return files;
   std::size_t row = 0;
   for (const Json& scan : document["scan"]) {
     if (scan.is_object() && scan.contains("points") && scan["points"].is_string())

@@ -164,7 +164,7 @@ Maker slit_maker() {
       .report_details = slit_report_details,
       .open = open_slits,
       .failed = failed_as<MadeSlitSheet, SlitReport>,
-      .named_files = point_files_of,
+      .named_files = slit_files_of,
   };
 }
 

@@ -2,6 +2,7 @@
 #include "report_json.hpp"
 #include "report_schema.hpp"
 #include "report_text.hpp"
+#include "slit_equilibrium.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/slit.hpp>
@@ -65,6 +66,7 @@ Json slit_json(const SlitReport& report, Ridges ridges, const Units& units) {
   json["strips"] = Json::array();
   for (std::size_t i = 0; i < report.strips.size(); ++i)
     json["strips"].push_back(strip_json(report.strips[i], report.folded.strips[i], ridges, units));
+  add_equilibrium(json, report, units);
   return json;
 }
 
@@ -97,19 +99,29 @@ ReportDetails slit_report_details() {
   const Schema ridge = object({required("flat", tuple(2, report_point(), "two points")),
                                required("folded", tuple(2, report_space_point(), "two points")),
                                required("fold", angle(kAnyNumber).or_null())});
-  const Schema strip = object(
-      {required("status", words({"open", "solved", "out_of_reach"})),
-       required("gap", measured_length()), required("shortfall", measured_length()),
-       required("min_radius", measured_length()), required("energy", number(kAnyNumber)),
-       required("runner_up_energy", number(kAnyNumber).or_null()), required("iterations", whole()),
-       required("seat_distance", measured_length()), required("anchor_distance", measured_length()),
-       required("scan_distance", measured_length()), required("crosses", list(whole())),
-       required("crosses_plane", flag()), required("below_ground", measured_length()),
-       required("ridges", list(ridge))});
-  const Schema slit = object(
-      {required("gap", measured_length()), required("flat_deviation", measured_length()),
-       required("leg_scales", list(number(kAnyNumber))), required("strips", list(strip))});
-  return {{optional("slit", slit.or_null())}, {}};
+  std::vector<Field> strip_fields = {required("status", words({"open", "solved", "out_of_reach"})),
+                                     required("gap", measured_length()),
+                                     required("shortfall", measured_length()),
+                                     required("min_radius", measured_length()),
+                                     required("energy", number(kAnyNumber)),
+                                     required("runner_up_energy", number(kAnyNumber).or_null()),
+                                     required("iterations", whole()),
+                                     required("seat_distance", measured_length()),
+                                     required("anchor_distance", measured_length()),
+                                     required("scan_distance", measured_length()),
+                                     required("crosses", list(whole())),
+                                     required("crosses_plane", flag()),
+                                     required("below_ground", measured_length()),
+                                     required("ridges", list(ridge))};
+  for (Field& field : strip_equilibrium_fields())
+    strip_fields.push_back(std::move(field));
+  const Schema strip = object(std::move(strip_fields));
+  std::vector<Field> slit_fields = {
+      required("gap", measured_length()), required("flat_deviation", measured_length()),
+      required("leg_scales", list(number(kAnyNumber))), required("strips", list(strip))};
+  for (Field& field : equilibrium_fields())
+    slit_fields.push_back(std::move(field));
+  return {{optional("slit", object(std::move(slit_fields)).or_null())}, {}};
 }
 
 std::string report_json(const SlitReport& report, Ridges ridges) {
@@ -126,8 +138,10 @@ std::string report_text(const SlitReport& report) {
   // There are too many ridges to read; the table of strips has what matters.
   if (report.refusal) return text_of(report, input_name(report), "", BendList::left_out) + table;
   return text_of(report, input_name(report),
-                 table + fmt::format("the developed sheet is the one that was cut, within {} {}\n",
-                                     units.tiny_text(report.flat_deviation), units.symbol()),
+                 table +
+                     fmt::format("the developed sheet is the one that was cut, within {} {}\n",
+                                 units.tiny_text(report.flat_deviation), units.symbol()) +
+                     equilibrium_text(report),
                  BendList::left_out);
 }
 

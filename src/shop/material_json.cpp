@@ -13,6 +13,7 @@ namespace {
 constexpr auto kMaterialFormat = "planish/material";
 constexpr int kMaterialVersion = 1;
 constexpr std::size_t kMostPoints = 100'000;
+constexpr Range kPoisson{"a number from 0 to 0.49", 0.0, 0.49};
 constexpr Range kExponent{"a number from 0 to 1", 0.0, 1.0};
 
 Schema curve_schema(std::string description) {
@@ -32,6 +33,11 @@ Schema make_material_schema() {
   fields.push_back(required("tension", curve_schema("of the stretched side")));
   fields.push_back(
       optional("compression", curve_schema("of the compressed side; that of tension if left out")));
+  // Of slit sheets, which are elastic.
+  fields.push_back(optional("young", number(kAboveZero).said("modulus, N/mm²")));
+  fields.push_back(optional("poisson", number(kPoisson).said("ratio")));
+  fields.push_back(optional("density", number(kAboveZero).said("kg/dm³")));
+  fields.push_back(optional("yield", number(kAboveZero).said("stress, N/mm²")));
   return object(std::move(fields)).said("Stress-strain curves of a sheet, from which K follows");
 }
 
@@ -75,6 +81,10 @@ Result<MaterialCurves> parse_material(const std::string& json, const std::string
   material.tension = curve_of(file["tension"]);
   const JsonPlace compression = file["compression"];
   material.compression = compression.given() ? curve_of(compression) : material.tension;
+  material.young = file["young"].maybe_number();
+  material.poisson = file["poisson"].maybe_number();
+  material.density = file["density"].maybe_number();
+  material.yield = file["yield"].maybe_number();
   if (reading.error()) return tl::unexpected(*reading.error());
   return material;
 }

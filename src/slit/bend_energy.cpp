@@ -42,10 +42,15 @@ struct Shares {
   double before = 0.5, after = 0.5;
 };
 
-/// ½ θ² ℓ ln(h_R/h_L)/(h_R − h_L). `places`: abscissae of left and right ends in turn.
+/// How long a ridge is, and how far the material that is bent with it goes at its ends, at right
+/// angles to it.
 template <typename T>
-T energy_of_fold(const T& angle, const std::array<T, 6>& places, double width,
-                 const Shares& shares) {
+struct Bent {
+  T length, left, right;
+};
+/// `places`: abscissae of left and right ends in turn.
+template <typename T>
+Bent<T> bent_with(const std::array<T, 6>& places, double width, const Shares& shares) {
   using std::sqrt;
   const T skew = places[3] - places[2], length = sqrt(skew * skew + constant<T>(width * width));
   const auto apart = [&](std::size_t side) {
@@ -53,7 +58,15 @@ T energy_of_fold(const T& angle, const std::array<T, 6>& places, double width,
             constant<T>(shares.after) * (places[4 + side] - places[2 + side])) *
            constant<T>(width) / length;
   };
-  return constant<T>(0.5) * angle * angle * length * inverse_log_mean(apart(0), apart(1));
+  return {length, apart(0), apart(1)};
+}
+
+/// ½ θ² ℓ ln(h_R/h_L)/(h_R − h_L).
+template <typename T>
+T energy_of_fold(const T& angle, const std::array<T, 6>& places, double width,
+                 const Shares& shares) {
+  const Bent<T> bent = bent_with(places, width, shares);
+  return constant<T>(0.5) * angle * angle * bent.length * inverse_log_mean(bent.left, bent.right);
 }
 
 bool is_held_in_direction(const StripProblem& problem) {
@@ -191,6 +204,34 @@ SecondOrder bend_energy_derivatives(const StripProblem& problem, const StripPara
     add(energy, base, ridge, derivatives_of(fold_at(problem, p, ridge), p[ridge], base.width()));
   if (problem.far_facet) add_far_fold(energy, problem, p);
   return energy;
+}
+
+double largest_curvature(const StripProblem& problem, const StripParameters& p) {
+  const StripBase& base = problem.base;
+  double largest = 0.0;
+  const auto see = [&](int ridge, double angle) {
+    const Fold fold = fold_at(problem, p, ridge);
+    const Bent<double> bent = bent_with(fold.places, base.width(), fold.shares);
+    largest = std::max(largest, std::abs(angle) / std::min(bent.left, bent.right));
+  };
+  for (int ridge = 0; ridge < base.quads; ++ridge)
+    see(ridge, p[ridge]);
+  if (problem.far_facet)
+    see(base.quads, fold_into(folded(base, p).quad(base.quads - 1), *problem.far_facet).radians());
+  return largest;
+}
+
+Vec3 far_moment(const StripProblem& problem, const StripParameters& p) {
+  if (!problem.far_facet) return Vec3::Zero();
+  const Vec3& along = problem.far_facet->x;
+  const Frame last = folded(problem.base, p).quad(problem.base.quads - 1);
+  const double sine = -along.dot(last.z), cosine = along.dot(last.x),
+               angle = std::atan2(sine, cosine);
+  const double slope = derivatives_of(fold_at(problem, p, problem.base.quads), angle,
+                                      problem.base.width())
+                           .a.v[0];
+  return slope / (sine * sine + cosine * cosine) *
+         (cosine * last.z.cross(along) + sine * last.x.cross(along));
 }
 
 double energy_scale(const StripBase& base) {

@@ -1,5 +1,6 @@
 #include "checks.hpp"
 
+#include "design_load.hpp"
 #include "panel.hpp"
 #include "reach_checks.hpp"
 #include "refusals.hpp"
@@ -297,6 +298,7 @@ Result<void> check_all(const SlitDesign& design, const Panels& panels) {
   const std::vector<PanelFacet>& panel = panels.first;
   if (auto sound = check_seat_curve(design); !sound) return sound;
   if (auto sound = check_weights(design.weights); !sound) return sound;
+  if (auto sound = check_load(design); !sound) return sound;
   for (int i = 0; i < static_cast<int>(design.anchors.size()); ++i)
     if (auto sound = check_anchor(design, panel, i); !sound) return sound;
   for (int i = 0; i < static_cast<int>(design.ends.size()); ++i)

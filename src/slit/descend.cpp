@@ -1,8 +1,8 @@
 #include "descend.hpp"
 
-#include "bend_energy.hpp"
 #include "newton.hpp"
 #include "reach.hpp"
+#include "strip_objective.hpp"
 
 #include <Eigen/Cholesky>
 #include <ceres/tiny_solver.h>
@@ -122,7 +122,7 @@ double whole_objective(const StripProblem& problem, const StripParameters& p) {
   if (!evaluate(problem, p, residuals, nullptr)) return std::numeric_limits<double>::infinity();
   const double wishes = 0.5 * residuals.squaredNorm();
   if (problem.objective == SlitObjective::smooth) return wishes;
-  return wishes + energy_scale(problem.base) * bend_energy(problem, p);
+  return wishes + energy_scale(problem.base) * bend_energy(problem, p) + load_part(problem, p);
 }
 
 Descent descend(const StripProblem& problem, const StripParameters& from,

@@ -109,18 +109,22 @@ Numbers numbers_of(const StripBase& base, int ridge) {
 
 }  // namespace
 
+void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripParameters& p,
+                  const StripFold& fold, int ridge, const std::vector<WeighedVector>& sum) {
+  const Eigen::Matrix3d own = of_ridge(base, p, fold, ridge, sum);
+  const Numbers numbers = numbers_of(base, ridge);
+  for (int i = 0; i < numbers.count; ++i)
+    for (int j = 0; j < numbers.count; ++j)
+      second(numbers.at[i], numbers.at[j]) = own(i, j) * (i ? base.unit() : 1.0) *
+                                             (j ? base.unit() : 1.0);
+}
+
 Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
                                    const StripFold& fold, const std::vector<WeighedVector>& sum) {
   const std::vector<Twist> all = twists(base, fold);
   Eigen::MatrixXd second = of_different_ridges(all, sum);
-  for (int ridge = 0; ridge < base.quads; ++ridge) {
-    const Eigen::Matrix3d own = of_ridge(base, p, fold, ridge, sum);
-    const Numbers numbers = numbers_of(base, ridge);
-    for (int i = 0; i < numbers.count; ++i)
-      for (int j = 0; j < numbers.count; ++j)
-        second(numbers.at[i], numbers.at[j]) = own(i, j) * (i ? base.unit() : 1.0) *
-                                               (j ? base.unit() : 1.0);
-  }
+  for (int ridge = 0; ridge < base.quads; ++ridge)
+    set_of_ridge(second, base, p, fold, ridge, sum);
   for (const WeighedVector& one : sum)
     if (one.side >= 0 && one.ridge < base.quads) add_sliding(second, base, fold, all, one);
   return second;

@@ -25,6 +25,10 @@ struct WeighedVector {
 Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
                                    const StripFold& fold, const std::vector<WeighedVector>& sum);
 
+/// The part of them that belongs to one ridge's own numbers is set in the matrix of all.
+void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripParameters& p,
+                  const StripFold& fold, int ridge, const std::vector<WeighedVector>& sum);
+
 /// What end conditions are about, weighed by their multipliers in their own units.
 std::vector<WeighedVector> weighed_conditions(const StripProblem& problem, const StripFold& fold,
                                               const Eigen::VectorXd& multipliers);

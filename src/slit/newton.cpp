@@ -6,10 +6,10 @@
 // lead it back to the conditions. Strips that touch share blocks beside the diagonal only.
 #include "newton.hpp"
 
-#include "bend_energy.hpp"
 #include "block_matrix.hpp"
 #include "end_curvature.hpp"
 #include "reach.hpp"
+#include "strip_objective.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
@@ -27,42 +27,6 @@ namespace {
 constexpr double kFirstReach = 0.2, kMostReach = 2.0;  // of a step, for each ridge
 constexpr double kLeastSpacing = 0.2;                  // of a spacing that a step leaves
 
-/// Adds JᵀJ, row by row: most have few neighbouring entries.
-void add_squares(const RowMatrix& jacobian, Eigen::MatrixXd& sum) {
-  for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
-    const auto row = jacobian.row(i);
-    Eigen::Index first = 0, last = row.size();
-    while (first < last && row[first] == 0.0)
-      ++first;
-    while (last > first && row[last - 1] == 0.0)
-      --last;
-    const auto part = row.segment(first, last - first);
-    sum.block(first, first, part.size(), part.size()).noalias() += part.transpose() * part;
-  }
-}
-
-/// The objective of a strip with derivatives by all parameters.
-SecondOrder model_of(const StripProblem& problem, const StripParameters& p) {
-  SecondOrder model = bend_energy_derivatives(problem, p);
-  const double scale = energy_scale(problem.base);
-  Eigen::VectorXd residuals(problem.residuals());
-  RowMatrix jacobian(problem.residuals(), problem.parameters());
-  Eigen::Ref<RowMatrix> ref(jacobian);
-  evaluate(problem, p, residuals, &ref);
-  model.value = scale * model.value + 0.5 * residuals.squaredNorm();
-  model.gradient = scale * model.gradient + jacobian.transpose() * residuals;
-  model.hessian *= scale;
-  add_squares(jacobian, model.hessian);
-  return model;
-}
-
-/// In steps a fold by one radian and a ridge end moved by a mean spacing are alike.
-Eigen::VectorXd units_of(const StripBase& base) {
-  Eigen::VectorXd units = Eigen::VectorXd::Constant(parameter_count(base.quads), 1.0 / base.quads);
-  units.head(base.quads).setOnes();
-  return units;
-}
-
 WeighedVector weighed(const StripFold& fold, const Pull& pull) {
   return {pull.ridge, true, fold.end(pull.side, pull.ridge), pull.gradient, pull.side};
 }
@@ -74,6 +38,7 @@ struct Member {
   StripFold fold;
   std::vector<Twist> twists;
   SecondOrder model;
+  double load = 0.0;                                      ///< what it adds to the value
   std::vector<Pull> pulled = {};                          ///< by contacts
   Eigen::HouseholderQR<Eigen::MatrixXd> conditions = {};  ///< of their derivatives, by columns
   bool is_held = false;
@@ -102,7 +67,9 @@ Member member_of(const StripSystem& system, const Shapes& shapes, int strip) {
   Member member{problem, shapes[strip], folded(problem.base, shapes[strip]), {}, {}};
   member.is_held = system.held[strip];
   member.twists = twists(problem.base, member.fold);
-  if (!member.is_held) member.model = model_of(problem, shapes[strip]);
+  if (member.is_held) return member;
+  member.model = objective_derivatives(problem, shapes[strip]);
+  member.load = load_part(problem, shapes[strip]);
   return member;
 }
 
@@ -164,6 +131,7 @@ void pull_at(Member& member, const StripPoint& point, const Vec3& force) {
 struct Model {
   std::vector<Member> members;
   double value = 0.0;
+  double load = 0.0;  ///< of that the part of loads, whose level is arbitrary
   Eigen::VectorXd gradient;
   BlockMatrix hessian;
 
@@ -226,15 +194,17 @@ void add_touches(Model& model, double penalty, const std::vector<Touch>& touchin
 Model model_of(const StripSystem& system, const Shapes& shapes) {
   std::vector<Member> members;
   std::vector<int> sizes;
-  double value = 0.0;
+  double value = 0.0, load = 0.0;
   for (int strip = 0; strip < system.count(); ++strip) {
     members.push_back(member_of(system, shapes, strip));
     sizes.push_back(members.back().dimensions());
     value += members.back().model.value;
+    load += members.back().load;
   }
   const std::vector<Touch> touching = touches(system, members, value);
   BlockMatrix hessian(std::move(sizes));
-  Model model{std::move(members), value, Eigen::VectorXd(hessian.dimensions()), std::move(hessian)};
+  Model model{std::move(members), value, load, Eigen::VectorXd(hessian.dimensions()),
+              std::move(hessian)};
   for (int strip = 0; strip < system.count(); ++strip) {
     Member& member = model.members[strip];
     if (member.is_held) continue;
@@ -344,6 +314,7 @@ class Stepping {
       const Eigen::VectorXd step = step_within(model, reach_, damping_);
       const double expected = -(model.gradient.dot(step) +
                                 0.5 * step.dot(model.hessian.times(step)));
+      const double bent = model.value - model.load;
       if (expected <= kNothing * model.value || model.value <= kUnbent) return ended(true);
       if (options_.stop && options_.stop()) return ended(false);
       ++descent_.iterations;
@@ -358,7 +329,7 @@ class Stepping {
                             std::max(reach_, kMostReach * std::sqrt(ridges_)));
       descent_.shapes = *next;
       descent_.objective = value;
-      return expected > options_.function_tolerance * model.value || ended(true);
+      return expected > options_.function_tolerance * bent || ended(true);
     }
     return ended(false);
   }

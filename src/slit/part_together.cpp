@@ -143,7 +143,8 @@ class Group {
       contact.here.strip = strips_[contact.here.strip];
       contact.there.strip = strips_[contact.there.strip];
     }
-    return {std::move(system.contacts), system.penalty};
+    const double unit = system.unit();
+    return {std::move(system.contacts), system.penalty, unit};
   }
 
   bool is_beside(const StripPair& pair) const {
@@ -313,6 +314,7 @@ void take_pressing(Snapshot& now, const std::vector<bool>& in_group, const Press
   });
   all.insert(all.end(), pressing.contacts.begin(), pressing.contacts.end());
   now.pressing.penalty = pressing.penalty;
+  now.pressing.unit = pressing.unit;
 }
 
 /// Strips that meet at a panel touch there too, as good as without pressing each other.

@@ -130,6 +130,25 @@ constexpr Refusal not_at_right_angles{
     "The direction of the end of {@strip} and its last ridge are {angle} apart.",
     "Set them at right angles."};
 
+// Weight and loads.
+constexpr Refusal load_without_material{
+    code::invalid_input,
+    "{@field} is given, but no material, so nothing says how stiff the sheet is.",
+    "Give the material: young, and density for its weight."};
+constexpr Refusal load_without_energy{
+    code::invalid_input, "{@field} is given, but the strips are to be smooth, not of least energy.",
+    "Leave out weights.smooth, and set objective to energy."};
+constexpr Refusal weight_without_density{
+    code::invalid_input, "{@field} is true, but the material has no density.",
+    "Give material.density in kg/dm³ (steel: 7.85), or set gravity to false."};
+constexpr Refusal bad_force{code::invalid_input,
+                            "A force on {@strip} is not a finite number, or beyond {most}.",
+                            "Give it in newtons."};
+constexpr Refusal force_across_plane{
+    code::invalid_input,
+    "A load pushes {@strip} of a symmetric sheet across its symmetry plane, with {force} along x.",
+    "Set the first number of force to 0, or model the whole sheet with symmetric false."};
+
 // Scans.
 constexpr Refusal no_scan{code::empty_scan, "There is no scan to align.",
                           "Add the points of a scan."};

@@ -1,6 +1,8 @@
 #include "align.hpp"
 #include "checks.hpp"
 #include "contacts.hpp"
+#include "design_load.hpp"
+#include "equilibrium.hpp"
 #include "part_together.hpp"
 #include "refusals.hpp"
 #include "snapshot.hpp"
@@ -75,7 +77,8 @@ Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   Snapshot next = now;
   design.ends.resize(design.sheet.strips.size());
   bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle ||
-             design.objective != now.design->objective || design.ground != now.design->ground;
+             design.objective != now.design->objective || design.ground != now.design->ground ||
+             !same_load(design, *now.design);
   auto panels = checked_panels(design);
   if (!panels) return pass_on(panels);
   if (auto sound = check_all(design, *panels); !sound) return pass_on(sound);
@@ -243,17 +246,10 @@ const StripState& SlitSession::state(int strip) const {
   return content_->now.slot(strip).state;
 }
 
-FoldedSlitSheet SlitSession::folded() const {
-  const Snapshot& now = content_->now;
-  FoldedSlitSheet sheet{now.design->sheet.thickness,
-                        now.design->sheet.reach(),
-                        now.design->sheet.symmetric,
-                        *now.panel,
-                        {},
-                        *now.second_panel};
-  for (int strip = 0; strip < now.count(); ++strip)
-    sheet.strips.push_back(folded_of(now, strip));
-  return sheet;
+FoldedSlitSheet SlitSession::folded() const { return folded_sheet(content_->now); }
+
+std::optional<SlitEquilibrium> SlitSession::equilibrium() const {
+  return equilibrium_of(content_->now);
 }
 
 Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,

@@ -42,6 +42,22 @@ double SlitSheet::end_of(int strip) const {
   return strips[strip].end.value_or(panel_height + half_length);
 }
 
+double SlitMaterial::rigidity(double thickness) const {
+  return young * thickness * thickness * thickness / (12.0 * (1.0 - poisson * poisson));
+}
+
+double SlitMaterial::stress(double thickness, double curvature) const {
+  return 0.5 * young * thickness * curvature / (1.0 - poisson * poisson);
+}
+
+double SlitMaterial::kept_curvature(double thickness, double curvature) const {
+  PLANISH_ASSERT(yield.has_value());
+  const double first = curvature * *yield / stress(thickness, curvature);  // at which it yields
+  if (!(curvature > first)) return 0.0;
+  const double share = first / curvature;
+  return curvature - 0.5 * first * (3.0 - share * share);
+}
+
 std::vector<SlitStrip> equal_strips(int count, double width) {
   constexpr int kMostEqual = 10'000;  // as in files
   PLANISH_ASSERT(count <= kMostEqual);

@@ -1,5 +1,7 @@
 #include "snapshot.hpp"
 
+#include "design_load.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -129,6 +131,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   if (const PanelFacet* facet = far_facet_of(now, strip)) problem.far_facet = facet->frame;
   problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
   problem.objective = design.objective;
+  problem.load = load_of(design, strip);
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
     if (anchor.strip == strip)
@@ -149,6 +152,18 @@ FoldedStrip folded_of(const Snapshot& now, int strip) {
   if (const PanelFacet* facet = far_facet_of(now, strip))
     shape.ridges.back().fold = fold_into(shape.quads.back(), facet->frame);
   return shape;
+}
+
+FoldedSlitSheet folded_sheet(const Snapshot& now) {
+  FoldedSlitSheet sheet{now.design->sheet.thickness,
+                        now.design->sheet.reach(),
+                        now.design->sheet.symmetric,
+                        *now.panel,
+                        {},
+                        *now.second_panel};
+  for (int strip = 0; strip < now.count(); ++strip)
+    sheet.strips.push_back(folded_of(now, strip));
+  return sheet;
 }
 
 void reopen(Snapshot& now, int strip) {

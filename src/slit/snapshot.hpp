@@ -26,6 +26,7 @@ struct Slot {
 struct Pressing {
   std::vector<Contact> contacts;  ///< multipliers are what a penalty would add, and more than 0
   double penalty = 0.0;
+  double unit = 0.0;  ///< in which contacts count, mm
 };
 
 /// The state of a session. Copies share large data.
@@ -67,6 +68,9 @@ StripProblem problem_of(const Snapshot& now, int strip);
 
 /// A strip in its present shape; flat until it is first solved.
 FoldedStrip folded_of(const Snapshot& now, int strip);
+
+/// The whole sheet in its present shape.
+FoldedSlitSheet folded_sheet(const Snapshot& now);
 
 /// Marks a strip as not solved since.
 void reopen(Snapshot& now, int strip);

@@ -54,6 +54,19 @@ bool firm_ones_hold(const StripProblem& problem, const StripParameters& p) {
   return true;
 }
 
+bool load_rests(const StripProblem& problem, const StripParameters& p) {
+  if (problem.load.empty()) return true;
+  constexpr double kRests = 10.0 * kHolds;
+  const Eigen::VectorXd values = inequality_values(problem, p);
+  for (std::size_t i = 0; i < problem.inequalities.size(); ++i) {
+    const Inequality& one = problem.inequalities[i];
+    if (std::holds_alternative<HalfSpace>(one.what) && one.multiplier > 0.0 &&
+        values[static_cast<Eigen::Index>(i)] < -kRests)
+      return false;
+  }
+  return true;
+}
+
 std::vector<Inequality> with_new_multipliers(const StripProblem& problem,
                                              const StripParameters& p) {
   const Eigen::VectorXd values = inequality_values(problem, p);

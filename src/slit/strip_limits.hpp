@@ -20,6 +20,10 @@ std::vector<Inequality> with_broken(const StripProblem& problem, const StripPara
 /// Whether all that must hold exactly does (`kHolds`).
 bool firm_ones_hold(const StripProblem& problem, const StripParameters& p);
 
+/// Whether a loaded strip lies on the ground that carries it: multipliers that are too large lift
+/// it off.
+bool load_rests(const StripProblem& problem, const StripParameters& p);
+
 /// The inequalities of a problem for the next round of an augmented Lagrangian.
 std::vector<Inequality> with_new_multipliers(const StripProblem& problem, const StripParameters& p);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "nearest_points.hpp"
-#include "strip_fold.hpp"
+#include "strip_load.hpp"
 
 #include <memory>
 #include <optional>
@@ -70,6 +70,7 @@ struct StripProblem {
   std::optional<Frame> far_facet;  ///< of the panel at the strip's end; the fold there counts for
                                    ///< smoothness
   SlitObjective objective = SlitObjective::smooth;
+  StripLoad load = {};  ///< of `SlitObjective::energy`
   SlitWeights weights;
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;

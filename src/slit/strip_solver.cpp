@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 // Solves a strip: end conditions first, then descent among shapes that meet them (descend.cpp),
 // then limits that the minimum breaks. Radii are an augmented Lagrangian, whose multipliers are
@@ -112,17 +113,38 @@ Course least_of(const Task& task, const StripProblem& problem,
   return std::move(best);
 }
 
-/// From the strip's present shape, or from the first of the first shapes that leads to its end.
+/// From the strip's present shape, or from the first of the first shapes that leads to its end. A
+/// sheet is bent first and loaded then.
 Course begun(const Task& task, StripProblem problem, const StripParameters& from) {
   Found found = met_from_before(problem, from);
   if (found.met()) return {std::move(problem), std::move(found.solution)};
   const std::vector<StripParameters> shapes = first_shapes(problem);
-  if (problem.objective == SlitObjective::energy) return least_of(task, problem, shapes);
+  if (problem.objective == SlitObjective::energy) {
+    const StripLoad load = std::exchange(problem.load, {});
+    Course course = least_of(task, problem, shapes);
+    course.problem.load = load;
+    return course;
+  }
   for (const StripParameters& shape : shapes) {
     found = met_from(problem, shape, std::move(found));
     if (found.met()) return softly_descended(task, {std::move(problem), std::move(found.solution)});
   }
   return {std::move(problem), std::move(found.solution)};
+}
+
+/// At rest under the load: under all of it at once, or where that fails under more and more of it.
+Course loaded(const Task& task, const Course& unloaded) {
+  const int most = task.options.max_iterations;
+  Course course = descended(task, unloaded, most, task.options.function_tolerance);
+  const StripLoad load = unloaded.problem.load;
+  if (load.empty() || course.solution.converged || task.stopped()) return course;
+  Course slow = unloaded;
+  for (const double share : {0.125, 0.25, 0.5, 0.75, 1.0}) {
+    slow.problem.load = load.times(share);
+    slow.descended = 0;
+    slow = descended(task, std::move(slow), most, task.options.function_tolerance);
+  }
+  return slow.solution.converged ? slow : course;
 }
 
 std::vector<HalfSpace> planes_now_broken(const Task& task, const Course& course) {
@@ -152,7 +174,9 @@ Course held(
     inequalities = with_broken(course.problem, course.solution.p, planes);
     if (inequalities.empty()) return course;
     const bool unbroken = planes.empty() && !is_too_tight(course.problem, course.solution.p);
-    if (unbroken && firm_ones_hold(course.problem, course.solution.p)) return course;
+    if (unbroken && firm_ones_hold(course.problem, course.solution.p) &&
+        load_rests(course.problem, course.solution.p))
+      return course;
     if (round > 0) {
       course.problem.penalty *= kPenaltyGrowth;
       inequalities = with_new_multipliers(course.problem, course.solution.p);
@@ -217,7 +241,7 @@ StripSolution solve_strip(StripProblem problem, const StripParameters& from,
   problem.min_radius *= 1.0 + kRadiusMargin;
   Course course = begun(task, std::move(problem), from);
   if (course.solution.reached) {
-    course = descended(task, std::move(course), options.max_iterations, options.function_tolerance);
+    course = loaded(task, course);
     course = all_held(task, std::move(course));
   }
   course.solution.inequalities = std::move(course.problem.inequalities);

@@ -287,14 +287,51 @@ class Forms(SlitTest):
             with self.subTest(example.name):
                 self.run_cli("slit", str(example), "--check", "--json", "report.json")
                 report = self.json("report.json")
-                self.assertEqual(report["status"], "ok")
+                self.assertEqual(report["status"], "warning" if example.stem == "stool_pushed" else "ok")
                 for strip in report["slit"]["strips"]:
                     self.assertEqual(strip["status"], "solved")
                 length = max(report["flat"]["size"])
                 self.assertLess(report["slit"]["gap"], 1e-9 * length)
 
+    def test_a_stool_stands_until_it_is_pushed(self):
+        """Balanced by hand: 750 N at the height of the seat, 270 N aside, the weight of the sheet; feet 360 apart."""
+        for name, stands in ("stool", True), ("stool_pushed", False):
+            self.run_cli("slit", str(EXAMPLES / f"{name}.json"), "--check", "--json", "report.json")
+            report = self.json("report.json")
+            slit = report["slit"]
+            codes = {check["code"] for check in report["checks"]}
+            self.assertEqual("falls_over" not in codes, stands)
+            self.assertIn("springs_open", codes)
+            self.assertTrue(slit["stable"])
+            self.assertEqual(slit["standing"]["stands"], stands)
+            seat = slit["strips"][0]["ridges"][-1]["folded"][0][1]
+            weight = 7.9e-6 * 9.80665 * 2.0 * 1768 * 360
+            push = 0 if stands else 270
+            # About the edge of the feet: what holds, and what tips.
+            margin = 180 * (750 + weight) - push * seat
+            self.assertEqual(margin > 0, stands)
+            up = sum(reaction["force"][1] for reaction in slit["reactions"] if reaction["end"] == "panel")
+            strips = 7.9e-6 * 9.80665 * 2.0 * 464 * 360
+            self.assertAlmostEqual(up, 375 + strips, delta=1e-6 * up)
+
 
 class Refusals(SlitTest):
+    def test_loads_that_cannot_be(self):
+        stool = json.loads((EXAMPLES / "stool.json").read_text())
+        for change, place, what in (
+                ({"loads": [{"strip": 9, "force": [0, -1, 0]}]}, "/loads/0/strip", "there is no strip 10"),
+                ({"material": {"young": 190000}}, "/gravity", "the material has no density"),
+                ({"material": None}, "/gravity", "no material"),
+                ({"objective": "smooth"}, "/gravity", "not of least energy"),
+                ({"loads": [{"strip": 0, "force": [5, -1, 0]}]}, "/loads/0/force", "across its symmetry plane"),
+                ({"loads": [{"strip": 0, "force": -75}]}, "/loads/0/force", "a force [x, y, z]"),
+                ({"material": "no_such.json"}, "no_such.json", "no_such.json")):
+            spec = {key: value for key, value in {**stool, **change}.items() if value is not None}
+            (self.dir / "s.json").write_text(json.dumps(spec))
+            error = self.run_cli("slit", "s.json", "--check", status=3)[1]
+            self.assertIn(place, error)
+            self.assertIn(what, error)
+
     def middle_points(self, strip):
         """Of a strip's middle surface, in space, some every few millimetres."""
         for near, far in itertools.pairwise(strip["ridges"]):

@@ -194,14 +194,14 @@ TEST(SlitJson, ReadsScansInPlaceAndFromFiles) {
 }
 
 TEST(SlitJson, KnowsTheFilesThatItNamesWhateverElseIsWrong) {
-  const auto files = point_files_of(R"({"thickness": "x", "scan": [{"points": [[1, 2, 3]]},
+  const auto files = slit_files_of(R"({"thickness": "x", "scan": [{"points": [[1, 2, 3]]},
       {"strip": 0, "points": "a.xyz"}, 7, {"points": "b.xyz"}]})");
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].file, "a.xyz");
   EXPECT_EQ(files[0].pointer, "/scan/1/points");
   EXPECT_EQ(files[1].pointer, "/scan/3/points");
   for (const char* none : {"", "[]", "{", "{}", R"({"scan": 3})"})
-    EXPECT_TRUE(point_files_of(none).empty()) << none;
+    EXPECT_TRUE(slit_files_of(none).empty()) << none;
 }
 
 TEST(SlitJson, NamesThePlaceOfAMistake) {

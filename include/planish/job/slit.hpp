@@ -19,7 +19,8 @@ struct SlitReport : Report {
   SlitDesign design;  ///< as solved: ridges as subdivided
   std::vector<StripState> strips;
   FoldedSlitSheet folded;
-  double gap = 0.0;                ///< largest of all strips, mm
+  std::optional<SlitEquilibrium> equilibrium = {};  ///< of a sheet with a material
+  double gap = 0.0;                                 ///< largest of all strips, mm
   std::vector<double> leg_scales;  ///< by which each panel's leg curve was scaled to the sheet
   double flat_deviation = 0.0;     ///< largest distance of a corner of the developed sheet from its
                                    ///< place in the sheet as cut, mm

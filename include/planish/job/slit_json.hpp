@@ -24,16 +24,16 @@ struct SlitFile {
   LengthUnit units = LengthUnit::mm;  ///< of the file
 };
 
-/// Reads a slit file; files of scanned points are sought in `folder`, and not read without one.
-/// Errors: `invalid_input` for anything that is not JSON (`where` is name:line:column), unknown,
-/// repeated and missing keys, values of the wrong type or out of range (`where` is name and JSON
-/// pointer), and points that cannot be read (`where` is file:line); `cannot_read` for files of
-/// points. `SlitSession` checks the design itself.
+/// Reads a slit file; files of scanned points and of a material are sought in `folder`, and not
+/// read without one. Errors: `invalid_input` for anything that is not JSON (`where` is
+/// name:line:column), unknown, repeated and missing keys, values of the wrong type or out of range
+/// (`where` is name and JSON pointer), and points that cannot be read (`where` is file:line);
+/// `cannot_read` for these files. `SlitSession` checks the design itself.
 Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
                              const std::optional<std::filesystem::path>& folder);
 
-/// The files of scanned points that a slit file refers to, valid or not.
-std::vector<NamedFile> point_files_of(const std::string& json);
+/// The files of scanned points and of a material that a slit file refers to, valid or not.
+std::vector<NamedFile> slit_files_of(const std::string& json);
 
 /// Points as text, "x y z" on each line, separated by blanks, tabs, commas or semicolons; `#`
 /// begins a comment, empty lines are skipped. A comma in numbers separated by blanks, tabs or

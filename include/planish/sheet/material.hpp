@@ -2,6 +2,7 @@
 
 #include <planish/base/result.hpp>
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,6 +32,8 @@ using StressStrain = std::variant<PowerLaw, MeasuredCurve>;
 struct MaterialCurves {
   std::string name;  ///< for reports
   StressStrain tension, compression;
+  /// As far as the file states them: N/mm², a ratio, kg/dm³, N/mm².
+  std::optional<double> young = {}, poisson = {}, density = {}, yield = {};
 };
 
 /// `bad_option` for a curve that breaks a rule of its type.

@@ -2,6 +2,7 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
+#include <planish/slit/equilibrium.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
@@ -107,6 +108,8 @@ class SlitSession {
   const StripState& state(int strip) const;
   /// The sheet as folded now.
   FoldedSlitSheet folded() const;
+  /// What it bears as folded now; empty without a material.
+  std::optional<SlitEquilibrium> equilibrium() const;
 
  private:
   struct Content;

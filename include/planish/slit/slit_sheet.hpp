@@ -94,6 +94,32 @@ struct SlitScan {
   std::vector<Vec3> points;
 };
 
+/// What a sheet is made of, as far as it is elastic.
+struct SlitMaterial {
+  double young = 0.0;                  ///< N/mm²
+  double poisson = 0.3;                ///< at least 0, below 0.5
+  std::optional<double> density = {};  ///< kg/dm³
+  std::optional<double> yield = {};    ///< N/mm²
+
+  /// Flexural rigidity of a sheet, E t³ / 12 (1 − ν²), N mm.
+  double rigidity(double thickness) const;
+  /// Bending stress at the skin of a sheet, N/mm², at a curvature of its middle surface.
+  double stress(double thickness, double curvature) const;
+  /// Curvature that is left when a sheet bent that far is let go: 0 below the yield stress, beyond
+  /// it that of an elastic, perfectly plastic sheet (math.md#standing). Needs the yield stress.
+  double kept_curvature(double thickness, double curvature) const;
+  friend bool operator==(const SlitMaterial&, const SlitMaterial&) = default;
+};
+
+/// A force on a strip, N. In symmetric sheets it stands on both halves of the strip together.
+struct SlitLoad {
+  int strip = 0;
+  std::optional<double> at = {};  ///< share of the strip's length, from the panel; spread over the
+                                  ///< strip without it
+  Vec3 force = Vec3::Zero();
+  friend bool operator==(const SlitLoad&, const SlitLoad&) = default;
+};
+
 /// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so
 /// that both halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the end term of the paper [slits
 /// 3]; equivalent, except that it constrains nothing if the last ridge is upright. `free`: the
@@ -137,6 +163,9 @@ struct SlitDesign {
   EndAngle end_angle = EndAngle::right_angle;
   SlitObjective objective = SlitObjective::energy;
   SlitWeights weights;
+  std::optional<SlitMaterial> material = {};  ///< needed for what follows
+  bool gravity = false;                       ///< the sheet's own weight bends it
+  std::vector<SlitLoad> loads = {};
   bool ground = false;  ///< nothing goes below y = 0, the middle surface stays half a thickness
                         ///< above
   std::vector<SlitAnchor> anchors;
