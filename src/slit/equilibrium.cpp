@@ -114,7 +114,9 @@ class Strip {
     return all;
   }
 
+  /// Of a strip that leans on others, or is kept from bending further, nothing is said against it.
   bool is_stable() const {
+    if (!pressed_.empty() || !kept_limits().isZero(0.0)) return true;
     const Eigen::MatrixXd hessian = of_lagrange_function();
     if (!is_positive(hessian, problem_.ends)) return false;
     return !symmetric_ || is_positive(hessian, swaying(fold_.quad(problem_.base.quads - 1)));
@@ -211,15 +213,27 @@ class Strip {
     return model_.hessian + second_derivatives(problem_.base, p_, fold_, sum);
   }
 
-  /// Along what an end's conditions, the ground and pressed neighbours leave free.
+  /// Derivatives of the limits that are kept, a column for each.
+  Eigen::MatrixXd kept_limits() const {
+    Eigen::VectorXd residuals(problem_.residuals());
+    RowMatrix jacobian(problem_.residuals(), problem_.parameters());
+    Eigen::Ref<RowMatrix> ref(jacobian);
+    evaluate(problem_, p_, residuals, &ref);
+    return jacobian.bottomRows(std::ssize(problem_.inequalities)).transpose();
+  }
+
+  /// Along what an end's conditions, limits, the ground and pressed neighbours leave free.
   bool is_positive(const Eigen::MatrixXd& hessian, const std::vector<EndCondition>& ends) const {
     StripProblem with_ends = problem_;
     with_ends.ends = ends;
     const Eigen::VectorXd units = units_of(problem_.base);
     const auto count = static_cast<Eigen::Index>(ends.size());
-    Eigen::MatrixXd held(p_.size(), count + std::ssize(ground_) + std::ssize(pressed_));
+    const Eigen::MatrixXd limits = kept_limits();
+    Eigen::MatrixXd held(p_.size(),
+                         count + limits.cols() + std::ssize(ground_) + std::ssize(pressed_));
     held.leftCols(count) = end_derivative(with_ends, fold_).transpose();
-    Eigen::Index column = count;
+    held.middleCols(count, limits.cols()) = limits;
+    Eigen::Index column = count + limits.cols();
     for (const auto* forces : {&ground_, &pressed_})
       for (const PointForce& one : *forces)
         held.col(column++) = along(one.point, one.force);
@@ -227,7 +241,8 @@ class Strip {
     Eigen::Index rank = 0;
     if (held.cols() > 0) {
       held = units.asDiagonal() * held;
-      held.colwise().normalize();
+      for (Eigen::Index i = 0; i < held.cols(); ++i)
+        held.col(i).normalize();  // one that is zero stays so
       const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> split(held);
       rank = split.rank();
       turned.applyOnTheLeft(split.householderQ().adjoint());
@@ -235,7 +250,10 @@ class Strip {
     }
     const Eigen::Index free = p_.size() - rank;
     Eigen::MatrixXd left = turned.bottomRightCorner(free, free);
-    left.diagonal().array() += tolerance::kRounding * turned.diagonal().cwiseAbs().maxCoeff();
+    // A descent ends where it gains next to nothing, so less than that is no loss of stability.
+    constexpr double kNextToNothing = 3e-5;
+    left.diagonal().array() += kNextToNothing * (model_.value - load_part(problem_, p_)) +
+                               tolerance::kRounding * turned.diagonal().cwiseAbs().maxCoeff();
     return left.llt().info() == Eigen::Success;
   }
 
