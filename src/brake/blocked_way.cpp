@@ -106,14 +106,14 @@ Remark remark_on(const StrokeInputs& inputs, int line, const Lack& lack, const P
   if (taken.opening <= 0.0) return remark_of(say::short_of_any, facts);
   const double force = force_per_length(inputs.options.tensile_strength, inputs.work.thickness,
                                         taken.opening);
-  if (taken.die && taken.die->max_force && *taken.die->max_force < force) {
+  const bool usual = taken.opening >= narrowest_opening(inputs.work.thickness);
+  if (usual && taken.die && taken.die->max_force && *taken.die->max_force < force) {
     facts.emplace_back("other", text_of({ToolKind::die, taken.die->id}));
     facts.emplace_back("most", *taken.die->max_force, say::kPerMetre);
     facts.emplace_back("force", force, say::kPerMetre);
     return remark_of(say::short_of_strong, facts);
   }
   facts.emplace_back("opening", taken.opening, unit::mm);
-  const bool usual = taken.opening >= narrowest_opening(inputs.work.thickness);
   return remark_of(usual ? say::short_side : say::short_of_usual, facts);
 }
 

@@ -225,14 +225,14 @@ class Fitting {
   /// The largest tip that may be taken: a radius that is drawn below every tip is bent with the
   /// smallest, and what the V leaves hides a smaller tip.
   double largest_tip(const Die& die) const {
-    double least = std::numeric_limits<double>::infinity();
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    double least = kNone;
     for (const Punch& punch : tools_.punches)
       if (is_sharp(punch) && bears(punch.max_force, force(die.opening)))
         least = std::min(least, punch.tip_radius);
-    if (least > line_.inside_radius) return least + kWritten;
     const double hidden = options_.v == VChoice::wanted ? 0.0
                                                         : options_.radius_of_opening * die.opening;
-    return std::max(line_.inside_radius, hidden) + kWritten;
+    return std::max({least < kNone ? least : 0.0, line_.inside_radius, hidden}) + kWritten;
   }
 
   /// Whether the sheet about a tip rounder than drawn still lies with plane sides on the shoulders.

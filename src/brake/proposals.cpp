@@ -26,6 +26,7 @@ constexpr double kMostOfFlange = 0.5;      // by which one may be shorter: else 
 constexpr double kMostOfWeb = 10.0;        // thicknesses by which one may be wider
 constexpr double kTallest = 300.0;         // mm: by which punches may be taller
 constexpr double kStepOfPunch = 10.0;      // mm
+constexpr double kNarrowestV = 3.0;        // thicknesses: a narrower one cuts
 constexpr double kOneOpening = 1e-3;       // mm
 constexpr std::int64_t kLeastChecks = 20;  // that a change counts as, for what is made ready
 constexpr std::size_t kMostSwaps = 28;     // of 8 bends in an order
@@ -163,8 +164,8 @@ class Trying {
     const std::set<double> now = taken();
     std::set<double, std::greater<>> openings;
     for (const Die& die : tools_.dies)
-      if (die.opening > 0.0 && !now.empty() && die.opening < *now.rbegin() - kOneOpening &&
-          !now.contains(die.opening))
+      if (die.opening >= kNarrowestV * sheet_.thickness && !now.empty() &&
+          die.opening < *now.rbegin() - kOneOpening && !now.contains(die.opening))
         openings.insert(die.opening);
     for (const double opening : openings) {
       PlanOptions changed = options_;
@@ -265,7 +266,7 @@ class Trying {
     }
   }
 
-  /// The web of a narrow Z, beside which the die has no room.
+  /// The web of a narrow Z.
   void try_wider() {
     if (std::ranges::count(found_, Kind::longer_flanges, &Proposal::kind)) return;
     for (const BlockedBend& one : blocked()) {
@@ -276,7 +277,6 @@ class Trying {
     }
   }
 
-  /// By the least that does.
   bool resizes(const ChangedBody& one, Kind kind) {
     const auto [body, near] = one;
     const double most = kind == Kind::shorter_flange

@@ -78,6 +78,8 @@ bool same(const std::vector<SegmentRow>& a, const std::vector<SegmentRow>& b) {
   });
 }
 
+constexpr double kShown = 0.05;  // mm, degrees: less is written as 0
+
 std::string gauge_text(const BendDrawing& drawing, const Stroke& stroke) {
   if (stroke.flattening) return "no gauge: slide the hem in";
   return stroke.gauge ? "gauge " + with_unit(drawing, stroke.gauge->distance)
@@ -92,7 +94,7 @@ void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
         TextStyle{.size = 3.4, .bold = true, .colour = kPageAlert});
   if (!stroke.gauge) return;
   const GaugeStop& stop = *stroke.gauge;
-  if (!stop.flange && stop.height > 0.0)
+  if (!stop.flange && stop.height > kShown)
     lines.emplace_back("  fingers " + with_unit(drawing, stop.height) + " up, on the die", kSmall);
   if (stop.in_opening)
     lines.emplace_back(stop.by_nose ? "  in the opening, by the nose" : "  in the opening", kSmall);
@@ -146,7 +148,6 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
 /// What is between the legs afterwards, as a protractor shows it; empty at a right angle, where
 /// both angles are the same.
 std::string opening_text(const Stroke& stroke) {
-  constexpr double kShown = 0.05;  // degrees
   const double opening = 180.0 - stroke.angle.degrees();
   if (stroke.flattening || stroke.press_line || std::abs(opening - 90.0) < kShown || opening < 0.0)
     return {};

@@ -7,6 +7,7 @@
 
 #include <planish/base/message.hpp>
 #include <planish/base/text.hpp>
+#include <planish/base/tolerance.hpp>
 #include <planish/drawing/bend_pages.hpp>
 #include <planish/schema/json_parts.hpp>
 #include <planish/schema/table.hpp>
@@ -15,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace planish::job {
@@ -33,7 +35,7 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   if (gauge->in_opening) json["opening"] = true;
   if (gauge->by_nose) json["nose"] = true;
   if (gauge->flange) json["flange"] = flange_id(*gauge->flange);
-  if (gauge->flange || gauge->height != 0.0)
+  if (gauge->flange || std::abs(gauge->height) > tolerance::kWrittenDigits)
     json["height"] = number_json(units.length(gauge->height));
   return json;
 }

@@ -249,6 +249,26 @@ TEST(Fits, GivesALargeRadiusTheVThatLeavesIt) {
   EXPECT_EQ(fitting_tools(line, tools, {}).pairs.size(), 5u);
 }
 
+/// A radius below every tip: the smallest, and each that leaves what the V leaves anyway, 0.16 · 6.
+TEST(Fits, TakesEachTipThatTheVHidesWhereNoneIsAsSharpAsDrawn) {
+  BrakeTools tools = plain_tools();
+  tools.dies = {die({6.0, Angle::degrees(80)})};
+  const Punch plain = tools.punches.front();
+  tools.punches.clear();
+  for (const double tip : {0.2, 0.95, 0.97}) {
+    tools.punches.push_back(plain);
+    tools.punches.back().tip_radius = tip;
+  }
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 1.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 0.05;
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 0, 0}, {1, 0, 0}}));
+  tools.punches.erase(tools.punches.begin(), tools.punches.begin() + 2);
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 0, 0}}));
+}
+
 /// Bumps: a V of at most four times their pitch, or the narrowest that the thickness takes.
 TEST(Fits, GivesBumpsAVThatDoesNotReachTheNext) {
   BrakeTools tools = plain_tools();
