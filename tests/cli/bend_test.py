@@ -280,7 +280,10 @@ class WrongRequests(BendTest):
 
     def test_parts_that_no_tool_bears(self):
         sharp = dict(channel(30), defaults={"inside_radius": 0.1})
-        self.assertEqual(self.plan(sharp)["plan"]["strokes"][0]["punch"], "P88-R0.2")
+        # No tip is as sharp, so any will do that the V hides.
+        stroke = self.plan(sharp)["plan"]["strokes"][0]
+        tips = {punch["id"]: punch["tip_radius"] for punch in self.tools()["punches"]}
+        self.assertLessEqual(tips[stroke["punch"]], stroke["radius_made"])
         reason = self.plan(sharp, "--as-drawn", status=4)["reason"]
         self.assertEqual((reason["code"], reason["where"]), ("no_tool", "B1"))
         self.assertIn("no punch and die that leave an inside radius within a third of 0.1 mm", reason["message"])
