@@ -58,7 +58,7 @@ export async function forms({ page }) {
   }
   assert.equal(
     await page.getAttribute('[data-testid=legend-feature]', 'title'),
-    'Drawn, not cut: 1 countersink, 1 formed feature, 1 pocket',
+    'Drawn, not cut: 1 countersink, 1 formed feature',
   );
   assert.deepEqual(await page.$$eval('[data-testid=legend] li', (all) => all.map((e) => e.textContent.trim())), [
     'cut',
