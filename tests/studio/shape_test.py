@@ -270,7 +270,7 @@ class Shapes(StudioTest):
             found = {}  # radius of a circle: the features whose outline it is
             for feature, radius in zip(shape.arrays["edge_feature"], shape.arrays["edge_circle"][2::4]):
                 found.setdefault(round(radius, 4), set()).add(kinds[feature] if feature >= 0 else "cut")
-            self.assertEqual(found, {0.0: {"cut"}, 2.5: {"cut"}, 5.0: {"countersink"}, 10.0: {"formed", "pocket"}})
+            self.assertEqual(found, {0.0: {"cut"}, 2.5: {"cut"}, 5.0: {"countersink"}, 10.0: {"formed"}})
             cut = sum(length for length, feature in zip(shape.arrays["edge_length"], shape.arrays["edge_feature"]) if feature < 0)
             self.assertAlmostEqual(cut, 320 + 5 * math.pi, delta=1e-3)
 
