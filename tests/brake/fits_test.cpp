@@ -86,10 +86,8 @@ std::vector<ToolPair> by_hand(const BrakeLine& line, const BrakeTools& tools,
       for (const Punch& other : tools.punches)
         if (other.angle.degrees() <= most && bears(other, force(v)))
           least = std::min(least, other.tip_radius);
-      if (least > tip)
-        tip = least;
-      else if (options.v == VChoice::any)
-        tip = std::max(tip, rho * v);
+      if (least > tip) tip = least;
+      if (options.v == VChoice::any) tip = std::max(tip, rho * v);
       const bool taken = v == nearest || (options.v == VChoice::any && v >= 4 * t && v <= 12 * t);
       const bool drawn = options.radius == RadiusWanted::drawn;
       const double made = std::max(one.tip_radius, rho * v);

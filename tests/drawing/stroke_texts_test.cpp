@@ -76,6 +76,8 @@ TEST_F(StrokeTexts, SayThatTheNoseTouchesInTheOpening) {
   plan_.strokes[0].gauge->height = 0.0;
   plan_.strokes[0].gauge->in_opening = true;
   EXPECT_EQ(times(pages(), "gauge 75.2 mm"), 1);
+  EXPECT_EQ(times(pages(), "  in the opening"), 1);
+  plan_.strokes[0].gauge->by_nose = true;
   EXPECT_EQ(times(pages(), "  in the opening, by the nose"), 1);
 }
 
