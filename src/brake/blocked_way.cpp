@@ -265,7 +265,7 @@ BlockedWay nearest_way(StageCache& cache, const LineSet& formed, const LineSet& 
   if (!best.hits) best.depth = 0.0;
   StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
   choice.direction = direction_number(inputs, way.direction * first.across());
-  choice.gauged = first.closes || gauge(cache, way).has_value();
+  choice.gauged = first.closes || is_gauged(cache, way);
   return {std::move(best), std::move(choice)};
 }
 

@@ -47,7 +47,7 @@ void add_pairs(StageCache& cache, const LineSet& formed, const FittingTools& fit
   const bool alone = count(choice.lines) == 1;  // its pairs were held against the press
   for (const ToolPair& pair : fitting.pairs) {
     if (!alone && force_on(inputs, choice.lines, pair.die) > inputs.tools.machine.force) continue;
-    choice.gauged = closes || stops.with(pair.punch, pair.die).has_value();
+    choice.gauged = closes || stops.touch(pair.punch, pair.die);
     all.push_back(with_tools(inputs, choice, pair));
   }
 }

@@ -7,6 +7,7 @@
 #include "closing.hpp"
 #include "gauge.hpp"
 #include "one_line.hpp"
+#include "ungauged.hpp"
 
 #include <algorithm>
 

@@ -19,26 +19,25 @@ namespace planish::brake_detail {
 
 namespace {
 
-constexpr double kLeastTouching = 0.5;  // of a finger's width, and of the edge of a sheet
-constexpr double kLeastTouch = 5.0;     // mm of a face, across its level line
-constexpr double kSameEdge = 1e-3;      // mm: lengths that are one
+constexpr double kSameEdge = 1e-3;  // mm: lengths that are one
 
-bool has_room(const Interval& along, std::vector<Interval> blocked, double width) {
+/// Where along a range a finger finds room between what blocks it, the outermost places of it.
+std::vector<Interval> free_places(const Interval& along, std::vector<Interval> blocked,
+                                  double width) {
+  std::vector<Interval> free;
   double from = along.lo;
+  const auto add = [&](double to) {
+    if (to - from >= width) free.push_back({from, to});
+  };
   for (const Interval& wall : joined(std::move(blocked), 0.0)) {
-    if (std::min(wall.lo + kPenetration, along.hi) - from >= width) return true;
+    add(std::min(wall.lo + kPenetration, along.hi));
     from = std::max(from, wall.hi - kPenetration);
   }
-  return along.hi - from >= width;
+  add(along.hi);
+  return free;
 }
 
-bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
-  return edge.away >= gauge.from && edge.away <= gauge.to;
-}
-
-bool is_touched(const GaugeEdge& edge) { return !edge.flange || edge.touched >= kLeastTouch; }
-
-double length(const GaugeEdge& edge) { return edge.along.hi - edge.along.lo; }
+double length(const Interval& interval) { return interval.hi - interval.lo; }
 
 /// How high a finger that lies on the die touches the edge of the sheet; empty if it cannot.
 std::optional<double> over_die(const BackGauge& gauge, double thickness) {
@@ -46,7 +45,7 @@ std::optional<double> over_die(const BackGauge& gauge, double thickness) {
   for (const Vec2& corner : gauge.finger)
     bottom = std::min(bottom, corner.y());
   const double height = -thickness - bottom;
-  const bool touches = height + front_of(gauge).lo <= -kLeastTouching * thickness;
+  const bool touches = height + front_of(gauge).lo <= -GaugeStops::kLeastTouching * thickness;
   if (height <= 0.0 || height > gauge.highest || !touches) return std::nullopt;
   return height;
 }
@@ -57,14 +56,19 @@ std::optional<double> over_die(const BackGauge& gauge, double thickness) {
 struct GaugeStops::Place {
   GaugeEdge edge;
   bool by_nose = false;
-  double width = 0.0, least = 0.0;  ///< of what touches; of that, what must
-  std::optional<bool> has_room = {};
+  double width = 0.0, least = 0.0;                 ///< of what touches; of that, what must
+  std::optional<std::vector<Interval>> free = {};  ///< room for one finger or more
   /// Whether the tool leaves it room, by punch and by die.
   std::array<std::vector<std::optional<bool>>, 2> clear = {};
 
   const Obstacle& shape(ToolRoom& tools) const { return by_nose ? tools.nose() : tools.finger(); }
   Vec2 at() const { return {edge.away, edge.height}; }
 };
+
+bool GaugeStops::stand_side_by_side(const Place& a, const Place& b) {
+  return a.by_nose == b.by_nose && a.edge.in_opening == b.edge.in_opening &&
+         (a.at() - b.at()).norm() < kSameEdge;
+}
 
 GaugeStops::GaugeStops(StageCache& cache, const Setting& stroke, bool openings)
     : cache_(cache),
@@ -78,15 +82,15 @@ GaugeStops::~GaugeStops() = default;
 void GaugeStops::add(std::vector<GaugeEdge> edges, bool by_nose, double share) {
   const double width = by_nose ? gauge_->nose->width : gauge_->finger_width;
   std::erase_if(edges, [&](const GaugeEdge& edge) {
-    return !is_in_range(edge, *gauge_) || !is_touched(edge) || length(edge) < share * width;
+    return !is_in_range(edge, *gauge_) || !is_touched(edge) || edge.length() < share * width;
   });
   std::ranges::stable_sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
-    return length(a) > length(b) + kSameEdge;
+    return a.length() > b.length() + kSameEdge;
   });
   const auto lifted = over_die(*gauge_, cache_.inputs().work.thickness);
   for (GaugeEdge& edge : edges) {
     places_.push_back({edge, by_nose, width, share * width});
-    if (!lifted || edge.flange || by_nose) continue;
+    if (!lifted || edge.is_formed() || by_nose) continue;
     edge.height = *lifted;
     places_.push_back({std::move(edge), by_nose, width, share * width});
   }
@@ -95,11 +99,9 @@ void GaugeStops::add(std::vector<GaugeEdge> edges, bool by_nose, double share) {
 /// The next kind of places, in the order in which they are preferred.
 bool GaugeStops::add_next() {
   if (!gauge_) return false;
-  const auto edges = [&](bool in_openings) {  // apart, openings come last
+  const auto edges = [&](bool in_openings) {
     std::vector<GaugeEdge> all = edges_facing(cache_, stroke_);
-    std::erase_if(all, [&](const GaugeEdge& edge) {
-      return in_openings ? !edge.in_opening || !openings_ : edge.in_opening && openings_;
-    });
+    std::erase_if(all, [&](const GaugeEdge& edge) { return edge.in_opening != in_openings; });
     return all;
   };
   switch (kind_++) {
@@ -107,18 +109,19 @@ bool GaugeStops::add_next() {
       add(edges(false), false, 1.0);
       return true;
     case 1:
-      add(faces_facing(cache_, stroke_, *gauge_), false, 1.0);
+      add(formed_facing(cache_, stroke_, *gauge_), false, 1.0);
       return true;
     case 2:
       add(edges(false), false, kLeastTouching);
       return true;
     case 3:
-      add(faces_facing(cache_, stroke_, *gauge_), false, kLeastTouching);
+      add(formed_facing(cache_, stroke_, *gauge_), false, kLeastTouching);
       return true;
-    case 4:
+    case kFirstInOpenings:
+      if (!openings_) return false;
       if (gauge_->nose) add(edges(true), true, 1.0);
       return true;
-    case 5:
+    case kFirstInOpenings + 1:
       add(edges(true), false, kLeastTouching);
       return true;
     default:
@@ -126,9 +129,9 @@ bool GaugeStops::add_next() {
   }
 }
 
-/// Whether the parts leave it room over its width.
-bool GaugeStops::has_room_at(Place& place) {
-  if (place.has_room) return *place.has_room;
+/// Where the parts leave a finger room over its width.
+const std::vector<Interval>& GaugeStops::room_at(Place& place) {
+  if (place.free) return *place.free;
   const bool left = stroke_.direction > 0;
   const PressMotion lying = motion(cache_.inputs(), stroke_);
   const Obstacle here = moved(place.shape(cache_.tools()), place.at()), there = mirrored(here);
@@ -140,8 +143,8 @@ bool GaugeStops::has_room_at(Place& place) {
                                      room);
     blocked.insert(blocked.end(), walls.begin(), walls.end());
   }
-  place.has_room = has_room(room, std::move(blocked), place.width);
-  return *place.has_room;
+  place.free = free_places(room, std::move(blocked), place.width);
+  return *place.free;
 }
 
 /// Before the stroke the punch touches the upper skin and the die the lower one. Tools count as
@@ -174,116 +177,79 @@ std::optional<ToolKind> GaugeStops::tool_at(Place& place, int punch, int die) {
   return std::nullopt;
 }
 
-std::optional<GaugeStop> GaugeStops::with(int punch, int die) {
+bool GaugeStops::touch(int punch, int die) {
   for (std::size_t i = 0;; ++i) {
     while (i == places_.size())
-      if (!add_next()) return std::nullopt;
-    Place& place = places_[i];
-    if (tool_at(place, punch, die) || !has_room_at(place)) continue;
-    const GaugeEdge& edge = place.edge;
-    return GaugeStop{edge.away,   edge.in_pattern, edge.height,
-                     edge.flange, edge.in_opening, place.by_nose};
+      if (!add_next()) return false;
+    if (!tool_at(places_[i], punch, die) && !room_at(places_[i]).empty()) return true;
   }
+}
+
+/// From the first finger's end to the last one's, as far as they touch, where fingers stand side by
+/// side at one distance and height.
+double GaugeStops::held(const Place& at, int punch, int die) {
+  std::vector<Interval> free;
+  Interval touched{kEverywhere.hi, kEverywhere.lo};
+  for (Place& place : places_) {
+    if (!stand_side_by_side(place, at) || tool_at(place, punch, die)) continue;
+    for (const Interval& one : room_at(place)) {
+      free.push_back(one);
+      touched = {std::min(touched.lo, std::max(one.lo, place.edge.along.lo)),
+                 std::max(touched.hi, std::min(one.hi, place.edge.along.hi))};
+    }
+  }
+  free = joined(std::move(free), 0.0);
+  const bool two = free.size() > 1 || length(free.front()) >= 2.0 * at.width;
+  return two ? length(touched) : std::min(at.width, length(touched));
+}
+
+std::optional<GaugeStop> GaugeStops::best(int punch, int die) {
+  const auto pieces = pressed_pieces(cache_, stroke_);
+  const double line = pieces.back().hi - pieces.front().lo;
+  std::optional<GaugeStop> best;
+  for (const bool in_openings : {false, true}) {
+    while (kind_ < (in_openings ? kKinds : kFirstInOpenings) && add_next()) {
+    }
+    for (Place& place : places_) {
+      const GaugeEdge& edge = place.edge;
+      if (edge.in_opening != in_openings || tool_at(place, punch, die) || room_at(place).empty())
+        continue;
+      const double held = this->held(place, punch, die);
+      if (best && held <= best->touched + kSameEdge) continue;
+      best = GaugeStop{edge.away,       edge.in_pattern, edge.height, edge.flange, edge.fold,
+                       edge.in_opening, place.by_nose,   held,        line};
+      if (best->is_square()) return best;
+    }
+    if (best) return best;
+  }
+  return best;
 }
 
 std::optional<GaugeStops::InTool> GaugeStops::in_tool(int punch, int die) {
   while (add_next()) {
   }
   for (Place& place : places_)
-    if (const auto kind = tool_at(place, punch, die); kind && has_room_at(place))
+    if (const auto kind = tool_at(place, punch, die); kind && !room_at(place).empty())
       return InTool{place.edge.away, *kind};
   return std::nullopt;
 }
 
 std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke) {
-  return GaugeStops(cache, stroke).with(stroke.punch, stroke.die);
+  return GaugeStops(cache, stroke).best(stroke.punch, stroke.die);
 }
 
-namespace {
-
-/// A flange that fingers would touch, or touch more of, if they went higher or lower.
-bool is_beyond_lift(const GaugeEdge& face, const BackGauge& gauge) {
-  return !is_touched(face) && (face.height == gauge.lowest || face.height == gauge.highest);
-}
-
-/// Edges and faces on the gauge's side of the line.
-std::vector<GaugeEdge> all_facing(StageCache& cache, const Setting& stroke,
-                                  const BackGauge& gauge) {
-  std::vector<GaugeEdge> all = edges_facing(cache, stroke);
-  std::ranges::move(faces_facing(cache, stroke, gauge), std::back_inserter(all));
-  return all;
-}
-
-/// Of faces that are touched too little: that the fingers' lift ends before one, or that there is
-/// nothing else.
-std::optional<Remark> untouched(const std::vector<GaugeEdge>& edges, const BackGauge& gauge) {
-  const auto beyond = std::ranges::find_if(
-      edges, [&](const GaugeEdge& edge) { return is_beyond_lift(edge, gauge); });
-  if (beyond != edges.end())
-    return remark_of(say::face_beyond_lift, {{"away", beyond->away, unit::mm},
-                                             {"lowest", gauge.lowest, unit::mm},
-                                             {"highest", gauge.highest, unit::mm}});
-  if (std::ranges::none_of(edges, is_touched))
-    return remark_of(say::face_too_low, {{"away", edges.front().away, unit::mm},
-                                         {"touched", edges.front().touched, unit::mm},
-                                         {"least", kLeastTouch, unit::mm}});
-  return std::nullopt;
-}
-
-/// Whether the nose would do in an opening on either side, which nobody asked for.
-bool nose_would_do(StageCache& cache, Setting stroke) {
-  const auto& gauge = cache.inputs().tools.machine.gauge;
-  if (!gauge || !gauge->nose || cache.inputs().options.gauge_openings) return false;
-  const auto does = [&] {
-    return GaugeStops(cache, stroke, true).with(stroke.punch, stroke.die).has_value();
-  };
-  if (does()) return true;
-  stroke.direction = -stroke.direction;
-  return does();
-}
-
-Remark what_is_untouched(StageCache& cache, const Setting& stroke) {
-  const auto& machine = cache.inputs().tools.machine;
-  if (!machine.gauge) return remark_of(say::no_back_gauge);
-  const BackGauge& gauge = *machine.gauge;
-  std::vector<GaugeEdge> edges = all_facing(cache, stroke, gauge);
-  Setting told = stroke;
-  if (edges.empty()) {  // the sheet lies either way
-    told.direction = -stroke.direction;
-    edges = all_facing(cache, told, gauge);
-    if (brake_detail::gauge(cache, told)) return remark_of(say::edge_on_other_side);
-  }
-  if (edges.empty())
-    return remark_of(has_edge_aside(cache, stroke) ? say::edge_leans : say::no_parallel_edge);
-  const auto off = [&](const GaugeEdge& edge) {
-    return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});
-  };
-  const GaugeEdge nearest = *std::ranges::min_element(edges, {}, off);
-  if (!is_in_range(nearest, gauge))
-    return remark_of(nearest.flange ? say::face_out_of_range : say::edge_out_of_range,
-                     {{"away", nearest.away, unit::mm},
-                      {"from", gauge.from, unit::mm},
-                      {"to", gauge.to, unit::mm}});
-  std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
-  if (const auto faces = untouched(edges, gauge)) return *faces;
-  std::erase_if(edges, [](const GaugeEdge& edge) { return !is_touched(edge); });
-  const double longest = length(*std::ranges::max_element(edges, {}, length));
-  if (longest < kLeastTouching * gauge.finger_width)
-    return remark_of(say::edge_too_short,
-                     {{"longest", longest, unit::mm}, {"width", gauge.finger_width, unit::mm}});
-  if (const auto in = GaugeStops(cache, told).in_tool(stroke.punch, stroke.die))
-    return remark_of(say::finger_in_tool,
-                     {{"away", in->away, unit::mm},
-                      {"tool", text_of(cache.tools().name(in->kind, tool_of(in->kind, stroke)))}});
-  return remark_of(say::finger_blocked);
-}
-
-}  // namespace
-
-Remark why_ungauged(StageCache& cache, const Setting& stroke) {
-  Remark why = what_is_untouched(cache, stroke);
-  if (nose_would_do(cache, stroke)) say_after(why.told, "; ", tell(say::nose_would_touch, {}));
-  return why;
+bool is_gauged(StageCache& cache, const Setting& stroke) {
+  return GaugeStops(cache, stroke).touch(stroke.punch, stroke.die);
 }
 
 }  // namespace planish::brake_detail
+
+namespace planish {
+
+bool GaugeStop::is_square() const {
+  constexpr double kSquare = 1.0 /
+                             3.0;  // what a finger is off by is at most tripled along the line
+  return touched >= kSquare * line;
+}
+
+}  // namespace planish

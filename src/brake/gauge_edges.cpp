@@ -1,6 +1,6 @@
 // What the fingers of the back gauge may touch: straight borders of what lies in the plane of the
-// sheet, neighbours on one line as one, and outer faces of flanges that stand upright
-// (math.md#gauging).
+// sheet, neighbours on one line as one, outer faces of flanges that stand upright, and the folds of
+// those that lean back over the sheet, where they go out farthest (math.md#gauging).
 #include "gauge_edges.hpp"
 
 #include <algorithm>
@@ -108,7 +108,89 @@ std::vector<UprightFace> upright_faces(StageCache& cache, const Setting& stroke)
   return faces;
 }
 
+/// How high a finger is, as near to the lying sheet as can be, to touch a fold that goes out
+/// farthest at a height; empty if its lift ends before.
+std::optional<double> height_at_fold(double fold, double thickness, const BackGauge& gauge) {
+  const Interval front = front_of(gauge);
+  const double margin = 0.5 * std::min(thickness, front.hi - front.lo);
+  const double height = std::clamp(
+      std::clamp(0.0, fold + margin - front.hi, fold - margin - front.lo), gauge.lowest,
+      gauge.highest);
+  if (fold < height + front.lo || fold > height + front.hi) return std::nullopt;
+  return height;
+}
+
+/// A bend that turns what is beyond it back over what lies, as it is in a stage.
+struct Fold {
+  const BrakeLine& line;
+  double radius = 0.0;  ///< inside
+  Angle angle;
+};
+
+std::optional<Fold> fold_of(const Workpiece& work, int number, const LineSet& formed) {
+  const BrakeLine& line = work.lines[number];
+  if (!holds(formed, number)) return std::nullopt;
+  const bool closed = line.closed_by && holds(formed, *line.closed_by);
+  const Angle angle = closed ? line.closed : line.angle;
+  if (angle.radians() <= 0.5 * Angle::degrees(180).radians() + kParallel) return std::nullopt;
+  return Fold{line, std::max(0.0, line.bend.allowance / angle.radians() - line.bend.neutral),
+              angle};
+}
+
+/// Where a fold beyond a body that lies can be touched: at a quarter of a turn, R + T beyond the
+/// line at which it begins.
+void add_fold(const Fold& fold, const std::vector<Convex>& zone, const BrakeLine& pressed,
+              double side, const BackGauge& gauge, std::vector<GaugeEdge>& found) {
+  const BrakeLine& line = fold.line;
+  const double thickness = line.bend.thickness, half = 0.5 * line.bend.allowance;
+  const Eigen::Isometry3d lying = line_frame(pressed);
+  const auto seen = [&](const Vec2& p) { return Vec3(lying * Vec3(p.x(), p.y(), 0.0)); };
+  const Vec3 at = seen(line.origin), along = seen(line.origin + line.along) - at;
+  const double away = side * at.y() - half + fold.radius + thickness;
+  if (std::abs(along.y()) > std::sin(kParallel) || away <= 0.0) return;
+  const auto height = height_at_fold(line.up == pressed.up ? fold.radius : -thickness - fold.radius,
+                                     thickness, gauge);
+  if (!height) return;
+  const Vec2 outward = side * pressed.across();
+  const double quarter = line.bend.allowance * Angle::degrees(90).radians() / fold.angle.radians();
+  const auto in_pattern = [&](double x) {
+    return Vec2(line.origin + x * line.along + (quarter - half) * outward);
+  };
+  std::vector<Interval> pieces;
+  for (const Convex& piece : zone)
+    if (const auto one = crossing(piece, 0.0)) pieces.push_back(*one);
+  for (const Interval& one : joined(std::move(pieces), kOneEdge)) {
+    const double a = seen(in_pattern(one.lo)).x(), b = seen(in_pattern(one.hi)).x();
+    found.push_back({.away = away,
+                     .along = {std::min(a, b), std::max(a, b)},
+                     .in_pattern = Segment{in_pattern(one.lo), in_pattern(one.hi)},
+                     .height = *height,
+                     .fold = line.bends.front()});
+  }
+}
+
+void add_folds(StageCache& cache, const Setting& stroke, const BackGauge& gauge,
+               std::vector<GaugeEdge>& found) {
+  const Workpiece& work = cache.inputs().work;
+  const std::vector<PartTree::Part>& parts = cache.tree(stroke.line).parts();
+  const bool left = stroke.direction > 0;
+  for (const PartTree::Part& part : parts) {
+    if (!part.is_zone || part.before < 0) continue;
+    const PlacedPart& before = *cache.parts(stroke)[part.before];
+    if (!before.flat || before.left != left) continue;
+    if (const auto fold = fold_of(work, part.index, *stroke.formed))
+      add_fold(*fold, work.zones[part.index].pieces, work.lines[stroke.line], left ? 1.0 : -1.0,
+               gauge, found);
+  }
+}
+
 }  // namespace
+
+bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
+  return edge.away >= gauge.from && edge.away <= gauge.to;
+}
+
+bool is_touched(const GaugeEdge& edge) { return !edge.flange || edge.touched >= kLeastTouch; }
 
 Interval front_of(const BackGauge& gauge) {
   constexpr double kAtFront = 1e-6;  // mm
@@ -136,8 +218,8 @@ std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke) {
   return edges;
 }
 
-std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
-                                    const BackGauge& gauge) {
+std::vector<GaugeEdge> formed_facing(StageCache& cache, const Setting& stroke,
+                                     const BackGauge& gauge) {
   const Eigen::Isometry3d lying = line_frame(cache.inputs().work.lines[stroke.line]);
   const double side = stroke.direction > 0 ? 1.0 : -1.0, middle = lying.translation().z();
   const Interval front = front_of(gauge);
@@ -162,6 +244,7 @@ std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
                        .flange = face.flange,
                        .touched = std::max(0.0, touched.hi - touched.lo)});
   }
+  add_folds(cache, stroke, gauge, lines);
   return lines;
 }
 

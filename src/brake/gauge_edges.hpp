@@ -4,8 +4,9 @@
 
 namespace planish::brake_detail {
 
-/// What a finger may touch, in the frame of the line: an edge that faces the gauge, or a level line
-/// on the outer face of a flange that stands upright.
+/// What a finger may touch, in the frame of the line: an edge that faces the gauge, a level line on
+/// the outer face of a flange that stands upright, or the fold of one that leans back over the
+/// sheet, as that of a hem.
 struct GaugeEdge {
   double away = 0.0;  ///< from the bend line
   Interval along;
@@ -14,7 +15,17 @@ struct GaugeEdge {
   double height = 0.0;                  ///< of the finger
   std::optional<FlangeId> flange = {};  ///< of whose outer face it is a level line
   double touched = 0.0;                 ///< of that face, across the line
+  std::optional<BendId> fold = {};      ///< whose fold it is
+
+  double length() const { return along.hi - along.lo; }
+  bool is_formed() const { return flange || fold; }
 };
+
+bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge);
+
+/// Whether a finger touches enough of a face, and how much that is, in mm.
+bool is_touched(const GaugeEdge& edge);
+inline constexpr double kLeastTouch = 5.0;
 
 /// The front of a finger, from its lowest to its highest corner there.
 Interval front_of(const BackGauge& gauge);
@@ -23,9 +34,9 @@ Interval front_of(const BackGauge& gauge);
 std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke);
 
 /// Level lines on the outer faces of upright flanges, where a finger comes nearest to touching them
-/// with all its front; of some it may touch nothing.
-std::vector<GaugeEdge> faces_facing(StageCache& cache, const Setting& stroke,
-                                    const BackGauge& gauge);
+/// with all its front (of some it may touch nothing), and folds that its front touches.
+std::vector<GaugeEdge> formed_facing(StageCache& cache, const Setting& stroke,
+                                     const BackGauge& gauge);
 
 /// Whether a straight edge on some formed flange is parallel to the line.
 bool has_edge_aside(StageCache& cache, const Setting& stroke);

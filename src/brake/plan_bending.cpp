@@ -66,6 +66,11 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
           say::open_hem,
           {{"height", stroke.open_hem->height, unit::mm}, {"gap", stroke.open_hem->gap, unit::mm}},
           stroke.bends);
+    if (stroke.gauge && !stroke.gauge->is_square())
+      remarks.add(
+          say::short_gauge,
+          {{"touched", stroke.gauge->touched, unit::mm}, {"line", stroke.gauge->line, unit::mm}},
+          stroke.bends);
     if (stroke.flattening || is_hem(stroke.angle)) continue;
     const auto die = std::ranges::find(inputs.tools.dies, stroke.die, &Die::id);
     const Fact opening("opening", die->opening, unit::mm);

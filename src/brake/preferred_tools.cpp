@@ -117,7 +117,7 @@ class Preferring {
         return false;
     const Setting stroke = setting(cache_.inputs(), formed_[s], choice);
     const bool keeps_gauge = cache_.inputs().work.lines[stroke.line].closes ||
-                             gauge(cache_, stroke).has_value() == choice.gauged;
+                             is_gauged(cache_, stroke) == choice.gauged;
     return keeps_gauge && check(cache_, formed_[s], choice).feasible;
   }
 

@@ -33,6 +33,9 @@ constexpr Sentence bumped_coarser{
 constexpr Sentence open_hem{
     "open_hem",
     "stop the flat punch {height} above the die to leave {gap} between the sides of {@bend}"};
+constexpr Sentence short_gauge{
+    "short_gauge",
+    "the gauge touches only {touched} beside {@bend}, {line} long: hold the sheet square"};
 constexpr Sentence other_v{
     "other_v", "the V is {opening} instead of {wanted} for {@bend}, which takes {force:4}"};
 constexpr Sentence narrow_v{
@@ -96,7 +99,8 @@ constexpr Sentence finger_in_tool{
 constexpr Sentence finger_blocked{"finger_blocked",
                                   "the part is in the way of the fingers at each edge"};
 constexpr std::string_view
-    nose_would_touch = "with `--gauge-openings` the nose of the fingers touches in an opening";
+    nose_would_touch = "with `--gauge-openings` the nose of the fingers touches in an opening",
+    fingers_would_touch = "with `--gauge-openings` the fingers touch in an opening";
 
 // What a stroke lacks.
 constexpr Sentence no_segments_fit{

@@ -94,15 +94,21 @@ void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
         TextStyle{.size = 3.4, .bold = true, .colour = kPageAlert});
   if (!stroke.gauge) return;
   const GaugeStop& stop = *stroke.gauge;
-  if (!stop.flange && stop.height > kShown)
+  if (!stop.flange && !stop.fold && stop.height > kShown)
     lines.emplace_back("  fingers " + with_unit(drawing, stop.height) + " up, on the die", kSmall);
   if (stop.in_opening)
     lines.emplace_back(stop.by_nose ? "  in the opening, by the nose" : "  in the opening", kSmall);
-  if (stop.flange)
+  if (stop.flange || stop.fold) {
+    const std::string at = stop.flange ? fmt::format("on F{}", index_of(*stop.flange) + 1)
+                                       : "on the fold of " + bend_of(drawing, *stop.fold).id;
     lines.emplace_back(
-        fmt::format("  on F{}, fingers {} {}", index_of(*stop.flange) + 1,
-                    with_unit(drawing, std::abs(stop.height)), stop.height < 0.0 ? "down" : "up"),
+        fmt::format("  {}, fingers {} {}", at, with_unit(drawing, std::abs(stop.height)),
+                    stop.height < 0.0 ? "down" : "up"),
         kSmall);
+  }
+  if (!stop.is_square())
+    lines.emplace_back(
+        fmt::format("  touches only {}: hold it square", with_unit(drawing, stop.touched)), kSmall);
 }
 
 Lines lines_of(const BendDrawing& drawing, std::size_t s) {

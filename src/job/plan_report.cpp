@@ -27,7 +27,7 @@ Json id_json(const std::optional<FlangeId>& flange) {
   return flange ? Json(flange_id(*flange)) : Json(nullptr);
 }
 
-Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
+Json gauge_json(const std::optional<GaugeStop>& gauge, const Report& report, const Units& units) {
   if (!gauge) return nullptr;
   Json json;
   json["distance"] = number_json(units.length(gauge->distance));
@@ -35,7 +35,9 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   if (gauge->in_opening) json["opening"] = true;
   if (gauge->by_nose) json["nose"] = true;
   if (gauge->flange) json["flange"] = flange_id(*gauge->flange);
-  if (gauge->flange || std::abs(gauge->height) > tolerance::kWrittenDigits)
+  if (gauge->fold) json["fold"] = bend_id(report, *gauge->fold);
+  json["touched"] = number_json(units.length(gauge->touched));
+  if (gauge->flange || gauge->fold || std::abs(gauge->height) > tolerance::kWrittenDigits)
     json["height"] = number_json(units.length(gauge->height));
   return json;
 }
@@ -46,6 +48,8 @@ Schema gauge_schema() {
                  optional("opening", flag().said("of the sheet: it touches in one")),
                  optional("nose", flag().said("touches instead of the finger")),
                  optional("flange", text().said("formed, whose face does")),
+                 optional("fold", text().said("bend formed before, whose outside does")),
+                 required("touched", measured_length().said("from the first finger to the last")),
                  optional("height", measured_length().said("of the fingers"))});
 }
 
@@ -196,7 +200,7 @@ Json stroke_json(const Stroke& stroke, const std::optional<CheckDimension>& chec
   json["to_gauge"] = id_json(stroke.to_gauge);
   json["gauge_direction"] = Json::array(
       {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
-  json["gauge"] = gauge_json(stroke.gauge, units);
+  json["gauge"] = gauge_json(stroke.gauge, report, units);
   if (check)
     json["check_dimension"] = {{"flange", flange_id(check->flange)},
                                {"length", number_json(units.length(check->length))}};

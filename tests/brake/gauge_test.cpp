@@ -1,22 +1,15 @@
 #include "gauge.hpp"
 
-#include "brake/stroke_room.hpp"
+#include "brake/gauged_parts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace planish::test {
 namespace {
 
 using namespace brake_detail;
-
-BrakeTools gauged_tools() {
-  BrakeTools tools = plain_tools();
-  tools.machine.gauge = BackGauge{10, 300, 30, {{0, 0}, {0, -20}, {80, -20}, {80, 0}}};
-  return tools;
-}
 
 /// With a front too low for flanges.
 BrakeTools edge_tools() {
@@ -24,8 +17,6 @@ BrakeTools edge_tools() {
   tools.machine.gauge->finger = {{0, 0}, {0, -4}, {80, -4}, {80, 0}};
   return tools;
 }
-
-constexpr double kHalfZone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
 
 /// The gauge reaches the border of the flange at L + BA/2 from the bend line.
 TEST(Gauge, TouchesTheBorderBehindTheBend) {
@@ -119,18 +110,6 @@ BrakeTools tools_for_short_sides(double lift, const PlainPunch& upper = {.half_w
   return tools;
 }
 
-/// The strokes of both ways to press the only bend, or of two with other tools.
-std::vector<Stroke> strokes_of(const Sheet& sheet, const BrakeTools& tools,
-                               const std::vector<int>& formed = {}, int bend = 1) {
-  Room room(sheet, tools);
-  std::vector<Stroke> strokes;
-  for (const StrokeChoice& choice : room.ways(bend, formed)) {
-    strokes.push_back(describe(room.cache(), room.lines(formed), choice));
-    EXPECT_EQ(strokes.back().gauge.has_value(), choice.gauged);
-  }
-  return strokes;
-}
-
 /// Nearer than the side of the die, a finger 20 high has to be 20 − T higher to lie on the die.
 TEST(Gauge, LiftsTheFingerOntoTheDie) {
   for (const double reach : {12.0, 19.7, 20.2, 40.0})
@@ -169,50 +148,6 @@ TEST(Gauge, TouchesHalfOfTheEdgeFromTheDie) {
     for (const Stroke& stroke : strokes_of(short_sides(12.0), tools))
       EXPECT_EQ(stroke.gauge.has_value(), lower < 0.75);
   }
-}
-
-/// Of what stands upright it is told whether it is too low, too narrow or out of range: its outer
-/// face begins R above the sheet's upper skin, and stands R + T beyond the tangent line.
-TEST(Gauge, TellsWhyAFormedFlangeIsNoStop) {
-  const auto why = [](double lip, double width, double web) {
-    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
-    const Sheet sheet = strip({Straight{lip}, turn, Straight{web}, turn, Straight{60}}, width, 1.5);
-    BrakeTools tools = gauged_tools();
-    tools.machine.gauge->highest = 80.0;
-    for (const Stroke& stroke : strokes_of(sheet, tools, {1}, 2))
-      if (stroke.to_gauge == FlangeId(1))
-        return std::string(stroke.ungauged ? stroke.ungauged->code : "gauged");
-    return std::string("no way");
-  };
-  EXPECT_EQ(why(12.0, 80.0, 60.0), "gauged");
-  EXPECT_EQ(why(5.1, 80.0, 60.0), "gauged");
-  EXPECT_EQ(why(4.9, 80.0, 60.0), "face_too_low");
-  EXPECT_EQ(why(12.0, 14.9, 60.0), "edge_too_short");
-  EXPECT_EQ(why(12.0, 80.0, 300.0), "edge_out_of_range");
-}
-
-/// A lip that leans has an edge that is parallel, and nothing that a finger touches. What only the
-/// other side has is told of that.
-TEST(Gauge, TellsOfEdgesElsewhere) {
-  const auto why = [](double lip, double far_slope, double near_slope,
-                      const std::vector<int>& formed) {
-    SheetBuilder builder(1.5);
-    const FaceId web = builder.flange(Frame{}, {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 60}})});
-    builder.flange_behind(
-        builder.bend(builder.rim(web, 0), {Angle::degrees(90), 2, BendDirection::up}),
-        {polygon({{0, 0}, {80, 0}, {80, 50 + near_slope}, {0, 50}})});
-    builder.flange_behind(
-        builder.bend(builder.rim(web, 2), {Angle::degrees(lip), 2, BendDirection::up}),
-        {polygon({{0, 0}, {80, 0}, {80, 30 + far_slope}, {0, 30}})});
-    for (const Stroke& stroke : strokes_of(builder.finish(), gauged_tools(), formed))
-      if (stroke.to_gauge == FlangeId(0))
-        return std::string(stroke.ungauged ? stroke.ungauged->code : "gauged");
-    return std::string("no way");
-  };
-  EXPECT_EQ(why(60.0, 0.0, 5.0, {}), "gauged");
-  EXPECT_EQ(why(60.0, 0.0, 5.0, {2}), "edge_leans");
-  EXPECT_EQ(why(60.0, 5.0, 5.0, {2}), "no_parallel_edge");
-  EXPECT_EQ(why(60.0, 5.0, 0.0, {2}), "edge_on_other_side");
 }
 
 TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
@@ -281,39 +216,6 @@ TEST(Gauge, TakesNeighbouringEdgesForOne) {
     EXPECT_TRUE(choice.gauged);
 }
 
-/// A web of 150 by 80 with a rectangular opening, and a flange of 50 to 60; where `slope` is above
-/// 0 no outer edge is parallel to the bend between them. `raised`: a second flange stands on the
-/// far edge of the web.
-struct OpenedPart {
-  double from = 40.0, deep = 30.0, wide = 40.0;  ///< of the opening
-  double slope = 10.0;
-  double cut = 0.0;  ///< off the far edge of the web
-  bool raised = false;
-
-  Sheet sheet() const {
-    SheetBuilder builder(1.5);
-    const Loop opening = reversed(
-        polygon({{20, from}, {20 + wide, from}, {20 + wide, from + deep}, {20, from + deep}}));
-    std::vector<Vec2> outer{{0, 0}, {80, 0}, {80 - cut, 150}, {0, 150 - slope}};
-    if (cut > 0.0) outer.insert(outer.begin() + 2, {80, 140});
-    const FaceId web = builder.flange(Frame{}, {polygon(outer), opening});
-    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
-    builder.flange_behind(builder.bend(builder.rim(web, 0), turn),
-                          {polygon({{0, 0}, {80, 0}, {80, 60}, {0, 50}})});
-    if (raised) builder.flange_behind(builder.bend(builder.rim(web, 2), turn), {rectangle(80, 40)});
-    return builder.finish();
-  }
-};
-
-/// Fingers as wide as the web, whose nose dips 6 into the sheet and lies above it behind.
-BrakeTools tools_with_nose() {
-  BrakeTools tools = gauged_tools();
-  tools.machine.gauge->finger_width = 60.0;
-  tools.machine.gauge->nose = GaugeNose{
-      10.0, {{0, 0}, {0, -3}, {6, -3}, {6, 2}, {80, 2}, {80, 20}, {0, 20}}};
-  return tools;
-}
-
 /// The stop of the first bend with the web at the gauge.
 std::optional<GaugeStop> stop_at_web(const OpenedPart& part, const BrakeTools& tools,
                                      bool openings = true, const std::vector<int>& formed = {}) {
@@ -327,19 +229,6 @@ std::optional<GaugeStop> stop_at_web(const OpenedPart& part, const BrakeTools& t
   }
   ADD_FAILURE() << "no way has the web at the gauge";
   return std::nullopt;
-}
-
-/// Where only the nose would touch, the reason names the option; where nothing would, it does not.
-TEST(Gauge, NamesTheOptionWhereTheNoseWouldTouch) {
-  for (const double wide : {9.9, 10.1}) {
-    const OpenedPart part{.wide = wide};
-    Room room(part.sheet(), tools_with_nose(), {});
-    bool named = false;
-    for (const StrokeChoice& choice : room.ways(1, {}))
-      if (const auto why = describe(room.cache(), room.lines({}), choice).ungauged)
-        named = named || why->told.sentence.find("--gauge-openings") != std::string::npos;
-    EXPECT_EQ(named, wide > 10.0) << wide;
-  }
 }
 
 /// The nose touches the border of the opening that is next to the bend, where it is asked for.
@@ -411,31 +300,23 @@ TEST(Gauge, PrefersTheOutside) {
   EXPECT_NEAR(face->distance, 150.0 + kHalfZone + 2.0 + 1.5, 1e-9);
 }
 
-/// A finger goes into an opening that is large enough for it. Where openings are asked for, they
-/// come after shorter outer edges, and the nose touches in them.
+/// On request a finger goes into an opening that is large enough for it, where the nose does not.
 TEST(Gauge, TouchesInALargeOpeningWithAFinger) {
   BrakeTools tools = tools_with_nose();
   tools.machine.gauge->finger_width = 30.0;
+  EXPECT_TRUE(stop_at_web({.deep = 80.1, .wide = 50.0}, tools)->by_nose);
+  const OpenedPart both{.deep = 85.0, .wide = 50.0, .slope = 0.0, .cut = 45.0};
+  EXPECT_NEAR(stop_at_web(both, tools)->distance, 150.0 + kHalfZone, 1e-9);
+  tools.machine.gauge->nose->profile = {{0, 0}, {0, -3}, {90, -3}, {90, 20}, {0, 20}};
   for (const double deep : {79.8, 80.1}) {
     const OpenedPart large{.deep = deep, .wide = 50.0};
-    const auto finger = stop_at_web(large, tools, false);
+    EXPECT_FALSE(stop_at_web(large, tools, false));
+    const auto finger = stop_at_web(large, tools);
     ASSERT_EQ(finger.has_value(), deep > 80.0);
-    if (finger) {
-      EXPECT_TRUE(finger->in_opening);
-      EXPECT_FALSE(finger->by_nose);
-    }
-    const auto nose = stop_at_web(large, tools);
-    ASSERT_TRUE(nose);
-    EXPECT_TRUE(nose->in_opening);
-    EXPECT_TRUE(nose->by_nose);
+    if (!finger) continue;
+    EXPECT_TRUE(finger->in_opening);
+    EXPECT_FALSE(finger->by_nose);
   }
-  const OpenedPart both{.deep = 85.0, .wide = 50.0, .slope = 0.0, .cut = 45.0};
-  EXPECT_NEAR(stop_at_web(both, tools, false)->distance, both.from + kHalfZone, 1e-9);
-  EXPECT_NEAR(stop_at_web(both, tools, true)->distance, 150.0 + kHalfZone, 1e-9);
-  tools.machine.gauge->nose->profile = {{0, 0}, {0, -3}, {90, -3}, {90, 20}, {0, 20}};
-  const auto instead = stop_at_web({.deep = 85.0, .wide = 50.0}, tools);
-  ASSERT_TRUE(instead) << "the nose is too deep, the finger is not";
-  EXPECT_FALSE(instead->by_nose);
 }
 
 /// Between flaps that hang down on both sides, 2 away from its ends, an edge of 26 leaves just the
@@ -522,6 +403,72 @@ TEST(Gauge, TouchesWithHalfTheWidth) {
   EXPECT_FALSE((SteppedEnd{.edge = 14.9}.stop(0.0)));
   EXPECT_TRUE((SteppedEnd{.flange = 15.1, .slope = 5.0}.stop(80.0)));
   EXPECT_FALSE((SteppedEnd{.flange = 14.9, .slope = 5.0}.stop(80.0)));
+}
+
+/// A base of 100 whose far side, 60 away, slopes but for teeth of level edge between these places.
+std::optional<GaugeStop> stop_at_teeth(const std::vector<Interval>& teeth, double nearer = 0.0) {
+  std::vector<Vec2> outer{{0, 0}, {100, 0}, {100, 50}};
+  double depth = 60.0;
+  for (const Interval& tooth : teeth) {
+    outer.insert(
+        outer.end(),
+        {{tooth.hi, depth - 4}, {tooth.hi, depth}, {tooth.lo, depth}, {tooth.lo, depth - 4}});
+    depth -= nearer;
+  }
+  outer.emplace_back(0, 46);
+  SheetBuilder builder(1.5);
+  const FaceId base = builder.flange(Frame{}, {polygon(outer)});
+  builder.flange_behind(
+      builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up}),
+      {rectangle(100, 50)});
+  for (const Stroke& stroke : strokes_of(builder.finish(), gauged_tools()))
+    if (stroke.to_gauge == FlangeId(0)) return stroke.gauge;
+  return std::nullopt;
+}
+
+/// Fingers are 30 wide: two touch an edge from end to end, if each touches half of its width. They
+/// hold the sheet square from a third of the line on.
+TEST(Gauge, TellsHowFarApartItTouches) {
+  const auto touched = [](const std::vector<Interval>& teeth) {
+    const auto stop = stop_at_teeth(teeth);
+    EXPECT_TRUE(stop);
+    EXPECT_EQ(stop->is_square(), stop->touched >= 100.0 / 3.0);
+    EXPECT_NEAR(stop->line, 100.0, 1e-9);
+    return stop->touched;
+  };
+  EXPECT_NEAR(touched({{35, 64}}), 29.0, 1e-9);
+  EXPECT_NEAR(touched({{20, 80}}), 60.0, 1e-9);
+  EXPECT_NEAR(touched({{60, 90}, {10, 40}}), 80.0, 1e-9);
+  EXPECT_NEAR(touched({{80, 95}, {10, 40}}), 85.0, 1e-9);  // half of the second finger
+}
+
+/// Teeth at one distance are better than a longer one by itself, which lies farther away.
+TEST(Gauge, PrefersWhatHoldsTheSheetSquare) {
+  const std::vector<Interval> teeth{{64, 98}, {32, 63}, {0, 31}};
+  const auto at = [](const GaugeStop& stop) { return stop.distance - kHalfZone; };
+  EXPECT_NEAR(at(stop_at_teeth({teeth[0], teeth[1]}, 2.0).value()), 60.0, 1e-9);
+  SheetBuilder builder(1.5);
+  const FaceId base = builder.flange(Frame{}, {polygon({{0, 0},
+                                                        {100, 0},
+                                                        {100, 54},
+                                                        {69, 54},
+                                                        {69, 50},
+                                                        {66, 50},
+                                                        {66, 60},
+                                                        {33, 60},
+                                                        {33, 50},
+                                                        {31, 50},
+                                                        {31, 54},
+                                                        {0, 54}})});
+  builder.flange_behind(
+      builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up}),
+      {rectangle(100, 50)});
+  for (const Stroke& stroke : strokes_of(builder.finish(), gauged_tools())) {
+    if (stroke.to_gauge != FlangeId(0)) continue;
+    ASSERT_TRUE(stroke.gauge);
+    EXPECT_NEAR(at(*stroke.gauge), 54.0, 1e-9);
+    EXPECT_NEAR(stroke.gauge->touched, 100.0, 1e-9);
+  }
 }
 
 }  // namespace

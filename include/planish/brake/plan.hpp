@@ -70,8 +70,14 @@ struct GaugeStop {
   Segment edge;
   double height = 0.0;                  ///< of the finger's point above the upper skin, mm
   std::optional<FlangeId> flange = {};  ///< formed before, whose outer face touches
+  std::optional<BendId> fold = {};      ///< formed before, whose fold touches
   bool in_opening = false;              ///< of the sheet
   bool by_nose = false;                 ///< of the gauge, instead of a finger
+  double touched = 0.0;                 ///< along the line, from the first finger to the last, mm
+  double line = 0.0;                    ///< from one end of what is pressed to the other, mm
+
+  /// Whether the fingers stand far enough apart to hold the sheet square (math.md#gauging).
+  bool is_square() const;
 };
 
 /// Segments of a tool that stand side by side.
