@@ -346,9 +346,13 @@ class Fitting {
         if (bears * force <= most * needs) continue;
         most = bears, force = needs, opening = die.opening;
       }
-    return remark_of(say::no_strong_tools, {{"force", force, say::kPerMetre},
-                                            {"opening", opening, unit::mm},
-                                            {"most", most, say::kPerMetre}});
+    const double wider = std::ceil(opening * force / most);
+    const bool usual = wider <= kWidest * thickness_;
+    return remark_of(usual ? say::strong_over_wider : say::no_strong_tools,
+                     {{"force", force, say::kPerMetre},
+                      {"opening", opening, unit::mm},
+                      {"most", most, say::kPerMetre},
+                      {"wider", wider, unit::mm}});
   }
 
   const BrakeLine& line_;

@@ -190,8 +190,6 @@ bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge) {
   return edge.away >= gauge.from && edge.away <= gauge.to;
 }
 
-bool is_touched(const GaugeEdge& edge) { return !edge.flange || edge.touched >= kLeastTouch; }
-
 Interval front_of(const BackGauge& gauge) {
   constexpr double kAtFront = 1e-6;  // mm
   Interval front{0.0, 0.0};
@@ -242,7 +240,8 @@ std::vector<GaugeEdge> formed_facing(StageCache& cache, const Setting& stroke,
                        .in_pattern = Segment{in_pattern(one.lo), in_pattern(one.hi)},
                        .height = height,
                        .flange = face.flange,
-                       .touched = std::max(0.0, touched.hi - touched.lo)});
+                       .touched = std::max(0.0, touched.hi - touched.lo),
+                       .needed = cache.inputs().work.thickness});
   }
   add_folds(cache, stroke, gauge, lines);
   return lines;

@@ -14,7 +14,7 @@ struct GaugeEdge {
   bool in_opening = false;
   double height = 0.0;                  ///< of the finger
   std::optional<FlangeId> flange = {};  ///< of whose outer face it is a level line
-  double touched = 0.0;                 ///< of that face, across the line
+  double touched = 0.0, needed = 0.0;   ///< of that face, across the line
   std::optional<BendId> fold = {};      ///< whose fold it is
 
   double length() const { return along.hi - along.lo; }
@@ -23,9 +23,8 @@ struct GaugeEdge {
 
 bool is_in_range(const GaugeEdge& edge, const BackGauge& gauge);
 
-/// Whether a finger touches enough of a face, and how much that is, in mm.
-bool is_touched(const GaugeEdge& edge);
-inline constexpr double kLeastTouch = 5.0;
+/// Whether a finger touches enough of a face.
+inline bool is_touched(const GaugeEdge& edge) { return edge.touched >= edge.needed; }
 
 /// The front of a finger, from its lowest to its highest corner there.
 Interval front_of(const BackGauge& gauge);

@@ -115,8 +115,8 @@ Result<StrokeInputs> prepared(const Sheet& sheet, const Layout& layout, const Br
                               const PlanOptions& options) {
   if (const auto right = check(tools); !right) return pass_on(right);
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
-  if (options.gauge_openings && !(tools.machine.gauge && tools.machine.gauge->nose))
-    return fail(refuse::no_nose, {}, "gauge_openings");
+  if (options.gauge_openings && !tools.machine.gauge)
+    return fail(refuse::no_gauge, {}, "gauge_openings");
   WorkpieceOptions cut = workpiece_options(sheet.thickness, tools, options,
                                            large_bends(sheet, layout, tools, options));
   for (;;) {

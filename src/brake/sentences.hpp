@@ -89,7 +89,7 @@ constexpr Sentence face_too_low{
     "less than {least}"};
 constexpr Sentence face_beyond_lift{"face_beyond_lift",
                                     "the fingers, which lift from {lowest} to {highest}, reach "
-                                    "less than 5 mm of the height of what "
+                                    "less than {least} of the height of what "
                                     "stands upright, {away} from the bend line"};
 constexpr Sentence edge_too_short{
     "edge_too_short",
@@ -175,6 +175,10 @@ constexpr Sentence few_segments{
     kNoTool, "no punch and die whose segments together press a length of {length}"};
 constexpr Sentence no_strong_tools{
     kNoTool, "no punch and die that bear {force} over a V of {opening}: the strongest bear {most}"};
+constexpr Sentence strong_over_wider{
+    kNoTool,
+    "no punch and die that bear {force} over a V of {opening}: the strongest bear {most}, enough "
+    "over a V of {wider} or more"};
 
 }  // namespace planish::say
 

@@ -34,12 +34,13 @@ std::optional<Remark> untouched(const std::vector<GaugeEdge>& edges, const BackG
       edges, [&](const GaugeEdge& edge) { return is_beyond_lift(edge, gauge); });
   if (beyond != edges.end())
     return remark_of(say::face_beyond_lift, {{"away", beyond->away, unit::mm},
+                                             {"least", beyond->needed, unit::mm},
                                              {"lowest", gauge.lowest, unit::mm},
                                              {"highest", gauge.highest, unit::mm}});
   if (std::ranges::none_of(edges, is_touched))
     return remark_of(say::face_too_low, {{"away", edges.front().away, unit::mm},
                                          {"touched", edges.front().touched, unit::mm},
-                                         {"least", kLeastTouch, unit::mm}});
+                                         {"least", edges.front().needed, unit::mm}});
   return std::nullopt;
 }
 

@@ -19,9 +19,9 @@ using Kind = Proposal::Kind;
 
 constexpr int kDigits = 6;  // of an opening that is given as an option
 
-const std::vector<std::string_view> kKinds{"smaller_v",      "punch",          "taller_punches",
-                                           "shorter_flange", "longer_flanges", "swap",
-                                           "any_order",      "split",          "rolled"};
+const std::vector<std::string_view> kKinds{
+    "smaller_v", "punch", "taller_punches", "shorter_flange", "longer_flanges", "swap",
+    "any_order", "split", "rolled",         "segments",       "lower_ears",     "short_punch"};
 
 std::string with_unit(double mm, const Units& units) {
   return fmt::format("{} {}", units.short_text(mm), units.symbol());
@@ -73,6 +73,13 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
       return "in another order than you gave";
     case Kind::rolled:
       return fmt::format("with {} rolled", fmt::join(bends, " and "));
+    case Kind::segments:
+      return fmt::format("with segments of 10 to 300 mm for {}", tools);
+    case Kind::lower_ears:
+      return fmt::format("with ears whose foot is {} high", with_unit(proposal.by, units));
+    case Kind::short_punch:
+      return fmt::format("with the punch up to {} short of each end of a bend",
+                         with_unit(proposal.by, units));
     case Kind::split:
       break;
   }
@@ -85,6 +92,10 @@ std::vector<Remedy> remedies_of(const std::vector<Proposal>& proposals, const Re
     if (proposal.kind == Kind::smaller_v) {
       remedy.option = "opening";
       remedy.value = number_text(proposal.opening, kDigits);
+    }
+    if (proposal.kind == Kind::short_punch) {
+      remedy.option = "shortfall";
+      remedy.value = number_text(proposal.by, kDigits);
     }
     if (proposal.kind == Kind::rolled) remedy.option = "large_radii", remedy.value = "roll";
     return remedy;
@@ -120,8 +131,8 @@ Schema proposal_schema() {
        required("sentence", text().said("goes on from \"it can be bent\"")),
        optional("opening", measured_length().said("of the V")),
        optional("by",
-                measured_length().said("that punches are taller, or flanges shorter or longer")),
-       optional("tools", list(text()).said("the dies of that V; the punch")),
+                measured_length().said("taller, shorter, longer or high, as the sentence says")),
+       optional("tools", list(text()).said("the dies of that V; the punch; to have segments")),
        optional("ears", flag().said("for a punch that the shop has")), optional("flange", text()),
        optional("flanges", list(text())), optional("bends", list(text()))});
 }

@@ -309,7 +309,8 @@ TEST(Fits, ClosesHemsWithFlatToolsThatBearIt) {
 }
 
 /// The force that is needed and the most that any pair bears, by what it lacks: 106.5 kN/m over a V
-/// of 24 and 213 over one of 12.
+/// of 24 and 213 over one of 12. Where they are enough over a V of at most 12 T, 24, it is named:
+/// 12 * 213 / 120 is 21.3.
 TEST(Fits, TellWhatToolsBear) {
   BrakeTools tools = plain_tools();
   tools.dies = {die({12.0, Angle::degrees(80)}), die({24.0, Angle::degrees(80)})};
@@ -321,12 +322,16 @@ TEST(Fits, TellWhatToolsBear) {
   line.bend.thickness = 2.0;
   line.angle = Angle::degrees(90);
   line.inside_radius = line.drawn_radius = 2.0;
-  const auto why = fitting_tools(line, tools, {}).why;
+  auto why = fitting_tools(line, tools, {}).why;
   ASSERT_TRUE(why);
-  ASSERT_EQ(why->told.numbers.size(), 3u);
+  ASSERT_EQ(why->told.numbers.size(), 4u);
   EXPECT_NEAR(why->told.numbers[0].quantity.value, 1.42 * 450.0 * 4.0 / 12.0, 1e-9);
   EXPECT_EQ(why->told.numbers[1].quantity.value, 12.0);
   EXPECT_EQ(why->told.numbers[2].quantity.value, 120.0);
+  EXPECT_EQ(why->told.numbers[3].quantity.value, 22.0);
+  tools.punches[0].max_force = 100.0;  // 25.6
+  why = fitting_tools(line, tools, {}).why;
+  EXPECT_EQ(why->told.sentence.find("or more"), std::string::npos);
 }
 
 /// Over the wanted V alone the press is too weak where a wider one would do.

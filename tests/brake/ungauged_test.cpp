@@ -23,8 +23,8 @@ TEST(Ungauged, TellsWhyAFormedFlangeIsNoStop) {
     return std::string("no way");
   };
   EXPECT_EQ(why(12.0, 80.0, 60.0), "gauged");
-  EXPECT_EQ(why(5.1, 80.0, 60.0), "gauged");
-  EXPECT_EQ(why(4.9, 80.0, 60.0), "face_too_low");
+  EXPECT_EQ(why(1.6, 80.0, 60.0), "gauged");
+  EXPECT_EQ(why(1.4, 80.0, 60.0), "face_too_low");
   EXPECT_EQ(why(12.0, 14.9, 60.0), "edge_too_short");
   EXPECT_EQ(why(12.0, 80.0, 300.0), "edge_out_of_range");
 }

@@ -38,6 +38,7 @@ function stroke(more: Partial<StrokeRow> = {}): StrokeRow {
     to_gauge: 'F2',
     gauge_direction: [1, 0],
     gauge: {
+      touched: 1,
       distance: 34,
       edge: [
         [78, 0],

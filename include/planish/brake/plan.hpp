@@ -168,6 +168,9 @@ struct Proposal {
     any_order,       ///< without the order that was asked for
     split,           ///< two parts, cut at `bends`, each of which can be bent
     rolled,          ///< `bends`, of large radius, rolled and not bent
+    segments,        ///< more segments of `tools`: all lengths of a common set
+    lower_ears,      ///< ears of the punches whose foot is only `by` high
+    short_punch,     ///< the punch may be `by` short of each end of a line
   };
   Kind kind = Kind::smaller_v;
   double opening = 0.0;  ///< mm

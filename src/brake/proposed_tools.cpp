@@ -1,0 +1,200 @@
+// Tools that would do. The least that does is found by halving, which takes for granted that more
+// of a change helps no less.
+#include "proposed_tools.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace planish::brake_detail {
+namespace {
+
+using Kind = Proposal::Kind;
+
+constexpr double kTallest = 300.0;     // mm: by which punches may be taller
+constexpr double kStepOfPunch = 10.0;  // mm
+constexpr double kNarrowestV = 3.0;    // thicknesses: a narrower one cuts
+constexpr double kOneOpening = 1e-3;   // mm
+const std::vector<double> kCommonSet{10, 15, 20, 40, 50, 100, 100, 200, 300};  // mm
+constexpr double kStepOfFoot = 5.0, kLowestFoot = 10.0;                        // mm, of ears
+/// By how much a punch may be short of each end: in thicknesses, in mm, of the shortest line.
+constexpr double kShortInThicknesses = 15.0, kShortest = 20.0, kShortOfLine = 0.1;
+
+/// A punch whose upper half is moved up.
+Punch taller(Punch punch, double by) {
+  double top = 0.0;
+  for (const Vec2& p : punch.profile)
+    top = std::max(top, p.y());
+  for (Vec2& p : punch.profile)
+    if (p.y() > 0.5 * top) p.y() += by;
+  return punch;
+}
+
+BrakeTools with_taller_punches(BrakeTools tools, double by) {
+  for (Punch& punch : tools.punches)
+    punch = taller(punch, by);
+  for (Vec2& p : tools.machine.upper_beam)
+    p.y() += by;
+  return tools;
+}
+
+std::vector<std::string> ids_of(const BrakeTools& tools) {
+  std::vector<std::string> ids;
+  for (const Punch& punch : tools.punches)
+    ids.push_back(punch.id);
+  for (const Die& die : tools.dies)
+    ids.push_back(die.id);
+  return ids;
+}
+
+/// With the segments of a common set besides, of one tool or of all.
+BrakeTools with_segments(BrakeTools tools, const std::optional<std::string>& of) {
+  const auto add = [&](auto& tool) {
+    if (!of || tool.id == *of)
+      tool.segments.insert(tool.segments.end(), kCommonSet.begin(), kCommonSet.end());
+  };
+  std::ranges::for_each(tools.punches, add);
+  std::ranges::for_each(tools.dies, add);
+  return tools;
+}
+
+/// With ears whose feet are at most so high.
+BrakeTools with_low_ears(BrakeTools tools, double height) {
+  for (Punch& punch : tools.punches)
+    if (punch.ears) punch.ears->height = std::min(punch.ears->height, height);
+  return tools;
+}
+
+bool lacks_segments(const BlockedBend& one) { return one.why && one.why->code == "no_segments"; }
+
+bool hits_punch(const Trying& trying) {
+  const std::vector<BlockedBend> hits = trying.hits();
+  return std::ranges::any_of(
+      hits, [](const BlockedBend& one) { return one.hits->kind == ToolKind::punch; });
+}
+
+/// Openings of all V that some line may be pressed over now.
+std::set<double> taken(const Trying& trying) {
+  std::set<double> openings;
+  for (const BrakeLine& line : trying.work().lines)
+    for (const ToolPair& pair : fitting_tools(line, trying.tools(), trying.options()).pairs)
+      openings.insert(trying.tools().dies[pair.die].opening);
+  return openings;
+}
+
+/// The shop's own punch of that shape; null if it has none.
+const Punch* own(const Trying& trying, const Punch& punch) {
+  const auto same = std::ranges::find_if(trying.all_tools().punches, [&](const Punch& one) {
+    return one.profile == punch.profile && one.tip_radius == punch.tip_radius;
+  });
+  return same == trying.all_tools().punches.end() ? nullptr : &*same;
+}
+/// Also with ears if that has them.
+bool has(const Trying& trying, const Punch& punch) {
+  const Punch* same = own(trying, punch);
+  return same && (same->ears || !punch.ears);
+}
+
+BrakeTools with(const Trying& trying, const Punch& punch) {
+  BrakeTools more = trying.tools();
+  more.punches.push_back(punch);
+  return more;
+}
+
+}  // namespace
+
+void try_openings(Trying& trying) {
+  const std::set<double> now = taken(trying);
+  std::set<double, std::greater<>> openings;
+  for (const Die& die : trying.tools().dies)
+    if (die.opening >= kNarrowestV * trying.sheet().thickness && !now.empty() &&
+        die.opening < *now.rbegin() - kOneOpening && !now.contains(die.opening))
+      openings.insert(die.opening);
+  for (const double opening : openings) {
+    PlanOptions changed = trying.options();
+    changed.opening = opening;
+    auto work = trying.work_for(changed, trying.plan().large);
+    if (!work || !trying.can_bend(std::move(*work), trying.tools(), changed)) continue;
+    Proposal proposal{.kind = Kind::smaller_v, .opening = opening};
+    for (const Die& die : trying.tools().dies)
+      if (std::abs(die.opening - opening) < kOneOpening) proposal.tools.push_back(die.id);
+    trying.found.push_back(std::move(proposal));
+    return;
+  }
+}
+
+/// Of the first tool that needs them alone, else of all.
+void try_segments(Trying& trying) {
+  const std::vector<BlockedBend> blocked = trying.blocked();
+  if (std::ranges::none_of(blocked, lacks_segments) ||
+      !trying.can_bend(with_segments(trying.tools(), {})))
+    return;
+  const std::vector<std::string> ids = ids_of(trying.tools());
+  for (const std::string& id : ids)
+    if (trying.can_bend(with_segments(trying.tools(), id)))
+      return trying.found.push_back({.kind = Kind::segments, .tools = {id}});
+  trying.found.push_back({.kind = Kind::segments, .tools = ids});
+}
+
+void try_punches(Trying& trying) {
+  if (!trying.others()) return;
+  BrakeTools more = trying.tools();
+  for (const Punch& punch : trying.others()->punches)
+    if (!has(trying, punch)) more.punches.push_back(punch);
+  if (more.punches.size() == trying.tools().punches.size() || !trying.can_bend(more)) return;
+  for (const Punch& punch : trying.others()->punches) {
+    if (has(trying, punch) || !trying.can_bend(with(trying, punch))) continue;
+    const Punch* same = own(trying, punch);
+    trying.found.push_back(
+        {.kind = Kind::punch, .tools = {same ? same->id : punch.id}, .ears = same != nullptr});
+    return;
+  }
+}
+
+void try_lower_ears(Trying& trying) {
+  double highest = 0.0;
+  for (const Punch& punch : trying.tools().punches)
+    if (punch.ears) highest = std::max(highest, punch.ears->height);
+  if (!hits_punch(trying)) return;
+  for (double height = highest - kStepOfFoot; height >= kLowestFoot; height -= kStepOfFoot)
+    if (trying.can_bend(with_low_ears(trying.tools(), height)))
+      return trying.found.push_back({.kind = Kind::lower_ears, .by = height});
+}
+
+/// To a millimetre.
+void try_short_punch(Trying& trying) {
+  const double thickness = trying.sheet().thickness;
+  double most = std::min(kShortInThicknesses * thickness, kShortest);
+  for (const BrakeLine& line : trying.work().lines)
+    most = std::min(most, kShortOfLine * line.length());
+  const auto does = [&](double shortfall) {
+    PlanOptions changed = trying.options();
+    changed.shortfall = shortfall;
+    return trying.can_bend(trying.work(), trying.tools(), changed);
+  };
+  double little = std::floor(trying.options().shortfall.value_or(thickness)),
+         enough = std::floor(most);
+  const std::vector<BlockedBend> blocked = trying.blocked();
+  const bool lacks = std::ranges::any_of(blocked, lacks_segments);
+  if (enough <= little || !(lacks || hits_punch(trying)) || !does(enough)) return;
+  while (enough - little > 1.0) {
+    const double middle = std::floor(0.5 * (little + enough));
+    (does(middle) ? enough : little) = middle;
+  }
+  trying.found.push_back({.kind = Kind::short_punch, .by = enough});
+}
+
+void try_taller(Trying& trying) {
+  const std::vector<BlockedBend> hits = trying.hits();
+  const bool above = std::ranges::any_of(
+      hits, [](const BlockedBend& one) { return is_above(one.hits->kind); });
+  if (!above || !trying.can_bend(with_taller_punches(trying.tools(), kTallest))) return;
+  double too_low = 0.0, enough = kTallest;
+  while (enough - too_low > kStepOfPunch) {
+    const double middle = kStepOfPunch * std::round((too_low + enough) / (2.0 * kStepOfPunch));
+    (trying.can_bend(with_taller_punches(trying.tools(), middle)) ? enough : too_low) = middle;
+  }
+  trying.found.push_back({.kind = Kind::taller_punches, .by = enough});
+}
+
+}  // namespace planish::brake_detail
