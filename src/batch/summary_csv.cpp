@@ -22,6 +22,14 @@ std::string remedies_of(const PartRecord& part) {
   return fmt::format("{}", fmt::join(all, "; "));
 }
 
+/// The warnings that these would help with.
+std::string remedied_of(const PartRecord& part) {
+  std::vector<std::string> all;
+  for (const RecordedFinding& warning : warnings_of(part))
+    if (!warning.remedies.empty()) all.push_back(warning.message);
+  return fmt::format("{}", fmt::join(all, " "));
+}
+
 std::string cell(const std::optional<double>& number) { return csv_number(number); }
 std::string cell(const std::optional<int>& number) {
   return number ? std::to_string(*number) : std::string();
@@ -51,7 +59,8 @@ std::vector<std::pair<std::string, std::string>> row_of(const PartRecord& part,
           {"files", fmt::format("{}", fmt::join(part.written, ";"))},
           {"same_as", same_as},
           {"material", cell(part.material)},
-          {"remedies", remedies_of(part)}};
+          {"remedies", remedies_of(part)},
+          {"remedied", remedied_of(part)}};
 }
 
 }  // namespace

@@ -235,8 +235,9 @@ Result<Plan> planned(const StrokeInputs& inputs, const Progress& progress) {
   plan.v_away = search->v_away;
   plan.states = search->stages;
   if (search->timed_out)
-    plan.remarks.push_back(
-        remark_of(say::timed_out, {{"seconds", options.limits.seconds, unit::seconds}}));
+    plan.remarks.push_back(remark_of(
+        plan.status == PlanStatus::infeasible ? say::reasons_timed_out : say::timed_out,
+        {{"seconds", options.limits.seconds, unit::seconds}}));
   add_strokes(cache, *search, plan);
   note_tools(inputs, plan);
   if (plan.status != PlanStatus::infeasible) return plan;

@@ -1,6 +1,6 @@
 // Among plans of one cost that with the tools a shop would take: for each run of strokes whose
-// tools stand on one bed, the preferred pair that makes all of them, else pairs of that bed that
-// make as many as can be. What must hold: the cost depends on which strokes share a bed and not on
+// tools stand on one bed, the preferred pair that makes all of them, else pairs of one bed, the
+// preferred one, that make as many as can be. What must hold: the cost depends on which strokes share a bed and not on
 // which tools stand there.
 #include "preferred_tools.hpp"
 
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace planish::brake_detail {
@@ -142,9 +143,17 @@ class Preferring {
     return false;
   }
 
-  /// Each time the pair of the run's bed that makes the most of what is left.
+  /// On the bed of the preferred pair on which all can be made.
   void take_few(const Run& run, const std::vector<Pair>& pairs) {
-    const int bed = strokes_[run.from].bed;
+    if (strokes_[run.from].bed < 0) return;
+    std::set<int> tried;
+    for (const Pair& pair : pairs)
+      if (tried.insert(bed_of(pair)).second && take_few_of(bed_of(pair), run, pairs)) return;
+  }
+
+  /// Each time the pair of a bed that makes the most of what is left; nothing unless all are made.
+  bool take_few_of(int bed, const Run& run, const std::vector<Pair>& pairs) {
+    std::vector<std::pair<std::size_t, Pair>> taken;
     std::vector<std::size_t> left;
     for (std::size_t s = run.from; s < run.to; ++s)
       left.push_back(s);
@@ -160,11 +169,14 @@ class Preferring {
         most = std::move(made);
         best = pair;
       }
-      if (!best) return;
+      if (!best) return false;
       for (const std::size_t s : most)
-        take(s, *best);
+        taken.emplace_back(s, *best);
       std::erase_if(left, [&](std::size_t s) { return std::ranges::count(most, s) > 0; });
     }
+    for (const auto& [s, pair] : taken)
+      take(s, pair);
+    return true;
   }
 
   StageCache& cache_;

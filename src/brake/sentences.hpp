@@ -20,6 +20,9 @@ constexpr Sentence tip_radius{
     "the tip of {punch} leaves an inside radius of {left}, not the {radius} of {@bend}"};
 constexpr Sentence timed_out{
     "timed_out", "the time of {seconds} ended the search, so the next run may find another plan"};
+constexpr Sentence reasons_timed_out{
+    "timed_out",
+    "the time of {seconds} ended the search for reasons, so the next run may find more of them"};
 constexpr Sentence rolled{"rolled", "no stroke of the plan forms {@bend}: roll it"};
 constexpr Sentence rolled_since{
     "rolled", "no way was found to form {@bend} over a V or by bumps with these tools: roll it"};

@@ -213,7 +213,8 @@ Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWe
     if (ended) tell_blocked(result, work, problem.lines);
     result.furthest = work.book().furthest();
   }
-  result.timed_out = work.stopped() == StrokeWork::Stop::time;
+  const bool complete = ended && result.blocked_all;
+  result.timed_out = !complete && work.stopped() == StrokeWork::Stop::time;
   result.stages = work.book().asked();
   result.bound = work.has_plan() && ended ? result.cost : work.proven();
   return result;

@@ -15,8 +15,9 @@ using namespace brake_detail;
 
 const Turn kBent{Angle::degrees(90), 2.0, BendDirection::up};
 
-Result<Plan> plan_with(const Sheet& sheet, const BrakeTools& tools) {
-  return plan_bending(sheet, flat_sheet(sheet)->layout, tools);
+Result<Plan> plan_with(const Sheet& sheet, const BrakeTools& tools,
+                       const PlanOptions& options = {}) {
+  return plan_bending(sheet, flat_sheet(sheet)->layout, tools, options);
 }
 
 /// Of tools that cost the same: the least acute, then the largest tip that is not larger than the
@@ -82,6 +83,34 @@ TEST(PreferredTools, OfDiesOfOneOpeningAreThoseOfTheLargestAngle) {
     const auto plan = plan_with(sheet, tools);
     ASSERT_TRUE(plan);
     ASSERT_EQ(plan->strokes.size(), 2u);
+    for (const Stroke& stroke : plan->strokes)
+      EXPECT_EQ(stroke.die, "85") << "after " << turn << " places";
+    std::ranges::rotate(tools.dies, tools.dies.begin() + 1);
+  }
+}
+
+/// The same where two bends need punches of their own, side by side in one set-up.
+TEST(PreferredTools, AreTheBluntestDieForTwoPunches) {
+  const auto bent = [](double radius) {
+    return Turn{Angle::degrees(90), radius, BendDirection::up};
+  };
+  const Sheet sheet = strip({Straight{40}, bent(1.5), Straight{60}, bent(3.0), Straight{30}}, 80,
+                            1.5);
+  BrakeTools tools = plain_tools({.tip_radius = 1.0});
+  tools.punches.push_back(punch({.tip_radius = 3.0}));
+  tools.punches.back().id = "round";
+  for (const double angle : {70.0, 85.0, 60.0}) {
+    tools.dies.push_back(die({.angle = Angle::degrees(angle)}));
+    tools.dies.back().id = std::to_string(std::lround(angle));
+  }
+  PlanOptions options;
+  options.radius = RadiusWanted::drawn;
+  for (int turn = 0; turn < std::ssize(tools.dies); ++turn) {
+    const auto plan = plan_with(sheet, tools, options);
+    ASSERT_TRUE(plan);
+    ASSERT_EQ(plan->strokes.size(), 2u);
+    EXPECT_EQ(plan->tool_changes, 0);
+    EXPECT_NE(plan->strokes[0].punch, plan->strokes[1].punch);
     for (const Stroke& stroke : plan->strokes)
       EXPECT_EQ(stroke.die, "85") << "after " << turn << " places";
     std::ranges::rotate(tools.dies, tools.dies.begin() + 1);

@@ -103,7 +103,8 @@ struct StrokeSearch {
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
   int v_away = 0;           ///< of all strokes together
   std::int64_t stages = 0;  ///< looked at
-  bool timed_out = false;   ///< the time ended it, not the work: it may end otherwise next time
+  bool timed_out = false;   ///< the time ended it or the reasons, not the work: next time it may
+                            ///< end otherwise
   /// If infeasible: lines that no reachable stage can form. `blocked_all`: these are all such
   /// lines; else it was not looked at every stage once this was proven, and there may be more.
   std::vector<int> blocked = {};
