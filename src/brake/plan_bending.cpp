@@ -2,6 +2,7 @@
 #include "describe.hpp"
 #include "large_radius.hpp"
 #include "plan_search.hpp"
+#include "preferred_sides.hpp"
 #include "preferred_tools.hpp"
 #include "prepared.hpp"
 #include "sentences.hpp"
@@ -121,7 +122,8 @@ void note_large(const StrokeInputs& inputs, Plan& plan) {
 void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
   std::vector<ChosenStroke> chosen;
   LineSet formed = no_lines(cache.inputs().lines());
-  for (const StrokeChoice& choice : with_preferred_tools(cache, search.strokes)) {
+  for (const StrokeChoice& choice :
+       with_preferred_tools(cache, with_square_gauges(cache, search.strokes))) {
     chosen.push_back({formed, choice});
     formed = joined(formed, choice.lines);
   }
@@ -235,9 +237,9 @@ Result<Plan> planned(const StrokeInputs& inputs, const Progress& progress) {
   plan.v_away = search->v_away;
   plan.states = search->stages;
   if (search->timed_out)
-    plan.remarks.push_back(remark_of(
-        plan.status == PlanStatus::infeasible ? say::reasons_timed_out : say::timed_out,
-        {{"seconds", options.limits.seconds, unit::seconds}}));
+    plan.remarks.push_back(
+        remark_of(plan.status == PlanStatus::infeasible ? say::reasons_timed_out : say::timed_out,
+                  {{"seconds", options.limits.seconds, unit::seconds}}));
   add_strokes(cache, *search, plan);
   note_tools(inputs, plan);
   if (plan.status != PlanStatus::infeasible) return plan;
