@@ -149,9 +149,12 @@ Remark told_of(const BlockedBend& blocked) {
   facts.emplace_back("depth", blocked.depth, unit::mm);
   facts.emplace_back("tool", text_of(*blocked.hits));
   // With a clearance that is wanted a tool may be in the way without being hit.
-  const say::Sentence& hits = blocked.with ? say::flange_in_tool : say::sheet_in_tool;
-  const say::Sentence& nears = blocked.with ? say::flange_near_tool : say::sheet_near_tool;
-  Remark remark = remark_of(blocked.depth > 0.0 ? hits : nears, facts);
+  const auto of = [&](const say::Sentence& flange, const say::Sentence& sheet) {
+    return remark_of(blocked.with ? flange : sheet, facts);
+  };
+  Remark remark = blocked.through       ? of(say::flange_through_tool, say::sheet_through_tool)
+                  : blocked.depth > 0.0 ? of(say::flange_in_tool, say::sheet_in_tool)
+                                        : of(say::flange_near_tool, say::sheet_near_tool);
   if (blocked.at_turn)
     say_after(remark.told, " ",
               tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));

@@ -1,7 +1,7 @@
 // Among plans of one cost that with the tools a shop would take: for each run of strokes whose
 // tools stand on one bed, the preferred pair that makes all of them, else pairs of one bed, the
-// preferred one, that make as many as can be. What must hold: the cost depends on which strokes share a bed and not on
-// which tools stand there.
+// preferred one, that make as many as can be. What must hold: the cost depends on which strokes
+// share a bed and not on which tools stand there.
 #include "preferred_tools.hpp"
 
 #include "check.hpp"

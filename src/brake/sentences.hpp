@@ -59,6 +59,14 @@ constexpr Sentence sheet_in_tool{
     kFurthestStage,
     "where the order gets furthest, {@bend:id} cannot be bent: the sheet would run {depth:3} into "
     "the {tool}"};
+constexpr Sentence flange_through_tool{
+    kFurthestStage,
+    "where the order gets furthest, {@bend:id} cannot be bent: {@flange} would run right through "
+    "the {tool}"};
+constexpr Sentence sheet_through_tool{
+    kFurthestStage,
+    "where the order gets furthest, {@bend:id} cannot be bent: the sheet would run right through "
+    "the {tool}"};
 constexpr Sentence flange_near_tool{
     kFurthestStage,
     "where the order gets furthest, {@bend:id} cannot be bent: {@flange} would come nearer to the "

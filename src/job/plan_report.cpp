@@ -101,6 +101,7 @@ Schema blocked_schema() {
                  required("tool", words({"punch", "upper beam", "die", "lower beam"}).or_null()),
                  optional("tool_id", text()), required("with", text().or_null().said("flange")),
                  required("depth", measured_length()),
+                 optional("through", flag().said("as deep as can be in that tool")),
                  required("at_turn", angle(kAnyNumber).or_null()), optional("why", text()),
                  optional("remark", remark_schema().said("`why` as data"))});
 }
@@ -219,6 +220,7 @@ Json blocked_json(const BlockedBend& blocked, const Report& report) {
   if (blocked.hits && !blocked.hits->id.empty()) json["tool_id"] = blocked.hits->id;
   json["with"] = id_json(blocked.with);
   json["depth"] = number_json(units.length(blocked.depth));
+  if (blocked.through) json["through"] = true;
   json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
   if (blocked.why) {
     json["why"] = blocked.why->told.sentence;

@@ -38,8 +38,12 @@ Told told_of(const BlockedBend& blocked, const Report& report) {
     facts.emplace_back("tool", text_of(*blocked.hits));
     facts.emplace_back("depth", units.length(blocked.depth), units.symbol());
     // With a clearance that is wanted a tool may be in the way without being hit.
-    told = blocked.depth > 0.0 ? tell(blocked.with ? say::flange_hits : say::part_hits, facts)
-                               : tell(blocked.with ? say::flange_near : say::part_near, facts);
+    const auto of = [&](std::string_view flange, std::string_view part) {
+      return tell(blocked.with ? flange : part, facts);
+    };
+    told = blocked.through       ? of(say::flange_through, say::part_through)
+           : blocked.depth > 0.0 ? of(say::flange_hits, say::part_hits)
+                                 : of(say::flange_near, say::part_near);
     if (blocked.at_turn)
       say_after(told, " ",
                 tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));

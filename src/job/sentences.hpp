@@ -115,6 +115,8 @@ constexpr std::string_view
     flange_near = "{@bend:id}: {@flange} comes nearer to {tool} than the clearance";
 constexpr std::string_view
     part_near = "{@bend:id}: the part comes nearer to {tool} than the clearance";
+constexpr std::string_view flange_through = "{@bend:id}: {@flange} goes right through {tool}";
+constexpr std::string_view part_through = "{@bend:id}: the part goes right through {tool}";
 constexpr std::string_view part_hits = "{@bend:id}: the part hits {tool} by {depth}";
 constexpr std::string_view at_turn = "at {turn:3}";
 constexpr std::string_view only_bend = "{@bend:id}";

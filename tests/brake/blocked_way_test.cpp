@@ -33,6 +33,7 @@ TEST(BlockedWay, TellsHowDeepTheLegIsInTheThinnestPunch) {
     EXPECT_EQ(way.bend.hits, (ToolName{ToolKind::punch, "8"}));
     EXPECT_NEAR(way.bend.depth, 0.05 + beyond * kSin45, 0.01);
     EXPECT_EQ(way.bend.with, FlangeId(0));
+    EXPECT_FALSE(way.bend.through);
     EXPECT_EQ(way.bend.bend, BendId(1));
     ASSERT_TRUE(way.bend.at_turn);
     EXPECT_NEAR(way.bend.at_turn->degrees(), 90.0, 0.5);
@@ -41,6 +42,16 @@ TEST(BlockedWay, TellsHowDeepTheLegIsInTheThinnestPunch) {
     EXPECT_FALSE(check(room.cache(), room.lines({1}), way.choice).feasible);
     // The same again, and of the line alone.
     EXPECT_EQ(blocked(room.cache(), room.lines({1}), room.line_of(2)).depth, way.bend.depth);
+  }
+}
+
+/// A leg whose end is in the punch, 16 wide, or beyond it: at 90° it comes s of its length nearer.
+TEST(BlockedWay, TellsOfALegThatGoesThroughThePunch) {
+  const BrakeTools tools = plain_tools({.half_width = 8.0});
+  const double longest = 60.0 + 2.0 - 8.0 / kSin45;
+  for (const double step : {-2.0, 2.0}) {
+    Room room(channel(longest + 16.0 / kSin45 + 1.5 + step), tools);
+    EXPECT_EQ(blocked(room.cache(), room.lines({1}), room.line_of(2)).through, step > 0.0) << step;
   }
 }
 
