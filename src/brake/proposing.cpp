@@ -10,7 +10,6 @@
 #include <array>
 #include <set>
 #include <utility>
-#include <utility>
 
 namespace planish::brake_detail {
 namespace {

@@ -15,9 +15,9 @@ constexpr Refusal bad_plan_option{code::bad_option, "`{option}` is {value}, whic
 constexpr Refusal begins_with_unknown{code::bad_option,
                                       "`begin_with` names {@bend}, which the sheet does not have.",
                                       "Name bends of the sheet."};
-constexpr Refusal no_gauge{
-    code::bad_option, "`gauge_openings` needs a back gauge, and the tools have none.",
-    "Give the tools file machine.gauge, with a nose for small openings."};
+constexpr Refusal no_gauge{code::bad_option,
+                           "`gauge_openings` needs a back gauge, and the tools have none.",
+                           "Give the tools file machine.gauge, with a nose for small openings."};
 constexpr Refusal bad_weight{code::bad_option, "A weight is {value}, which is out of range.",
                              "Set it to 0 or more."};
 

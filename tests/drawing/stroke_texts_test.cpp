@@ -67,6 +67,18 @@ TEST_F(StrokeTexts, SayWhereFingersTouchAFormedFlange) {
   EXPECT_EQ(times(pages(), "  on F3, fingers 22.0 mm up"), 1);
 }
 
+TEST_F(StrokeTexts, SayWhatHoldsTheSheet) {
+  take(l_bracket());
+  plan_.strokes[0].gauge = GaugeStop{75.25, {}, 1.25};
+  plan_.strokes[0].gauge->fold = BendId(0);
+  plan_.strokes[0].gauge->touched = 20.0;
+  plan_.strokes[0].gauge->line = 60.0;
+  EXPECT_EQ(times(pages(), "  on the fold of B1, fingers 1.2 mm up"), 1);
+  EXPECT_EQ(times(pages(), "hold it square"), 0);
+  plan_.strokes[0].gauge->line = 60.1;  // a third of it
+  EXPECT_EQ(times(pages(), "  touches only 20.0 mm: hold it square"), 1);
+}
+
 TEST_F(StrokeTexts, SayThatTheNoseTouchesInTheOpening) {
   take(l_bracket());
   plan_.strokes[0].gauge = GaugeStop{75.25, {}};

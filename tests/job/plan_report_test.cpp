@@ -63,7 +63,8 @@ TEST(PlanReport, HasOneRowAStroke) {
   EXPECT_EQ(stroke["to_gauge"], "F2");
   EXPECT_EQ(stroke["gauge_direction"], Json::parse("[1.0, 0.0]"));
   EXPECT_EQ(stroke["gauge"],
-            Json::parse(R"({"distance": 60.0, "edge": [[100.0, 0.0], [100.0, 60.0]]})"));
+            Json::parse(R"({"distance": 60.0, "edge": [[100.0, 0.0], [100.0, 60.0]],
+                            "touched": 60.0})"));
   EXPECT_EQ(stroke["force"], 12.34);
   EXPECT_EQ(stroke["clearance"], 2.54);
   for (const char* key : {"press_line", "flattening", "punch_rows", "die_rows"})
@@ -107,6 +108,16 @@ TEST(PlanReport, TellsTheFlangeThatTouchesTheGauge) {
   EXPECT_EQ(mistake_in(plan), "");
   EXPECT_EQ(plan["strokes"][0]["gauge"]["flange"], "F3");
   EXPECT_DOUBLE_EQ(plan["strokes"][0]["gauge"]["height"], -1.0);
+}
+
+TEST(PlanReport, TellsWhichFoldTouches) {
+  Report report = planned_report();
+  report.plan->strokes[0].gauge->fold = BendId(0);
+  report.plan->strokes[0].gauge->height = 1.25;
+  const Json plan = plan_of(report);
+  EXPECT_EQ(mistake_in(plan), "");
+  EXPECT_EQ(plan["strokes"][0]["gauge"]["fold"], "B1");
+  EXPECT_DOUBLE_EQ(plan["strokes"][0]["gauge"]["height"], 1.25);
 }
 
 TEST(PlanReport, TellsThatTheNoseTouchesInAnOpening) {

@@ -16,6 +16,7 @@ inline Stroke stroke_at_40() {
   stroke.to_gauge = FlangeId{1};
   stroke.gauge_direction = Vec2::UnitX();
   stroke.gauge = GaugeStop{60.0, {{100, 0}, {100, 60}}};
+  stroke.gauge->touched = stroke.gauge->line = 60.0;
   stroke.force = 12.34;
   stroke.clearance = 2.54;
   return stroke;

@@ -11,7 +11,7 @@ namespace planish {
 /// What is tried.
 struct ProposalOptions {
   const BrakeTools* others = nullptr;  ///< tools that the shop might get; may be null
-  std::int64_t checks = 10'000;         ///< all kinds together, as in `StrokeLimits`
+  std::int64_t checks = 10'000;        ///< all kinds together, as in `StrokeLimits`
   /// A guard: after this nothing more is tried.
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
