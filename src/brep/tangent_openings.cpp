@@ -93,7 +93,7 @@ BorderLoop cut_of(const Recognition& of, const TangentOpening& opening) {
   if (!opening.here.on_bend) loops.push_back(seen_here(of, opening));
   if (!opening.there.on_bend) loops.push_back(seen_there(of, opening));
   std::erase_if(loops, [&](const BorderLoop& loop) {
-    return reach_over(loop, opening.plane, across) > -kWiderOutline;
+    return reach_over(loop, opening.plane, across) > of.tolerance;
   });
   if (loops.empty()) return {};
   return *std::ranges::min_element(loops, {}, loop_area);

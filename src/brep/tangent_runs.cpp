@@ -3,6 +3,8 @@
 #include "borders.hpp"
 #include "skin_outlines.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 
 // The outline of an opening over a tangent line has two runs of edges, which end in each other: one
@@ -62,8 +64,14 @@ Frame across_tangent(const Recognition& of, const Frame& plane, const SkinOutlin
   const auto uses = uses_of(of, *outline.on_bend);
   const Vec3 from = point_of(of, uses.front(), false), to = point_of(of, uses.back(), true);
   Vec3 x = (to - from).cross(plane.z).normalized();
-  const SpaceCurve& curve = of.model.edges[uses[uses.size() / 2].edge].curve;
-  if (x.dot(curve.point((curve.t0 + curve.t1) / 2) - from) < 0.0) x = -x;
+  // Either run may lie on the tangent line, as where the side of a window does.
+  const auto beyond = [&](const std::vector<CoEdge>& run) {
+    return sum_of(run, [&](const CoEdge& use) {
+      const SpaceCurve& curve = of.model.edges[use.edge].curve;
+      return x.dot(curve.point((curve.t0 + curve.t1) / 2) - from);
+    });
+  };
+  if (beyond(uses) < beyond(uses_of(of, outline.on_plane))) x = -x;
   Frame frame;
   frame.origin = from - (from - plane.origin).dot(plane.z) * plane.z;
   frame.x = x;
