@@ -4,6 +4,7 @@
 #include "borders.hpp"
 #include "contacts.hpp"
 #include "dihedral.hpp"
+#include "drawn_forms.hpp"
 #include "face_reader.hpp"
 #include "face_volume.hpp"
 #include "features.hpp"
@@ -229,7 +230,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
   add_features(builder, map, of);
   measure_wide_cuts(builder, map, of);
   builder.set_volume(volume_of(of.model));
-  builder.set_pressed_volume(of.skins.pressed_volume);
+  builder.set_pressed_volume(of.skins.pressed_volume + drawn_volume(of));
   builder.set_genus(of.model.genus);
   auto sheet = std::move(builder).build();
   if (!sheet && sheet.error().code == code::invalid_sheet) {
