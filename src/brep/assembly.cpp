@@ -53,7 +53,8 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
         const auto& uses = of.model.faces[f].loops[l];
         for (size_t i = 0; i < uses.size(); ++i)
           if (loop.borders[i] >= 0)
-            map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
+            map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place_of(i),
+                                                               loop.borders[i]};
         if (loop.widened) map.widened.insert({f, l});
       }
       for (const auto& [opening, borders] : read.bridges)
