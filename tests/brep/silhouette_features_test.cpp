@@ -111,11 +111,11 @@ TEST(Silhouettes, PartOneOutlineOfTheSkinIntoTheRimAndAHole) {
     const gp_Ax2 axis(gp_Pnt(x, y, from), gp_Dir(0, 0, 1));
     return BRepPrimAPI_MakeCylinder(axis, radius, 4).Shape();
   };
-  TopoDS_Shape part = bent_bracket({2, 2, 40, 30, 50});
+  TopoDS_Shape part = planish::test::bent_bracket({2, 2, 40, 30, 50});
   for (const TopoDS_Shape& tool :
        {upright(20, 3, -1, 2.5), upright(21.5, 0, -3.5, 3), upright(18.5, 0, 1.5, 3)})
     part = BRepAlgoAPI_Cut(part, tool).Shape();
-  const auto made = unfolded_shape(part);
+  const auto made = planish::test::unfolded_shape(part);
   ASSERT_TRUE(made) << made.error().message;
   const double blank = 50 * (40 + 30 + 3 * std::numbers::pi / 2);
   EXPECT_NEAR(made->flat.area, blank - std::numbers::pi * 2.5 * 2.5, 1e-9);
