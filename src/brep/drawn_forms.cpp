@@ -5,6 +5,7 @@
 
 #include <planish/base/id_vector.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 // A dome with a hollow across, or one part of the rim that touches both skins, is drawn from the
@@ -54,6 +55,11 @@ const RimPart* part_across(const Recognition& of, const RimPart& part) {
 /// Half the areas of its curved faces times the thickness, if the form is as thick as the sheet.
 double drawn_volume(const Recognition& of, const RimPart& part, const RimPart& across) {
   constexpr double kAsThick = 0.5;  // of the thickness: drawn walls are thinner, their corners not
+  const auto in_planes = [&](const std::vector<LoopRef>& loops) {
+    return std::ranges::all_of(loops,
+                               [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
+  };
+  if (!in_planes(loops_here(of, part)) || !in_planes(loops_there(of, across))) return 0.0;
   const auto here = form_volume(of, part);
   const bool same = &across == &part;
   const auto there = same ? std::optional(0.0) : form_volume(of, across);

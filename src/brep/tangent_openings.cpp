@@ -27,48 +27,6 @@
 namespace planish::brep {
 namespace {
 
-int vertex_of(const Recognition& of, const CoEdge& use, bool after) {
-  return of.model.edges[use.edge].vertices[use.forward == after ? 1 : 0];
-}
-
-/// Whether a run lies between two joints to another face.
-bool is_between_joints(const Recognition& of, const LoopRun& run, int other) {
-  const auto& loop = loop_of(of, run.loop);
-  const size_t count = loop.size();
-  for (const size_t i : {run.first + count - 1, size_t(run.first + run.count)})
-    if (face_across(of.model.edges[loop[i % count].edge], run.loop.face) != other) return false;
-  return true;
-}
-
-bool is_outer(const Recognition& of, const LoopRun& run) {
-  return of.outlines[run.loop.face].outer == run.loop.loop;
-}
-
-std::optional<SkinOutline> outline_on(const Recognition& of, int part,
-                                      const std::vector<LoopRef>& loops) {
-  if (loops.size() == 1 && goes_round(of, of.rim.parts[part], loops.front())) {
-    const auto run = run_along(of, part, loops.front());
-    if (run) return SkinOutline{*run, {}};
-  }
-  if (loops.size() != 2) return {};
-  auto plane = run_along(of, part, loops[0]), bend = run_along(of, part, loops[1]);
-  if (!plane || !bend) return {};
-  const auto is_plane = [&](const LoopRun& run) {
-    return std::holds_alternative<Frame>(of.model.faces[run.loop.face].surface);
-  };
-  if (!is_plane(*plane)) std::swap(plane, bend);
-  if (!is_plane(*plane) || !cylinder_of(of, bend->loop.face)) return {};
-  if (!is_outer(of, *plane) || !is_outer(of, *bend) ||
-      !is_between_joints(of, *plane, bend->loop.face) ||
-      !is_between_joints(of, *bend, plane->loop.face))
-    return {};
-  const auto first = uses_of(of, *plane), second = uses_of(of, *bend);
-  if (vertex_of(of, first.back(), true) != vertex_of(of, second.front(), false) ||
-      vertex_of(of, second.back(), true) != vertex_of(of, first.front(), false))
-    return {};
-  return SkinOutline{*plane, *bend};
-}
-
 /// The outline that crosses the tangent line.
 const SkinOutline& crossing_outline(const TangentOpening& opening) {
   return opening.here.on_bend ? opening.here : opening.there;
