@@ -192,6 +192,14 @@ std::optional<double> volume_over_skin(const Recognition& of, const SkinOutline&
   return volume;
 }
 
+/// Whether all walls lead from skin to skin. Where such an opening ends at the tangent line, the
+/// flange and the bend keep their own borders along it.
+bool is_plain(const Recognition& of, const RimPart& part) {
+  return std::ranges::all_of(part.faces, [&](int wall) {
+    return reaches(of, wall, Skin::first) && reaches(of, wall, Skin::second);
+  });
+}
+
 }  // namespace
 
 double cut_area(const Recognition& of, const TangentOpening& opening) {
@@ -230,6 +238,7 @@ std::vector<TangentOpening> tangent_openings(const Recognition& of) {
     TangentOpening opening{p,  *here, *there, std::get<Frame>(of.model.faces[leader].surface),
                            {}, {},    {}};
     opening.cut = opening.cut_seen = cut_of(of, opening);
+    if (!opening.cut.empty() && is_plain(of, part)) continue;
     if (!opening.cut.empty() || cut_across(of, opening)) found.push_back(std::move(opening));
   }
   return found;
