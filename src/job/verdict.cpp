@@ -26,6 +26,7 @@ namespace {
 
 constexpr auto kSlantedCut = "slanted cut";
 constexpr auto kChamfer = "chamfer";
+constexpr double kMissed = 0.1;  // mm: of material that nobody misses
 
 std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({}, {}) mm", trimmed_number(p.x(), 3),
@@ -126,7 +127,7 @@ void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat, doub
   if (within > least) facts.emplace_back("within", within, unit::mm);
   const std::size_t count = places.size();
   found.push_back(counting("slanted_cut", pattern, count, std::move(places), std::move(facts)));
-  if (beyond > least) found.back().severity = Severity::warning;
+  if (beyond > kMissed) found.back().severity = Severity::warning;
 }
 
 void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
