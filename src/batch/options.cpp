@@ -67,7 +67,9 @@ std::string longest_letters(const std::string& pattern) {
 bool may_be_listed(const Input& input, const shop::PartMaterials& list) {
   std::vector<SoughtName> names;
   for (const shop::PartMaterial& row : list.rows()) {
-    if (row.pattern.empty() || shop::fits(row.pattern, input.file.stem().string())) return true;
+    if (row.pattern.empty() || shop::fits(row.pattern, input.file.stem().string()) ||
+        shop::fits(row.pattern, input.file.filename().string()))
+      return true;
     const bool is_whole = row.pattern.find_first_of("*?") == std::string::npos;
     names.push_back({longest_letters(row.pattern), is_whole});
   }

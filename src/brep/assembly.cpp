@@ -4,6 +4,7 @@
 #include "borders.hpp"
 #include "contacts.hpp"
 #include "dihedral.hpp"
+#include "drawn_forms.hpp"
 #include "face_reader.hpp"
 #include "face_volume.hpp"
 #include "features.hpp"
@@ -52,7 +53,8 @@ SheetMap add_faces(SheetBuilder& builder, const Recognition& of) {
         const auto& uses = of.model.faces[f].loops[l];
         for (size_t i = 0; i < uses.size(); ++i)
           if (loop.borders[i] >= 0)
-            map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place, loop.borders[i]};
+            map.borders[{f, uses[i].edge, uses[i].forward}] = {id, loop.place_of(i),
+                                                               loop.borders[i]};
         if (loop.widened) map.widened.insert({f, l});
       }
       for (const auto& [opening, borders] : read.bridges)
@@ -229,7 +231,7 @@ Result<Sheet> assemble_sheet(const Recognition& recognition) {
   add_features(builder, map, of);
   measure_wide_cuts(builder, map, of);
   builder.set_volume(volume_of(of.model));
-  builder.set_pressed_volume(of.skins.pressed_volume);
+  builder.set_pressed_volume(of.skins.pressed_volume + drawn_volume(of));
   builder.set_genus(of.model.genus);
   auto sheet = std::move(builder).build();
   if (!sheet && sheet.error().code == code::invalid_sheet) {

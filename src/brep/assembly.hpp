@@ -24,6 +24,11 @@ struct Recognition {
   std::vector<FarRun> far_runs = {};
 };
 
+/// Which of the parts of the rim this is.
+inline int number_of(const Recognition& of, const RimPart& part) {
+  return static_cast<int>(&part - of.rim.parts.data());
+}
+
 /// Loops that a part touches on the reference skin, and on the other one.
 const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part);
 const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part);

@@ -326,13 +326,15 @@ void take_silhouette(ReadFace& read, Silhouette silhouette, int outer) {
     const auto as_read = std::exchange(loop.borders, std::vector<int>(loop.borders.size(), -1));
     const int place_as_read = std::exchange(loop.place, 0);
     loop.widened = false;
+    loop.places.resize(as_read.size());
     for (int i = 0; i < std::ssize(as_read); ++i)
       if (const auto at = silhouette.places.find({l, i}); at != silhouette.places.end()) {
         const auto [place, border] = at->second;
-        loop.place = place == 0 ? 0 : first + place - 1;
+        loop.places[i] = place == 0 ? 0 : first + place - 1;
+        if (l != outer) loop.place = loop.places[i];
         loop.borders[i] = border;
-        read.face.loops[loop.place][border].source_face = own[place_as_read][as_read[i]]
-                                                              .source_face;
+        read.face.loops[loop.places[i]][border].source_face = own[place_as_read][as_read[i]]
+                                                                  .source_face;
       }
   }
   silhouette.first_opening = first;
@@ -359,8 +361,8 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
   result.face = empty_face(of.model, f, leader);
   result.loops.resize(of.model.faces[f].loops.size());
   const auto add = [&](int l, ReadLoop loop) {
-    result.loops[l] = {static_cast<int>(result.face.loops.size()), std::move(loop.places),
-                       loop.widened};
+    result.loops[l] = {
+        static_cast<int>(result.face.loops.size()), std::move(loop.places), {}, loop.widened};
     result.face.loops.push_back(std::move(loop.borders));
   };
   ReadLoop outline = read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle);

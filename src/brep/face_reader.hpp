@@ -8,12 +8,15 @@ namespace planish::brep {
 /// which represents its group; the outer loop first.
 struct ReadFace {
   Face face;
-  /// By loop of the solid's face: its loop in `face`, and the border of each of its edge uses (−1:
-  /// it is not cut).
+  /// By loop of the solid's face: its loop in `face`, and by edge use its border (−1: it is not
+  /// cut) and the loop of that, if a silhouette has parted them.
   struct Loop {
     int place = 0;
     std::vector<int> borders;
+    std::vector<int> places = {};
     bool widened = false;  ///< cut wider than the skin's own outline, see `widest_edge`
+
+    int place_of(std::size_t use) const { return places.empty() ? place : places[use]; }
   };
   std::vector<Loop> loops;
   std::optional<Silhouette> silhouette;  ///< that some of its loops are taken from

@@ -43,8 +43,12 @@ void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& o
                 const char* kind, FormSide side, Error at_rim) {
   const RimPart& row = of.rim.parts[part];
   const auto& loops = loops_here(of, row);
-  FormedFeature feature = feature_of(kind, side, row.faces.front(),
-                                     map.face_id.at(loops.front().face));
+  const auto flange = std::ranges::find_if(loops, [&](const LoopRef& ref) {
+    return std::holds_alternative<Frame>(of.model.faces[ref.face].surface);
+  });
+  FormedFeature feature = feature_of(
+      kind, side, row.faces.front(),
+      map.face_id.at((flange == loops.end() ? loops.front() : *flange).face));
   feature.at_rim = std::move(at_rim);
   if (const auto* plane = std::get_if<Frame>(&builder[feature.face].surface))
     add_form_openings(feature, *plane, of, row);
@@ -109,6 +113,12 @@ bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
          kSlope * thickness;
 }
 
+/// How far an outline lies inside another at most, on one side of it.
+double reach_inside(const BorderLoop& outer, const BorderLoop& inner) {
+  const Box2 a = bounds(outer), b = bounds(inner);
+  return std::max((b.lo - a.lo).maxCoeff(), (a.hi - b.hi).maxCoeff());
+}
+
 FormedFeature drawn_opening(const char* kind, FormSide side, const PlaneOpening& opening,
                             const BorderRef& first, std::vector<BorderLoop> outlines) {
   FormedFeature feature = feature_of(kind, side, opening.part.faces.front(), first.face);
@@ -169,6 +179,7 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   if (!widened && found.empty() && is_slanted(opening.mine, opening.theirs, of.skins.thickness)) {
     balance.intrusion = 0.0;
     found = {drawn_opening("slanted cut", FormSide::down, opening, first, {opening.theirs})};
+    found.front().beyond_cut = reach_inside(opening.mine, opening.theirs);
   } else if (const double width = balance.beyond / (of.skins.thickness * perimeter(cut));
              widened || width > kSameOutline) {
     builder.add_form_volume(opening_volume(of, part, {here, there}, loop_area(cut)));

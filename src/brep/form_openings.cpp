@@ -3,6 +3,7 @@
 #include "borders.hpp"
 #include "form_volume.hpp"
 #include "passages.hpp"
+#include "tangent_runs.hpp"
 #include "widest.hpp"
 
 #include <planish/geometry/fit.hpp>
@@ -58,9 +59,12 @@ bool is_wider(const Section& section, double share, double thickness) {
   return 2 * section.area > share * thickness * section.perimeter;
 }
 
-std::vector<std::vector<Vec2>> rings_of(const Recognition& of, const std::vector<LoopRef>& loops,
-                                        const Frame& plane) {
+std::vector<std::vector<Vec2>> rings_of(const Recognition& of, const RimPart& part,
+                                        const std::vector<LoopRef>& loops, const Frame& plane) {
   std::vector<std::vector<Vec2>> rings;
+  if (const auto beside = outline_beside_bend(of, number_of(of, part), of.skin))
+    return {
+        sampled(curves_of(seen_outline(of, *beside, plane, of.skin)), kChord * of.skins.thickness)};
   for (const LoopRef& ref : loops) {
     const auto& loop = of.model.faces[ref.face].loops[ref.loop];
     const BorderLoop borders = read_borders(of.model, loop, plane, 0.0, of.tolerance);
@@ -180,8 +184,10 @@ std::vector<std::vector<CoEdge>> free_edges(const Recognition& of, const RimPart
   for (const LoopRef& ref : loops_here(of, part)) {
     const auto& loop = of.model.faces[ref.face].loops[ref.loop];
     std::vector<bool> free;
-    for (const CoEdge& use : loop)
-      free.push_back(ends_at(of, ref.face, use));
+    for (const CoEdge& use : loop) {
+      const int wall = face_across(of.model.edges[use.edge], ref.face);
+      free.push_back(std::ranges::count(part.faces, wall) > 0 && ends_at(of, ref.face, use));
+    }
     const auto formed = std::ranges::find(free, false);
     const size_t first = formed == free.end() ? 0 : static_cast<size_t>(formed - free.begin());
     bool begun = false;
@@ -251,12 +257,13 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
     return;
   }
   feature.lost_openings = part.openings;
-  const bool in_planes = std::ranges::all_of(
-                             here, [&](const LoopRef& ref) { return opening_in_plane(of, ref); }) &&
-                         std::ranges::all_of(
-                             there, [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
-  if (!in_planes) return;
-  const auto outlines = rings_of(of, here, plane);
+  const auto in_plane = [&](const std::vector<LoopRef>& loops, Skin skin) {
+    return std::ranges::all_of(loops,
+                               [&](const LoopRef& ref) { return opening_in_plane(of, ref); }) ||
+           outline_beside_bend(of, number_of(of, part), skin);
+  };
+  if (!in_plane(here, of.skin) || !in_plane(there, other_skin(of.skin))) return;
+  const auto outlines = rings_of(of, part, here, plane);
   auto free = free_edges(of, part);
   for (const auto& chain : passages(of, part, plane)) {
     const Section section = section_of(of, chain, plane);

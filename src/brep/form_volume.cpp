@@ -1,6 +1,7 @@
 #include "form_volume.hpp"
 
 #include "borders.hpp"
+#include "tangent_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,15 @@ Cover cover_of(const Recognition& of, const LoopRef& ref) {
   const auto& plane = std::get<Frame>(face.surface);
   return {(plane.origin - of.model.centre).dot(plane.z),
           loop_area(read_borders(of.model, face.loops[ref.loop], plane, 0.0, of.tolerance))};
+}
+
+/// That of a form that ends at a tangent line.
+std::optional<Cover> cover_beside_bend(const Recognition& of, const RimPart& part, Skin skin) {
+  const auto outline = outline_beside_bend(of, number_of(of, part), skin);
+  if (!outline) return {};
+  const auto& plane = std::get<Frame>(of.model.faces[outline->on_plane.loop.face].surface);
+  return Cover{(plane.origin - of.model.centre).dot(plane.z),
+               loop_area(seen_outline(of, *outline, plane, skin))};
 }
 
 double volume_under(const Recognition& of, const RimPart& part) {
@@ -90,13 +100,19 @@ bool opening_in_plane(const Recognition& of, const LoopRef& ref) {
 
 std::optional<double> form_volume(const Recognition& of, const RimPart& part) {
   double excess = volume_under(of, part);
-  for (const auto* loops : {&part.first, &part.second})
+  for (const Skin skin : {Skin::first, Skin::second}) {
+    const auto* loops = skin == Skin::first ? &part.first : &part.second;
+    if (const auto beside = cover_beside_bend(of, part, skin)) {
+      excess -= beside->area * beside->height / 3;
+      continue;
+    }
     for (const LoopRef& ref : *loops) {
       const bool island = is_island(of, part, ref, *loops);
       if (!island && !opening_in_plane(of, ref)) return {};
       const Cover over = cover_of(of, ref);
       excess -= (island ? -over.area : over.area) * over.height / 3;
     }
+  }
   return excess;
 }
 

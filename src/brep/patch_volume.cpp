@@ -13,13 +13,15 @@
 #include <TopoDS_Edge.hxx>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
-// The volume share of a face of any surface: an integral along its borders in the parameters, of
-// the integral across the patch up to there (Green). The inner one is made span by span, so that
-// Gauss rules meet smooth functions only; the outer one is broken at knots that a straight border
-// crosses, and halved until it agrees elsewhere. Written because the kernel's own are off by per
-// cents on surfaces of many spans, or do not end.
+// The volume share, or the area, of a face of any surface: an integral along its borders in the
+// parameters, of the integral across the patch up to there (Green). The inner one is made span by
+// span, so that Gauss rules meet smooth functions only; the outer one is broken at knots that a
+// straight border crosses, and halved until it agrees elsewhere. Written because the kernel's own
+// are off by per cents on surfaces of many spans, or do not end.
 
 namespace planish::brep {
 namespace {
@@ -43,8 +45,10 @@ std::vector<double> knots_of(const BRepAdaptor_Surface& surface, bool along_v, d
 /// A patch with the parameter that is integrated across first: the one with fewer spans.
 class IntegratedPatch {
  public:
-  IntegratedPatch(const TopoDS_Face& face, const Vec3& centre)
-      : surface_(face, false), centre_(centre.x(), centre.y(), centre.z()) {
+  /// Of (x − centre)·n; without a centre, of 1.
+  IntegratedPatch(const TopoDS_Face& face, const std::optional<Vec3>& centre)
+      : surface_(face, false) {
+    if (centre) centre_ = gp_Pnt(centre->x(), centre->y(), centre->z());
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     const std::vector<double> u = knots_of(surface_, false, u0, u1);
@@ -80,13 +84,15 @@ class IntegratedPatch {
     return finer;
   }
 
-  /// ∫ (x − c)·(∂u × ∂v) from the patch's lower end to `end`, the other parameter held.
+  /// ∫ (x − c)·(∂u × ∂v), or its length's, from the patch's lower end to `end`, the other parameter
+  /// held.
   double across(double held, double end) const {
     const auto density = [&](double w) {
       gp_Pnt p;
       gp_Vec du, dv;
       surface_.D1(across_v_ ? held : w, across_v_ ? w : held, p, du, dv);
-      return gp_Vec(centre_, p).Dot(du.Crossed(dv));
+      const gp_Vec normal = du.Crossed(dv);
+      return centre_ ? gp_Vec(*centre_, p).Dot(normal) : normal.Magnitude();
     };
     double sum = 0.0;
     for (size_t i = 0; i + 1 < across_.size() && (i == 0 || across_[i] < end); ++i) {
@@ -97,7 +103,7 @@ class IntegratedPatch {
   }
 
   BRepAdaptor_Surface surface_;
-  gp_Pnt centre_;
+  std::optional<gp_Pnt> centre_;
   bool across_v_ = true;
   std::vector<double> across_, along_;
 };
@@ -135,9 +141,8 @@ double along_border(const IntegratedPatch& patch, const Geom2dAdaptor_Curve& bor
   return sum;
 }
 
-}  // namespace
-
-double patch_volume(const TopoDS_Face& face, const Vec3& centre, double error) {
+/// Over a face that is taken to be forward.
+double integral_over(const TopoDS_Face& face, const std::optional<Vec3>& centre, double error) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const IntegratedPatch patch(forward, centre);
   double sum = 0.0;
@@ -149,7 +154,18 @@ double patch_volume(const TopoDS_Face& face, const Vec3& centre, double error) {
     const double part = along_border(patch, Geom2dAdaptor_Curve(curve, t0, t1), error);
     sum += edge.Orientation() == TopAbs_REVERSED ? -part : part;
   }
+  return sum;
+}
+
+}  // namespace
+
+double patch_volume(const TopoDS_Face& face, const Vec3& centre, double error) {
+  const double sum = integral_over(face, centre, error);
   return (face.Orientation() == TopAbs_REVERSED ? -sum : sum) / 3;
+}
+
+double patch_area(const TopoDS_Face& face, double error) {
+  return std::abs(integral_over(face, {}, error));
 }
 
 }  // namespace planish::brep

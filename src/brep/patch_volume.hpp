@@ -13,4 +13,7 @@ namespace planish::brep {
 /// (BRepGProp_VinertGK).
 double patch_volume(const TopoDS_Face& face, const Vec3& centre, double error);
 
+/// The face's area, mm², in the same way.
+double patch_area(const TopoDS_Face& face, double error);
+
 }  // namespace planish::brep

@@ -80,13 +80,26 @@ std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outl
 
 bool is_formed(const FormedFeature& feature) { return feature.kind == "formed"; }
 
+/// How far the solid reaches beyond the outline that is cut, mm.
+double beyond_outline(const Sheet& sheet) {
+  double most = 0.0;
+  for (const MeasuredOutline& outline : sheet.measured_outlines)
+    most = std::max(most, outline.beyond);
+  return most;
+}
+
+/// Along which skin a sheet is read: the one that is the reference as a rule, or the other.
+enum class Along { reference, other };
+
 Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
-                       const std::vector<Outline>& outlines, double tolerance) {
+                       const std::vector<Outline>& outlines, double tolerance,
+                       Along along = Along::reference) {
   auto found = find_skins(model, outlines, reading.thickness, tolerance, reading.start);
   if (!found) return pass_on(found);
   const Skins skins = without_closed_forms(model, outlines, std::move(*found));
   const Rim rim = find_rim(model, outlines, skins);
-  const Skin skin = reference_skin(model, outlines, skins);
+  const Skin reference = reference_skin(model, outlines, skins);
+  const Skin skin = along == Along::other ? other_skin(reference) : reference;
   const Groups groups = group_faces(model, outlines, skins, skin);
   auto sheet = assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
   if (!sheet || reading.start != SkinStart::milled) return sheet;
@@ -278,6 +291,13 @@ class Trials {
   std::vector<double> stated_;  ///< thicknesses of which it would be a sheet, if they were stated
 };
 
+/// Whether a sheet along the other skin has what one lacks at its edges: then it is larger.
+bool lacks_less(const Sheet& other, const Sheet& sheet) {
+  if (beyond_outline(other) >= beyond_outline(sheet) || doubts_about(other).wrong) return false;
+  const auto larger = flatten(other, usual_layout()), smaller = flatten(sheet, usual_layout());
+  return larger && smaller && larger->area > smaller->area;
+}
+
 /// What a closed sheet must pass that is opened by rips.
 SheetCheck check_of_ripped(const RecognizeOptions& options) {
   return [&options](const Sheet& open) -> Result<void> {
@@ -287,15 +307,21 @@ SheetCheck check_of_ripped(const RecognizeOptions& options) {
   };
 }
 
-/// The sheet of the likeliest reading that accounts for the solid; otherwise the error of the
-/// first one tried.
+/// The sheet of the likeliest reading that accounts for the solid, along the other skin if this one
+/// lacks what is milled off at its edges, and that one less of it; otherwise the error of the first
+/// one tried.
 Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& options) {
+  constexpr double kLacking = 1e-3;  // mm
   const std::vector<Outline> outlines = outlines_of(model);
   Trials trials(options);
   for (const Reading& reading : readings_of(model, outlines, options)) {
     auto sheet = sheet_of(reading, model, outlines, options.thickness_tolerance);
     if (sheet) sheet = ripped(std::move(*sheet), options.rip_edges);
-    if (trials.accept(sheet)) return sheet;
+    if (!trials.accept(sheet)) continue;
+    if (beyond_outline(*sheet) <= kLacking) return sheet;
+    auto other = sheet_of(reading, model, outlines, options.thickness_tolerance, Along::other);
+    if (other) other = ripped(std::move(*other), options.rip_edges);
+    return other && lacks_less(*other, *sheet) ? other : sheet;
   }
   return tl::unexpected(trials.refusal(check_of_ripped(options)));
 }

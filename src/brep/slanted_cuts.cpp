@@ -5,6 +5,8 @@
 #include "skin_outlines.hpp"
 #include "widest.hpp"
 
+#include <planish/base/id_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,15 +52,56 @@ FormSide open_side(const Recognition& of, int skin_face, const CoEdge& use) {
   return slope > 0.0 ? FormSide::up : FormSide::down;
 }
 
-std::vector<BorderRef> slanted_borders(const SheetMap& map, const Recognition& of,
-                                       const RimPart& part, FormSide side) {
-  std::vector<BorderRef> borders;
-  for (const LoopRef& ref : loops_here(of, part))
-    for (const CoEdge& use : of.model.faces[ref.face].loops[ref.loop])
-      if (const auto border = map.borders.find({ref.face, use.edge, use.forward});
-          border != map.borders.end() && open_side(of, ref.face, use) == side)
-        borders.push_back(border->second);
-  return borders;
+/// The edges of a wall on a skin.
+std::vector<const SpaceCurve*> edges_on(const Recognition& of, int wall, Skin skin) {
+  std::vector<const SpaceCurve*> edges;
+  for (const auto& loop : of.model.faces[wall].loops)
+    for (const CoEdge& use : loop)
+      if (const int other = face_across(of.model.edges[use.edge], wall);
+          other >= 0 && of.skins.skin_of[other] == skin)
+        edges.push_back(&of.model.edges[use.edge].curve);
+  return edges;
+}
+
+/// Along a line beyond its ends, too.
+double distance_along(const SpaceCurve& curve, const Vec3& p) {
+  if (curve.kind != SpaceCurve::Kind::line) return curve.distance(p);
+  return (p - curve.start).cross((curve.end - curve.start).normalized()).norm();
+}
+
+/// How far apart the ends of a slanted wall lie, seen along the normal of the skin.
+double width_of_slant(const Recognition& of, int skin_face, const CoEdge& use) {
+  const SpaceCurve& here = of.model.edges[use.edge].curve;
+  const int wall = face_across(of.model.edges[use.edge], skin_face);
+  const auto there = edges_on(of, wall, other_skin(of.skin));
+  if (there.empty()) return 0.0;
+  double width = 0.0;
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    const Vec3 p = here.point(std::lerp(here.t0, here.t1, share));
+    const Vec3 below = p - of.skins.thickness * outward_normal_at(of.model.faces[skin_face], p);
+    const auto off = mapped(there, [&](const SpaceCurve* curve) {
+      return there.size() == 1 ? distance_along(*curve, below) : curve->distance(below);
+    });
+    width = std::max(width, std::ranges::min(off));
+  }
+  return width;
+}
+
+/// Sets what the slanted cut follows on one side of a part, and how far the other skin lies off.
+void follow_borders(FormedFeature& feature, const SheetMap& map, const Recognition& of,
+                    const RimPart& part) {
+  for (const LoopRef& ref : loops_here(of, part)) {
+    const auto& loop = of.model.faces[ref.face].loops[ref.loop];
+    for (int i = 0; i < std::ssize(loop); ++i) {
+      const auto border = map.borders.find({ref.face, loop[i].edge, loop[i].forward});
+      if (border == map.borders.end() || open_side(of, ref.face, loop[i]) != feature.side) continue;
+      feature.along.push_back(border->second);
+      const bool within = feature.side == FormSide::down || far_run_at(of, ref, i);
+      const double width = width_of_slant(of, ref.face, loop[i]);
+      const double most = std::max(width, std::abs(feature.beyond_cut.value_or(0.0)));
+      if (width > 0.0) feature.beyond_cut = within ? -most : most;
+    }
+  }
 }
 
 /// Area of a skin face half-way to the other skin, its openings in planes filled.
@@ -120,10 +163,10 @@ void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognit
     if (!is_plain_cut(of, part)) continue;
     for (const FormSide side : {FormSide::up, FormSide::down}) {
       FormedFeature feature;
-      feature.along = slanted_borders(map, of, part, side);
-      if (feature.along.empty()) continue;
       feature.kind = "slanted cut";
       feature.side = side;
+      follow_borders(feature, map, of, part);
+      if (feature.along.empty()) continue;
       feature.source_face = part.faces.front() + 1;
       feature.face = feature.along.front().face;
       builder.add_feature(std::move(feature));

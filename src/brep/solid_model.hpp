@@ -73,9 +73,10 @@ struct SolidFace {
   SolidSurface surface;  ///< planes: z outward
   int sense = 1;         ///< outward normal = sense · surface normal; of a torus, from its tube
   std::vector<std::vector<CoEdge>> loops;
-  std::vector<int> merged;  ///< other faces that are part of this one since healing
-  double fitted = 0.0;      ///< deviation when the surface was recognised from another kind, mm
-  double volume = 0.0;      ///< ⅓∫(x − c)·n dA with c the model's centre, mm³
+  std::vector<int> merged;   ///< other faces that are part of this one since healing
+  double fitted = 0.0;       ///< deviation when the surface was recognised from another kind, mm
+  double volume = 0.0;       ///< ⅓∫(x − c)·n dA with c the model's centre, mm³
+  double curved_area = 0.0;  ///< of what is curved in two directions, mm², coarse
 };
 
 struct SolidModel {

@@ -38,6 +38,9 @@ namespace {
 
 /// A spline within this share of the solid's size of a line or circle counts as one.
 constexpr double kExactShare = tolerance::kComputed;
+/// Accuracy of a curved face's area, as a share of the squared size.
+constexpr double kAreaShare = 1e-6;
+
 /// Accuracy of a face's volume, as a share of the cubed size.
 constexpr double kVolumeShare = 1e-11;
 
@@ -179,6 +182,8 @@ SolidModel read_model(const TopoDS_Solid& solid, double surface_tolerance) {
     row.loops = read_loops(face, shapes, model.edges);
     if (!has_border_volume(row))
       row.volume = patch_volume(face, model.centre, kVolumeShare * std::pow(model.size, 3));
+    if (std::holds_alternative<DoublyCurved>(row.surface))
+      row.curved_area = patch_area(face, kAreaShare * model.size * model.size);
   }
   model.edges = with_neighbours(std::move(model.edges), model.faces);
   for (SolidFace& face : model.faces)

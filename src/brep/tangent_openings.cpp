@@ -27,48 +27,6 @@
 namespace planish::brep {
 namespace {
 
-int vertex_of(const Recognition& of, const CoEdge& use, bool after) {
-  return of.model.edges[use.edge].vertices[use.forward == after ? 1 : 0];
-}
-
-/// Whether a run lies between two joints to another face.
-bool is_between_joints(const Recognition& of, const LoopRun& run, int other) {
-  const auto& loop = loop_of(of, run.loop);
-  const size_t count = loop.size();
-  for (const size_t i : {run.first + count - 1, size_t(run.first + run.count)})
-    if (face_across(of.model.edges[loop[i % count].edge], run.loop.face) != other) return false;
-  return true;
-}
-
-bool is_outer(const Recognition& of, const LoopRun& run) {
-  return of.outlines[run.loop.face].outer == run.loop.loop;
-}
-
-std::optional<SkinOutline> outline_on(const Recognition& of, int part,
-                                      const std::vector<LoopRef>& loops) {
-  if (loops.size() == 1 && goes_round(of, of.rim.parts[part], loops.front())) {
-    const auto run = run_along(of, part, loops.front());
-    if (run) return SkinOutline{*run, {}};
-  }
-  if (loops.size() != 2) return {};
-  auto plane = run_along(of, part, loops[0]), bend = run_along(of, part, loops[1]);
-  if (!plane || !bend) return {};
-  const auto is_plane = [&](const LoopRun& run) {
-    return std::holds_alternative<Frame>(of.model.faces[run.loop.face].surface);
-  };
-  if (!is_plane(*plane)) std::swap(plane, bend);
-  if (!is_plane(*plane) || !cylinder_of(of, bend->loop.face)) return {};
-  if (!is_outer(of, *plane) || !is_outer(of, *bend) ||
-      !is_between_joints(of, *plane, bend->loop.face) ||
-      !is_between_joints(of, *bend, plane->loop.face))
-    return {};
-  const auto first = uses_of(of, *plane), second = uses_of(of, *bend);
-  if (vertex_of(of, first.back(), true) != vertex_of(of, second.front(), false) ||
-      vertex_of(of, second.back(), true) != vertex_of(of, first.front(), false))
-    return {};
-  return SkinOutline{*plane, *bend};
-}
-
 /// The outline that crosses the tangent line.
 const SkinOutline& crossing_outline(const TangentOpening& opening) {
   return opening.here.on_bend ? opening.here : opening.there;
@@ -93,7 +51,7 @@ BorderLoop cut_of(const Recognition& of, const TangentOpening& opening) {
   if (!opening.here.on_bend) loops.push_back(seen_here(of, opening));
   if (!opening.there.on_bend) loops.push_back(seen_there(of, opening));
   std::erase_if(loops, [&](const BorderLoop& loop) {
-    return reach_over(loop, opening.plane, across) > -kWiderOutline;
+    return reach_over(loop, opening.plane, across) > of.tolerance;
   });
   if (loops.empty()) return {};
   return *std::ranges::min_element(loops, {}, loop_area);
@@ -234,6 +192,14 @@ std::optional<double> volume_over_skin(const Recognition& of, const SkinOutline&
   return volume;
 }
 
+/// Whether all walls lead from skin to skin. Where such an opening ends at the tangent line, the
+/// flange and the bend keep their own borders along it.
+bool is_plain(const Recognition& of, const RimPart& part) {
+  return std::ranges::all_of(part.faces, [&](int wall) {
+    return reaches(of, wall, Skin::first) && reaches(of, wall, Skin::second);
+  });
+}
+
 }  // namespace
 
 double cut_area(const Recognition& of, const TangentOpening& opening) {
@@ -272,6 +238,7 @@ std::vector<TangentOpening> tangent_openings(const Recognition& of) {
     TangentOpening opening{p,  *here, *there, std::get<Frame>(of.model.faces[leader].surface),
                            {}, {},    {}};
     opening.cut = opening.cut_seen = cut_of(of, opening);
+    if (!opening.cut.empty() && is_plain(of, part)) continue;
     if (!opening.cut.empty() || cut_across(of, opening)) found.push_back(std::move(opening));
   }
   return found;

@@ -9,6 +9,15 @@ namespace planish::brep {
 /// The edges of a loop along a part of the rim, if they follow each other.
 std::optional<LoopRun> run_along(const Recognition& of, int part, const LoopRef& ref);
 
+/// The outline of a part of the rim on these loops of one skin: a loop of a plane, or runs of a
+/// plane and of the cylinder beside it.
+std::optional<SkinOutline> outline_on(const Recognition& of, int part,
+                                      const std::vector<LoopRef>& loops);
+
+/// That on a skin of a part beside a bend, if it leaves the plane nowhere: it ends at the tangent
+/// line.
+std::optional<SkinOutline> outline_beside_bend(const Recognition& of, int part, Skin skin);
+
 /// The edges of a run, as its face runs along them; where one begins, or ends (`after`).
 std::vector<CoEdge> uses_of(const Recognition& of, const LoopRun& run);
 Vec3 point_of(const Recognition& of, const CoEdge& use, bool after);

@@ -23,25 +23,35 @@ namespace {
 struct Off {
   double distance = 0.0;  ///< 0: on it
   BorderRef border;
+  Vec2 at = Vec2::Zero();  ///< (u, v) on its face
 };
 
+/// Whether a loop is that of a feature, which is not cut.
+bool is_outlined_only(const BorderLoop& loop) {
+  return std::ranges::all_of(loop, [](const Border& border) { return border.feature.has_value(); });
+}
+
 /// A flange or a bend of the sheet as it is cut, with the borders along an opening: those of its
-/// walls' edges, or of no edge.
+/// walls' edges, or of no edge. Without edges, with all of its borders.
 class CutGroup {
  public:
   CutGroup(const Recognition& of, const SheetBuilder& builder, const SheetMap& map, int group,
-           const std::set<int>& edges)
-      : of_(of), faces_(of.groups.rows[group].faces), leader_(of.groups.rows[group].leader) {
+           const std::optional<std::set<int>>& edges)
+      : of_(of),
+        faces_(of.groups.rows[group].faces),
+        leader_(of.groups.rows[group].leader),
+        whole_(!edges) {
     const double scale = of.outlines[leader_].u_scale;
     for (const int f : faces_) {
       const FaceId id = map.face_id.at(f);
       const auto& loops = builder.sheet()[id].loops;
       for (int l = 0; l < std::ssize(loops); ++l) {
+        if (is_outlined_only(loops[l])) continue;
         box_.add(bounds(mapped(loops[l], &Border::curve)));
         std::vector<Vec2>& ring = rings_.emplace_back();
         for (int b = 0; b < std::ssize(loops[l]); ++b) {
           const auto& edge = loops[l][b].edge;
-          const bool own = !edge || edges.contains(*edge - 1);
+          const bool own = !edge || !edges || edges->contains(*edge - 1);
           for (const Vec2& p : sampled(loops[l][b].curve, kChord)) {
             ring.emplace_back(scale * p.x(), p.y());
             if (own) own_.push_back({ring.back(), {id, l, b}});
@@ -60,20 +70,20 @@ class CutGroup {
     const double slack = kTouching * of_.skins.thickness + of_.skins.spread;
     if (depth < -slack || depth > of_.skins.thickness + slack) return {};
     const auto* plane = std::get_if<Frame>(&surface());
-    Vec2 foot = plane ? plane->local2(point)
-                      : parameters_of(std::get<Developable>(surface()), point,
-                                      (box_.lo.x() + box_.hi.x()) / 2);
+    const Vec2 at = plane ? plane->local2(point)
+                          : parameters_of(std::get<Developable>(surface()), point,
+                                          (box_.lo.x() + box_.hi.x()) / 2);
     if (!plane && !turns_at(point)) return {};
-    foot.x() *= of_.outlines[leader_].u_scale;
+    const Vec2 foot(of_.outlines[leader_].u_scale * at.x(), at.y());
     const bool beside = (foot - own_box_.lo).minCoeff() < 0.0 ||
                         (own_box_.hi - foot).minCoeff() < 0.0;
     if (beside && plane) return {};
-    if (beside || inside(rings_, foot)) return Off{};
-    Off nearest{std::numeric_limits<double>::infinity(), {}};
+    if ((beside && !whole_) || inside(rings_, foot)) return Off{};
+    Off nearest{std::numeric_limits<double>::infinity(), {}, at};
     for (size_t i = 1; i < own_.size(); ++i) {
       if (!(own_[i].border == own_[i - 1].border)) continue;
       const double away = distance(foot, Segment{own_[i - 1].at, own_[i].at});
-      if (away < nearest.distance) nearest = {away, own_[i].border};
+      if (away < nearest.distance) nearest = {away, own_[i].border, at};
     }
     return nearest;
   }
@@ -98,6 +108,7 @@ class CutGroup {
   const Recognition& of_;
   const std::vector<int>& faces_;
   int leader_;
+  bool whole_;                            ///< with all of its borders
   Box2 box_;                              // in (u, v)
   std::vector<std::vector<Vec2>> rings_;  // u scaled to mm
   std::vector<Corner> own_;
@@ -106,14 +117,14 @@ class CutGroup {
 
 /// The flanges and bends that an opening touches, on either skin.
 std::vector<CutGroup> groups_at(const Recognition& of, const SheetBuilder& builder,
-                                const SheetMap& map, const RimPart& part) {
+                                const SheetMap& map, const RimPart& part,
+                                const std::optional<std::set<int>>& edges) {
   std::set<int> groups;
   for (const LoopRef& ref : loops_here(of, part))
     groups.insert(of.groups.of_face[ref.face]);
   for (const LoopRef& ref : loops_there(of, part))
     for (const int partner : of.skins.partners[ref.face])
       if (of.skins.skin_of[partner] == of.skin) groups.insert(of.groups.of_face[partner]);
-  const std::set<int> edges = wall_edges(of, part);
   std::vector<CutGroup> found;
   for (const int group : groups)
     if (group >= 0) found.emplace_back(of, builder, map, group, edges);
@@ -134,6 +145,11 @@ Off off(const std::vector<CutGroup>& groups, const Vec3& point) {
   return least.value_or(Off{});
 }
 
+/// Whether a face leads not from skin to skin.
+bool is_machined(const Recognition& of, int wall) {
+  return !reaches(of, wall, Skin::first) || !reaches(of, wall, Skin::second);
+}
+
 /// Whether a part is an opening at a bend that is machined, or cut across a tangent line. What is
 /// drilled only is a slanted cut.
 bool is_measured(const Recognition& of, int p) {
@@ -145,9 +161,7 @@ bool is_measured(const Recognition& of, int p) {
   if (std::ranges::none_of(part.first, bent) && std::ranges::none_of(part.second, bent))
     return false;
   return std::ranges::count(of.tangent_openings, p, &TangentOpening::part) > 0 ||
-         std::ranges::any_of(part.faces, [&](int wall) {
-           return !reaches(of, wall, Skin::first) || !reaches(of, wall, Skin::second);
-         });
+         std::ranges::any_of(part.faces, [&](int wall) { return is_machined(of, wall); });
 }
 
 /// Whether an edge is the far end of a cut from skin to skin, which may be slanted.
@@ -159,14 +173,21 @@ bool is_far_end(const Recognition& of, const RimPart& part, int edge) {
          });
 }
 
-/// What lies deepest within the cut, of points along the walls' edges.
-Off deepest(const Recognition& of, int p, const std::vector<CutGroup>& groups) {
+/// Whether an edge is one of what is machined beside the outline.
+bool is_of_ledge(const Recognition& of, const RimPart& part, int edge) {
+  return std::ranges::any_of(of.model.edges[edge].faces, [&](int f) {
+    return f >= 0 && std::ranges::count(part.faces, f) > 0 && is_machined(of, f);
+  });
+}
+
+/// What lies deepest within the cut, of points along those of the walls' edges that are asked for.
+template <typename Wanted>
+Off deepest(const Recognition& of, const RimPart& part, const std::vector<CutGroup>& groups,
+            const Wanted& wanted) {
   constexpr int kPoints = 64;
-  const RimPart& part = of.rim.parts[p];
-  const bool across = std::ranges::count(of.tangent_openings, p, &TangentOpening::part) > 0;
   Off worst;
   for (const int edge : wall_edges(of, part)) {
-    if (!across && is_far_end(of, part, edge)) continue;
+    if (!wanted(edge)) continue;
     const SpaceCurve& curve = of.model.edges[edge].curve;
     for (int i = 0; i <= kPoints; ++i) {
       const Off at = off(groups, curve.point(std::lerp(curve.t0, curve.t1, double(i) / kPoints)));
@@ -176,6 +197,20 @@ Off deepest(const Recognition& of, int p, const std::vector<CutGroup>& groups) {
   return worst;
 }
 
+/// How far what is machined beside the outline of a bent sheet lies beyond what is cut.
+void measure_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                 const RimPart& part) {
+  const bool flat = builder.sheet().bends.empty();
+  if (flat || !part.within || part.first.empty() || part.second.empty() || !of.skins.sharp.empty())
+    return;
+  const auto groups = groups_at(of, builder, map, part, {});
+  const Off worst = deepest(of, part, groups, [&](int edge) {
+    return is_of_ledge(of, part, edge) && !is_far_end(of, part, edge);
+  });
+  if (worst.distance > of.tolerance)
+    builder.add_outline({worst.border.face, worst.at, worst.distance, 0.0});
+}
+
 }  // namespace
 
 void measure_wide_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
@@ -183,7 +218,10 @@ void measure_wide_cuts(SheetBuilder& builder, const SheetMap& map, const Recogni
   const int outer = outermost(of);
   for (int p = 0; p < std::ssize(of.rim.parts); ++p) {
     if (p == outer || !is_measured(of, p)) continue;
-    const Off worst = deepest(of, p, groups_at(of, builder, map, of.rim.parts[p]));
+    const RimPart& part = of.rim.parts[p];
+    const bool across = std::ranges::count(of.tangent_openings, p, &TangentOpening::part) > 0;
+    const Off worst = deepest(of, part, groups_at(of, builder, map, part, wall_edges(of, part)),
+                              [&](int edge) { return across || !is_far_end(of, part, edge); });
     if (worst.distance <= of.tolerance) continue;
     MeasuredOpening measured;
     measured.face = worst.border.face;
@@ -192,6 +230,7 @@ void measure_wide_cuts(SheetBuilder& builder, const SheetMap& map, const Recogni
     measured.intrusion = worst.distance;
     builder.add_opening(measured);
   }
+  measure_rim(builder, map, of, of.rim.parts[outer]);
 }
 
 }  // namespace planish::brep

@@ -100,7 +100,8 @@ FlatJson json_of(const FlatFeature& feature) {
           {"outlines", json_of(feature.outlines)},
           {"uncut_openings", feature.uncut_openings},
           {"pilots", json_of(feature.pilots)},
-          {"along", json_of(feature.along)}};
+          {"along", json_of(feature.along)},
+          {"beyond_cut", feature.beyond_cut ? FlatJson(*feature.beyond_cut) : FlatJson(nullptr)}};
 }
 
 FlatJson json_of(const FlatLabel& label) {
@@ -175,12 +176,14 @@ FlatBend bend_in(const FlatJson& json) {
 FlatFeature feature_in(const FlatJson& json) {
   const int side = json.at("side").get<int>();
   require(side >= static_cast<int>(FormSide::both) && side <= static_cast<int>(FormSide::down));
+  const FlatJson beyond = json.value("beyond_cut", FlatJson());  // older files have none
   return {.kind = json.at("kind").get<std::string>(),
           .side = static_cast<FormSide>(side),
           .outlines = rows_in(json.at("outlines"), loop_in),
           .uncut_openings = json.at("uncut_openings").get<int>(),
           .pilots = rows_in(json.at("pilots"), point_in),
-          .along = rows_in(json.at("along"), point_in)};
+          .along = rows_in(json.at("along"), point_in),
+          .beyond_cut = beyond.is_null() ? std::nullopt : std::optional(number_in(beyond))};
 }
 
 FlatLabel label_in(const FlatJson& json) {

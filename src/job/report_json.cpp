@@ -61,6 +61,7 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
   json["at"] = box.empty() ? Json(nullptr) : point_json(0.5 * (box.lo + box.hi), units);
   json["size"] = box.empty() ? Json(nullptr) : point_json(box.size(), units);
   json["openings"] = feature.uncut_openings;
+  if (feature.beyond_cut) json["beyond"] = number_json(units.length(*feature.beyond_cut));
   return json;
 }
 

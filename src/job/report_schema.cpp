@@ -47,7 +47,8 @@ Schema flat_schema(const std::vector<Field>& bend_details) {
   const Schema feature = object(
       {required("kind", text()), required("side", words({"both", "up", "down"})),
        required("at", report_point().or_null()), required("size", report_point().or_null()),
-       required("openings", whole().said("that are not cut"))});
+       required("openings", whole().said("that are not cut")),
+       optional("beyond", measured_length().said("what is cut"))});
   const Schema label = object({required("text", any_text()), required("at", report_point())});
   return object({required("area", measured_area()), required("perimeter", measured_length()),
                  required("size", report_point()), required("openings", whole()),

@@ -43,6 +43,10 @@ constexpr std::string_view openings_fit =
 constexpr std::string_view slanted_cuts =
     "{count:cut edge} {are} not normal to the sheet; the pattern follows one skin "
     "there";
+constexpr std::string_view slanted_beyond = ", and the other reaches up to {beyond} beyond it";
+constexpr std::string_view slanted_within = ", and the other ends up to {within} within it";
+constexpr std::string_view slanted_both =
+    ", and the other reaches up to {beyond} beyond it, and elsewhere ends up to {within} within it";
 constexpr std::string_view pilot_holes =
     "{count:hole} {are} cut smaller than in the solid, because the form is drawn out of the rest";
 constexpr std::string_view uncut_openings =

@@ -26,6 +26,7 @@ namespace {
 
 constexpr auto kSlantedCut = "slanted cut";
 constexpr auto kChamfer = "chamfer";
+constexpr double kMissed = 0.1;  // mm: of material that nobody misses
 
 std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({}, {}) mm", trimmed_number(p.x(), 3),
@@ -95,24 +96,38 @@ std::optional<Finding> opening_doubt(const OpeningCount& openings) {
 
 /// A finding about so many of a kind.
 Finding counting(std::string code, std::string_view pattern, std::size_t count,
-                 std::vector<Vec2> at) {
-  Facts facts{{"count", count}, {"are", count == 1 ? "is" : "are"}};
+                 std::vector<Vec2> at, Facts facts = {}) {
+  facts.emplace_back("count", count);
+  facts.emplace_back("are", count == 1 ? "is" : "are");
   for (const Vec2& p : at)
     facts.emplace_back("at", place::point(p));
   return finding_of(std::move(code), Severity::info, pattern, facts, std::move(at));
 }
 
-void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat) {
+void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat, double least) {
   std::vector<Vec2> places;
+  double beyond = 0.0, within = 0.0;
   for (const FlatFeature& feature : flat.features) {
     if (feature.kind != kSlantedCut) continue;
+    beyond = std::max(beyond, feature.beyond_cut.value_or(0.0));
+    within = std::max(within, -feature.beyond_cut.value_or(0.0));
     places.insert(places.end(), feature.along.begin(), feature.along.end());
     if (feature.outlines.empty()) continue;
     const Box2 box = bounds(feature.outlines.front());
     places.push_back(0.5 * (box.lo + box.hi));
   }
   if (places.empty()) return;
-  found.push_back(counting("slanted_cut", say::slanted_cuts, places.size(), places));
+  std::string pattern(say::slanted_cuts);
+  if (beyond > least || within > least)
+    pattern += within <= least   ? say::slanted_beyond
+               : beyond <= least ? say::slanted_within
+                                 : say::slanted_both;
+  Facts facts;
+  if (beyond > least) facts.emplace_back("beyond", beyond, unit::mm);
+  if (within > least) facts.emplace_back("within", within, unit::mm);
+  const std::size_t count = places.size();
+  found.push_back(counting("slanted_cut", pattern, count, std::move(places), std::move(facts)));
+  if (beyond > kMissed) found.back().severity = Severity::warning;
 }
 
 void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
@@ -177,7 +192,7 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
     found.push_back(residual_doubt("refold", say::refold_off, or_nan(certificate.refold_deviation),
                                    bounds.refold_warning, certificate.refold_at));
   }
-  add_slanted_cuts(found, flat);
+  add_slanted_cuts(found, flat, bounds.opening_warning);
   add_form_notes(found, flat);
   return found;
 }

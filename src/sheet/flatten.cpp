@@ -108,6 +108,7 @@ void add_features(FlatPattern& pattern, const Sheet& sheet, const Layout& layout
       flat.outlines.push_back(merged(placed(outline, placement), options.merge_tolerance).loop);
     for (const BorderRef& ref : feature.along)
       flat.along.push_back(point_at(layout.image(ref), 0.5));
+    flat.beyond_cut = feature.beyond_cut;
     cut_feature(pattern, flat, feature, placement, options);
     pattern.features.push_back(std::move(flat));
   }

@@ -49,6 +49,10 @@ TEST_F(BatchOptionsOf, ChooseAmongTheMaterialsOfAShop) {
   EXPECT_EQ(wrong({input("body.step")}, chosen), "") << "a body in it may be meant";
   chosen["materials"] = at("exact.csv");
   EXPECT_EQ(wrong({input("plain.step")}, chosen), "materials") << "no body has that name";
+  write("files.csv", "part,material\nplain.step,Steel\n");
+  chosen["materials"] = at("files.csv");
+  EXPECT_EQ(wrong({input("plain.step")}, chosen), "") << "a row may name the file";
+  EXPECT_EQ(wrong({input("plain.step"), input("leg_2.step")}, chosen), "materials");
   chosen["materials"] = at("oak.csv");
   EXPECT_EQ(wrong({input("plain.step")}, chosen), "materials") << "the shop has no oak";
   EXPECT_EQ(wrong({input("plain.step")}, {{"k", 0.4}}), "");

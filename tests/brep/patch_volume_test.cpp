@@ -43,6 +43,18 @@ TEST(PatchVolume, OfAPlaneIsAThirdOfItsAreaTimesItsDistance) {
   EXPECT_NEAR(at_corner, 1200, 1e-9);
 }
 
+TEST(PatchArea, OfRoundFacesIsThatOfClosedForms) {
+  const auto area_of = [](const TopoDS_Shape& shape) {
+    double sum = 0.0;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+      sum += patch_area(TopoDS::Face(faces.Current()), 1e-8);
+    return sum;
+  };
+  EXPECT_NEAR(area_of(BRepPrimAPI_MakeSphere(7).Shape()), 4 * pi * 49, 1e-6);
+  EXPECT_NEAR(area_of(BRepPrimAPI_MakeTorus(9, 2).Shape()), 4 * pi * pi * 18, 1e-6);
+  EXPECT_NEAR(area_of(BRepPrimAPI_MakeBox(30, 20, 2).Shape().Reversed()), 1400, 1e-6);
+}
+
 TEST(PatchVolume, TurnsItsSignWithTheFace) {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(7).Shape();
   const TopoDS_Face face = TopoDS::Face(TopExp_Explorer(ball, TopAbs_FACE).Current());

@@ -5,11 +5,14 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -148,11 +151,24 @@ TEST(PressedForms, StandBesideABend) {
   const BentBracket of{
       .thickness = 2, .inside_radius = 2, .first = 120, .second = 40, .width = 120};
   const double flat = 120 * (120 + 40 + 3 * std::numbers::pi / 2);
-  for (const double from_bend : {1.0, 4.0, 30.0}) {
+  for (const double from_bend : {0.0, 1e-4, 1.0, 4.0, 30.0}) {
     const double x = 120 - from_bend - 50;
     expect_forms(wedge_louvre(bent_bracket(of), {x, 50, 40}, 6), {flat, 1, 1, 1});
-    expect_forms(with_tube(bent_bracket(of), {x, 50, 40}, {}), {flat, 1, 0, 1});
+    if (from_bend >= 1.0)
+      expect_forms(with_tube(bent_bracket(of), {x, 50, 40}, {}), {flat, 1, 0, 1});
   }
+}
+
+TEST(PressedForms, MayEndWithTheirFootOnTheTangentLine) {
+  const BentBracket of{
+      .thickness = 2, .inside_radius = 2, .first = 120, .second = 40, .width = 120};
+  gp_Trsf turned;  // the first flange along y, its bend at y = 120
+  turned.SetRotation(gp_Ax1(gp_Pnt(60, 60, 0), gp_Dir(0, 0, 1)), std::numbers::pi / 2);
+  const TopoDS_Shape bracket = BRepBuilderAPI_Transform(bent_bracket(of), turned).Shape();
+  for (const double height : {3.0, 6.0})
+    for (const double before : {0.0, 1e-4, 1.0})
+      expect_forms(wedge_louvre(bracket, {30, 60, 100 - before}, height),
+                   {120 * (120 + 40 + 3 * std::numbers::pi / 2), 1, 1, 1});
 }
 
 TEST(PressedForms, MayCoverAPanel) {

@@ -1,5 +1,6 @@
 #include "silhouette_features.hpp"
 
+#include "support/bent_bracket.hpp"
 #include "support/unfolded_shape.hpp"
 
 #include <planish/sheet/pattern_facts.hpp>
@@ -101,6 +102,26 @@ TEST(Silhouettes, DoNotTakeABlindBoreBesideAHoleForTheHole) {
   const auto [sheet, flat, certificate] = unfolded({bore(40, 30, 8, 0, 3), bore(30, 30, 5, 1, 3)});
   ASSERT_EQ(flat.openings.size(), 1u);
   EXPECT_NEAR(-signed_area(flat.openings.front().loop), 64 * pi, 1e-9);
+}
+
+TEST(Silhouettes, PartOneOutlineOfTheSkinIntoTheRimAndAHole) {
+  // Recesses on both skins, each over a part of the hole and through the edge, beside a bend: the
+  // skin's one outline is now the rim's, now the hole's.
+  const auto upright = [](double x, double y, double from, double radius) {
+    const gp_Ax2 axis(gp_Pnt(x, y, from), gp_Dir(0, 0, 1));
+    return BRepPrimAPI_MakeCylinder(axis, radius, 4).Shape();
+  };
+  TopoDS_Shape part = planish::test::bent_bracket({2, 2, 40, 30, 50});
+  for (const TopoDS_Shape& tool :
+       {upright(20, 3, -1, 2.5), upright(21.5, 0, -3.5, 3), upright(18.5, 0, 1.5, 3)})
+    part = BRepAlgoAPI_Cut(part, tool).Shape();
+  const auto made = planish::test::unfolded_shape(part);
+  ASSERT_TRUE(made) << made.error().message;
+  const double blank = 50 * (40 + 30 + 3 * std::numbers::pi / 2);
+  EXPECT_NEAR(made->flat.area, blank - std::numbers::pi * 2.5 * 2.5, 1e-9);
+  EXPECT_EQ(made->flat.openings.size(), 1u);
+  EXPECT_EQ(made->flat.bends.size(), 1u);
+  EXPECT_NEAR(made->certificate.explained_ratio.value_or(0.0), 1.0, 1e-9);
 }
 
 TEST(Silhouettes, AreMeasuredToTheDigitsOfTheFile) {

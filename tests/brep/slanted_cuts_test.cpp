@@ -44,6 +44,7 @@ TEST(SlantedCut, OfAPlateKeepsTheWiderSkin) {
   EXPECT_NEAR(*part->certificate.explained_ratio, 1.0, 1e-9);
   ASSERT_TRUE(is_noted(*part));
   ASSERT_EQ(part->flat.features.front().along.size(), 1u);
+  EXPECT_NEAR(part->flat.features.front().beyond_cut.value_or(0), -6.0, 1e-9) << "6 tan 45°";
   const Box2 size = bounds(part->flat.outer.loop);
   const Vec2 place = part->flat.features.front().along.front();
   EXPECT_NEAR(std::min(place.x() - size.lo.x(), size.hi.x() - place.x()), 0.0, 1e-6);

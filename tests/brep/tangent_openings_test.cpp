@@ -139,6 +139,43 @@ TEST(TangentOpenings, KeepTheHoleOfCountersinksOnEitherSkinOrBoth) {
           BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(profile, hole_at(gap))), gap);
 }
 
+TEST(TangentOpenings, KeepTheDrilledHoleThatTouchesTheTangentLine) {
+  const ToolProfile inside{{0, -1}, {kDrilled, -1}, {kDrilled, 1.4}, {3.1, 2}, {3.1, 6}, {0, 6}};
+  const ToolProfile outside{{0, -1}, {3.5, -1}, {3.5, 0}, {kDrilled, 1}, {kDrilled, 6}, {0, 6}};
+  const ToolProfile both{{0, -1},         {3.5, -1}, {3.5, 0}, {kDrilled, 1},
+                         {kDrilled, 1.4}, {3.1, 2},  {3.1, 6}, {0, 6}};
+  for (const double gap : {0.0, 1e-9, 1e-6, 5e-4}) {
+    expect_drilled(deburred_bracket<BRepFilletAPI_MakeFillet>(gap, 0.5), gap);
+    expect_drilled(deburred_bracket<BRepFilletAPI_MakeChamfer>(gap, 0.5), gap);
+    for (const ToolProfile& profile : {inside, outside, both})
+      expect_drilled(
+          BRepAlgoAPI_Cut(bent_bracket(kHoledBracket), turned_tool(profile, hole_at(gap))), gap);
+  }
+}
+
+/// Windows of 10 mm along the bend, from x = 34 to `to`, with a ledge 1 mm wide on each skin that
+/// is stepped, 0.5 mm deep. Either may end on the tangent line, at 40.
+TEST(TangentOpenings, MayHaveASideOrALedgeOnTheTangentLine) {
+  const auto cut = [](const TopoDS_Shape& part, const gp_Pnt& from, const gp_Pnt& to) {
+    return BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeBox(from, to).Shape()).Shape();
+  };
+  const double blank = 50 * (40 + 30 + pi / 2 * 3);
+  for (const double to : {40.0, 39.0})
+    for (const bool above : {false, true})
+      for (const bool below : {false, true}) {
+        TopoDS_Shape part = cut(bent_bracket(kHoledBracket), {34, 20, -1}, {to, 30, 3});
+        if (above) part = cut(part, {33, 19, 1.5}, {to + 1, 31, 3});
+        if (below) part = cut(part, {33, 19, -1}, {to + 1, 31, 0.5});
+        const auto made = unfolded_shape(part);
+        ASSERT_TRUE(made) << made.error().message;
+        ASSERT_EQ(made->flat.openings.size(), 1u);
+        EXPECT_NEAR(made->flat.area, blank - 10 * (to - 34), 1e-6);
+        EXPECT_LT(made->certificate.opening_error.value_or(above || below ? 1 : 0), 1e-6);
+        EXPECT_NEAR(made->certificate.explained_ratio.value_or(0), 1, 1e-9);
+        EXPECT_LT(made->certificate.refold_deviation.value_or(1), 1e-9);
+      }
+}
+
 /// Where a drilled wall ends over the bend: at this height over the outside, or on the outside,
 /// also where that has risen above it.
 struct WallEnd {

@@ -37,6 +37,39 @@ TopoDS_Shape chamfered_over_bend(double by) {
   return BRepAlgoAPI_Cut(gently_bent(), BRepPrimAPI_MakeRevol(face, axis).Shape());
 }
 
+/// A bracket of 2 mm milled by boxes; its first flange ends at x = 40, its inside is at z = 2.
+TopoDS_Shape milled_bracket(const std::vector<std::pair<gp_Pnt, gp_Pnt>>& boxes) {
+  TopoDS_Shape part = bent_bracket({2, 2, 40, 30, 50});
+  for (const auto& [from, to] : boxes)
+    part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeBox(from, to).Shape()).Shape();
+  return part;
+}
+
+TEST(WideCuts, AreLeftAtTheEndOfABendThatIsMilledOnTheWiderSkin) {
+  // The end of the bend is milled on one skin and, which makes that the wider one, the end of the
+  // flange on the other. Nothing is cut off.
+  const double blank = 50 * (40 + 30 + 3 * std::numbers::pi / 2);
+  for (const TopoDS_Shape& part :
+       {milled_bracket({{{33, -1, 1.4}, {41, 5, 4.9}}, {{-1, 8, -1}, {8, 42, 0.6}}}),
+        milled_bracket({{{33, -1, 1.4}, {41.5, 5, 4.9}}, {{-1, 8, -1}, {8, 42, 0.6}}}),
+        milled_bracket({{{33, -1, -1}, {43, 5, 0.6}}, {{-1, 8, 1.4}, {8, 42, 3}}})}) {
+    const auto made = unfolded_shape(part);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_NEAR(made->flat.area, blank, 1e-6);
+    EXPECT_TRUE(made->flat.openings.empty() && made->flat.slits.empty());
+    EXPECT_LT(made->certificate.outline_error.value_or(0), 1e-6);
+  }
+}
+
+TEST(WideCuts, AreMeasuredAtTheEndsOfABendThatAreMilledOnEitherSkin) {
+  // Neither skin is whole at the bend, so the pattern lacks what is left below one of the recesses.
+  const auto made = unfolded_shape(
+      milled_bracket({{{33, -1, -1}, {43, 5, 0.6}}, {{33, 45, 1.4}, {41, 51, 4.9}}}));
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_LT(made->flat.area, 50 * (40 + 30 + 3 * std::numbers::pi / 2) - 0.1);
+  EXPECT_GT(made->certificate.outline_error.value_or(0), 0.5);
+}
+
 TEST(WideCuts, AreMeasuredWhereAHoleIsMachinedOverAWholeBend) {
   const auto made = unfolded_shape(chamfered_over_bend(0.3));
   ASSERT_TRUE(made) << made.error().message;

@@ -7,6 +7,8 @@
 #include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -92,6 +94,34 @@ TEST(Windows, OverABendAreCutAsTheirNarrowestSectionOnEitherSkin) {
         area -= window_area(radius, window);
       expect_area(with_windows(radius, windows), area, static_cast<int>(windows.size()));
     }
+}
+
+TEST(Windows, TellHowFarTheOtherSkinLiesOffWhereTheyLeanBothWays) {
+  // Both ends lean by the same angle, so on one the solid reaches beyond what is cut along either
+  // skin, on the other it ends within: by T tan of it.
+  for (const double lean : {1.0, -1.0, 0.5}) {
+    const double x = kFirst + 3 + kThickness, z = kThickness + 3 + 20;
+    BRepBuilderAPI_MakePolygon outline;
+    for (const auto& [px, pz] : std::vector<std::pair<double, double>>{{80 - 2 * lean, -2},
+                                                                       {80 + 4 * lean, 4},
+                                                                       {x - 4, z + 4 * lean},
+                                                                       {x + 2, z - 2 * lean},
+                                                                       {x + 2, -2}})
+      outline.Add(gp_Pnt(px, 30, pz));
+    outline.Close();
+    const TopoDS_Shape tool = BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(),
+                                                    gp_Vec(0, 50, 0))
+                                  .Shape();
+    const auto seen = unfolded_shape(BRepAlgoAPI_Cut(bent_bracket(sizes(3)), tool).Shape());
+    ASSERT_TRUE(seen) << seen.error().message;
+    double beyond = 0.0, within = 0.0;
+    for (const FlatFeature& feature : seen->flat.features) {
+      beyond = std::max(beyond, feature.beyond_cut.value_or(0.0));
+      within = std::min(within, feature.beyond_cut.value_or(0.0));
+    }
+    EXPECT_NEAR(beyond, kThickness * std::abs(lean), 1e-6);
+    EXPECT_NEAR(within, -kThickness * std::abs(lean), 1e-6);
+  }
 }
 
 TEST(Windows, MayBeRoundHolesAlongTheBisector) {

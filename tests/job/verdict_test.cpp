@@ -87,6 +87,28 @@ FlatPattern countersunk() {
   return flat;
 }
 
+TEST(Verdict, SaysHowFarTheOtherSkinLiesOffASlantedCut) {
+  FlatPattern pattern = test::sample_pattern();
+  FlatFeature cut;
+  cut.kind = "slanted cut";
+  cut.along = {{1, 2}};
+  cut.beyond_cut = -6.0;
+  pattern.features = {cut};
+  const auto within = doubts(perfect(), pattern, kVolume, {});
+  ASSERT_EQ(within.size(), 1u);
+  EXPECT_EQ(within[0].code, "slanted_cut");
+  EXPECT_EQ(within[0].severity, Severity::info) << "it is taken off after cutting";
+  EXPECT_THAT(within[0].message, HasSubstr("ends up to 6 mm within it"));
+  EXPECT_THAT(within[0].message, Not(HasSubstr("beyond")));
+  cut.beyond_cut = 2.0;
+  pattern.features.push_back(cut);
+  const auto both = doubts(perfect(), pattern, kVolume, {});
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_EQ(both[0].severity, Severity::warning) << "material is missing";
+  EXPECT_THAT(both[0].message, HasSubstr("reaches up to 2 mm beyond it"));
+  EXPECT_THAT(both[0].message, HasSubstr("ends up to 6 mm within it"));
+}
+
 TEST(Verdict, SaysNothingOfAVolumeThatMeasuredFeaturesExplain) {
   Certificate certificate = perfect();
   certificate.volume_ratio = 1.004;

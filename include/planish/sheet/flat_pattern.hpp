@@ -46,6 +46,7 @@ struct FlatFeature {
   int uncut_openings = 0;         ///< openings of the solid within it that the pattern does not cut
   std::vector<Vec2> pilots = {};  ///< middles of openings that are cut smaller than they will be
   std::vector<Vec2> along = {};   ///< middles of the borders that it follows
+  std::optional<double> beyond_cut = {};  ///< FormedFeature::beyond_cut
 };
 
 /// A named point of the flat pattern.

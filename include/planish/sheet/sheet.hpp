@@ -135,6 +135,9 @@ struct FormedFeature {
   int own_openings = 0;
   int lost_openings = 0;              ///< openings of the solid there for which no cut was found
   std::vector<BorderRef> along = {};  ///< free borders that it follows (a slanted cut)
+  /// Of a slanted cut: how far the solid reaches beyond what is cut, on the skin that the pattern
+  /// does not follow, mm; below 0 where it ends within.
+  std::optional<double> beyond_cut = {};
 };
 
 /// What a solid lacks at an opening of a plane face, measured on its walls: the certificate holds
