@@ -3,6 +3,7 @@
 
 #include "bend_energy.hpp"
 #include "contacts.hpp"
+#include "coupling.hpp"
 #include "design_load.hpp"
 #include "resting_strip.hpp"
 #include "stability.hpp"
@@ -13,8 +14,29 @@
 namespace planish::slit_detail {
 namespace {
 
-std::vector<PointForce> pressed_on(const Snapshot& now, int strip) {
+bool is_bent(const Snapshot& now, int strip) { return now.slot(strip).p.size() > 0; }
+
+/// What bonds between strips do to one.
+std::vector<PointForce> bound_on(const Snapshot& now, int strip) {
   std::vector<PointForce> all;
+  if (!now.design->coupling) return all;
+  std::vector<StripProblem> problems;
+  std::vector<StripFold> folds;
+  for (int i = 0; i < now.count(); ++i) {
+    if (!is_bent(now, i)) return all;
+    problems.push_back(problem_of(now, i));
+    folds.push_back(folded(problems.back().base, now.slot(i).p));
+  }
+  for (const Bond& bond : bonds_of(problems, now.design->coupling->smooth))
+    for (std::size_t i = 0; i < bond.points.size(); ++i)
+      if (bond.points[i].strip == strip)
+        all.push_back(
+            {bond.points[i], -bond.stiffness * Bond::kShares[i] * bond.difference(folds)});
+  return all;
+}
+
+std::vector<PointForce> pressed_on(const Snapshot& now, int strip) {
+  std::vector<PointForce> all = bound_on(now, strip);
   for (const Contact& contact : now.pressing.contacts) {
     const Vec3 force = contact.multiplier / now.pressing.unit * contact.normal;
     if (contact.here.strip == strip) all.push_back({contact.here, force});
@@ -22,8 +44,6 @@ std::vector<PointForce> pressed_on(const Snapshot& now, int strip) {
   }
   return all;
 }
-
-bool is_bent(const Snapshot& now, int strip) { return now.slot(strip).p.size() > 0; }
 
 /// Where strips press each other, and where neighbours touch.
 std::vector<Contact> all_contacts(const Snapshot& now) {
