@@ -1,4 +1,4 @@
-// What a design asks of neighbours (math.md#coupling). Three strips lie evenly if the second
+// What a design asks of neighbours (math.md#strip-contact). Three strips lie evenly if the second
 // difference of their places vanishes; a few ridges say so for all, and so couple strips by few
 // columns, which keeps Newton's steps linear in the strips.
 #include "coupling.hpp"
