@@ -117,7 +117,8 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
   return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
 }
 
-constexpr double kFarOff = 0.1;  // from a scan, of a strip's length
+constexpr double kFarOff = 0.1;   // from a scan, of a strip's length
+constexpr double kUnseen = 1e-5;  // of a gap, likewise
 
 template <typename Add>
 void add_tight(const Add& add, const StripState& strip, std::size_t i, const SlitSheet& sheet) {
@@ -134,6 +135,20 @@ void add_tight(const Add& add, const StripState& strip, std::size_t i, const Sli
                     "its thickness",
                     i + 1, strip.tightest_ridge + 1, number_text(inside)),
         i, strip.tightest_ridge);
+}
+
+/// A gap to the next strip that is not as the coupling asks for.
+template <typename Add>
+void add_gap(const Add& add, const SlitReport& report, std::size_t i, int last) {
+  const auto& coupling = report.design.coupling;
+  if (!coupling || !coupling->gap || i + 1 >= report.strips.size()) return;
+  const double gap = gap_between(report.folded.strips[i], report.folded.strips[i + 1]);
+  const double unseen = kUnseen * length_of(report.design.sheet, i);
+  if (gap < (*coupling->gap)[0] - unseen || gap > (*coupling->gap)[1] + unseen)
+    add("gap_missed",
+        fmt::format("strips {} and {} end {} mm apart, which is not the gap asked for", i + 1,
+                    i + 2, number_text(gap)),
+        i, last);
 }
 
 /// Findings about strips that end where they must. They count from 1, as all messages do.
@@ -165,6 +180,7 @@ void add_findings(SlitReport& report) {
           fmt::format("strip {} goes {} mm below the ground; no shape above it was found", i + 1,
                       number_text(strip.below_ground)),
           i, last / 2);
+    add_gap(add, report, i, last);
     if (strip.status == StripStatus::open)
       add("not_converged",
           fmt::format("strip {} ends where it must, but is not finished and could be smoother",

@@ -14,6 +14,8 @@ using namespace schema;
 namespace {
 
 constexpr schema::Range kPoisson{"a number from 0 to 0.49", 0.0, 0.49};
+constexpr schema::Range kEvenness{"a number from 0 to 10000", 0.0, 1e4};
+constexpr schema::Range kEndGap{"a length from 0 to 1e7 mm", 0.0, 1e7};
 constexpr schema::Range kForce{"a force from -1e9 to 1e9 N", -1e9, 1e9};
 
 Schema elastic_schema() {
@@ -33,6 +35,15 @@ Schema load_schema() {
        required("force", tuple(3, number(kForce), "a force [x, y, z]").said("N, y is up"))});
 }
 
+Schema coupling_schema() {
+  return object({optional("smooth", number(kEvenness)
+                                        .defaulting(SlitCoupling{}.smooth)
+                                        .said("weight of an even change from strip to strip")),
+                 optional("gap", tuple(2, length(kEndGap), "[least, most]")
+                                     .said("from corner to corner where neighbours end"))})
+      .said("all strips are solved together");
+}
+
 SlitMaterial material_at(const JsonPlace& place) {
   SlitMaterial material;
   material.young = place["young"].number();
@@ -48,6 +59,15 @@ SlitLoad load_at(const JsonPlace& place) {
   for (int axis = 0; axis < std::min(3, static_cast<int>(force.size())); ++axis)
     load.force[axis] = force[axis].number();
   return load;
+}
+
+SlitCoupling coupling_at(const JsonPlace& place) {
+  SlitCoupling coupling{place["smooth"].number()};
+  if (place["gap"].given()) {
+    const Vec2 gap = place["gap"].plane_point();
+    coupling.gap = {gap.x(), gap.y()};
+  }
+  return coupling;
 }
 
 Result<SlitMaterial> read_elastic(const std::filesystem::path& path) {
@@ -82,13 +102,15 @@ std::vector<Field> load_fields() {
           optional("gravity", flag().defaulting(false).said("the sheet's weight bends it")),
           optional("loads", list(load_schema())
                                 .said("forces on strips, of symmetric sheets on both halves "
-                                      "together"))};
+                                      "together")),
+          optional("coupling", coupling_schema())};
 }
 
 std::string take_loads(const JsonPlace& place, SlitDesign& design) {
   design.gravity = place["gravity"].yes();
   for (const JsonPlace& load : place["loads"].items())
     design.loads.push_back(load_at(load));
+  if (place["coupling"].given()) design.coupling = coupling_at(place["coupling"]);
   const JsonPlace material = place["material"];
   if (material.is_text()) return material.text();
   if (material.given()) design.material = material_at(material);

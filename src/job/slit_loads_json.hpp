@@ -9,7 +9,7 @@
 
 namespace planish::job {
 
-/// The keys of a slit file that say what loads the sheet: material, gravity, loads.
+/// The keys of a slit file that say what acts on strips: material, gravity, loads, coupling.
 std::vector<schema::Field> load_fields();
 
 /// Reads them. Returns the name of the material's file, which is read apart; empty without one.

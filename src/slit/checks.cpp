@@ -167,6 +167,28 @@ Result<void> check_weights(const SlitWeights& weights) {
   return {};
 }
 
+Result<void> check_coupling(const SlitDesign& design) {
+  if (!design.coupling) return {};
+  if (design.objective != SlitObjective::energy)
+    return fail(refuse::load_without_energy, {{"field", field("/coupling")}});
+  if (auto sound = check_from_zero({design.coupling->smooth}, kHeaviest, {"A weight"},
+                                   "/coupling/smooth");
+      !sound)
+    return sound;
+  if (!design.coupling->gap) return {};
+  const auto [least, most] = *design.coupling->gap;
+  for (const double value : {least, most})
+    if (auto sound = check_from_zero({value, unit::mm}, kLargest, {"A gap"}, "/coupling/gap");
+        !sound)
+      return sound;
+  if (least > most)
+    return fail(
+        refuse::least_above_most,
+        {{"least", least, unit::mm}, {"most", most, unit::mm}, {"field", field("/coupling/gap")}});
+  if (design.second_panel) return fail(refuse::gap_at_panel, {{"field", field("/coupling/gap")}});
+  return {};
+}
+
 Result<void> check_seat_curve(const SlitDesign& design) {
   if (!design.seat_curve) return {};
   if (!design.sheet.symmetric)
@@ -298,6 +320,7 @@ Result<void> check_all(const SlitDesign& design, const Panels& panels) {
   const std::vector<PanelFacet>& panel = panels.first;
   if (auto sound = check_seat_curve(design); !sound) return sound;
   if (auto sound = check_weights(design.weights); !sound) return sound;
+  if (auto sound = check_coupling(design); !sound) return sound;
   if (auto sound = check_load(design); !sound) return sound;
   for (int i = 0; i < static_cast<int>(design.anchors.size()); ++i)
     if (auto sound = check_anchor(design, panel, i); !sound) return sound;

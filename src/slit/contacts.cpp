@@ -309,6 +309,12 @@ std::vector<Contact> subdivided(const std::vector<Contact>& contacts) {
   std::vector<Contact> fine;
   for (const Contact& contact : contacts) {
     const StripPoint::Share& first = contact.here.shares.front();
+    if (contact.of_gap != GapLimit::none) {  // where strips end
+      fine.push_back(contact);
+      for (StripPoint* point : {&fine.back().here, &fine.back().there})
+        point->shares.front().ridge *= 2;
+      continue;
+    }
     const double at = 2.0 * (first.ridge + 1.0 - first.weight);
     for (const auto& [beside, share] : {std::pair{-0.5, 0.25}, {0.0, 0.5}, {0.5, 0.25}}) {
       const double place = std::max(0.0, at + beside);

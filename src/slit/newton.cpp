@@ -6,8 +6,7 @@
 // lead it back to the conditions. Strips that touch share blocks beside the diagonal only.
 #include "newton.hpp"
 
-#include "block_matrix.hpp"
-#include "end_curvature.hpp"
+#include "newton_model.hpp"
 #include "reach.hpp"
 #include "strip_objective.hpp"
 
@@ -17,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -26,195 +24,6 @@ namespace {
 
 constexpr double kFirstReach = 0.2, kMostReach = 2.0;  // of a step, for each ridge
 constexpr double kLeastSpacing = 0.2;                  // of a spacing that a step leaves
-
-WeighedVector weighed(const StripFold& fold, const Pull& pull) {
-  return {pull.ridge, true, fold.end(pull.side, pull.ridge), pull.gradient, pull.side};
-}
-
-/// A strip at a shape, with what its derivatives need.
-struct Member {
-  const StripProblem& problem;
-  const StripParameters& p;
-  StripFold fold;
-  std::vector<Twist> twists;
-  SecondOrder model;
-  double load = 0.0;                                      ///< what it adds to the value
-  std::vector<Pull> pulled = {};                          ///< by contacts
-  Eigen::HouseholderQR<Eigen::MatrixXd> conditions = {};  ///< of their derivatives, by columns
-  bool is_held = false;
-
-  Eigen::Index condition_count() const { return static_cast<Eigen::Index>(problem.ends.size()); }
-  int dimensions() const { return is_held ? 0 : static_cast<int>(p.size() - condition_count()); }
-
-  /// Derivatives by all parameters as those along the manifold, in an orthonormal basis of its
-  /// tangent space.
-  Eigen::VectorXd along_manifold(const Eigen::VectorXd& by_parameters) const {
-    Eigen::VectorXd v = units_of(problem.base).cwiseProduct(by_parameters);
-    if (condition_count() > 0) v.applyOnTheLeft(conditions.householderQ().adjoint());
-    return v.tail(dimensions());
-  }
-  /// A step in that basis as one of all parameters.
-  Eigen::VectorXd by_parameters(const Eigen::VectorXd& step) const {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(p.size());
-    all.tail(step.size()) = step;
-    if (condition_count() > 0) all.applyOnTheLeft(conditions.householderQ());
-    return units_of(problem.base).cwiseProduct(all);
-  }
-};
-
-Member member_of(const StripSystem& system, const Shapes& shapes, int strip) {
-  const StripProblem& problem = system.strips[strip];
-  Member member{problem, shapes[strip], folded(problem.base, shapes[strip]), {}, {}};
-  member.is_held = system.held[strip];
-  member.twists = twists(problem.base, member.fold);
-  if (member.is_held) return member;
-  member.model = objective_derivatives(problem, shapes[strip]);
-  member.load = load_part(problem, shapes[strip]);
-  return member;
-}
-
-/// The objective's second derivatives along the manifold. The gradient, by all parameters, must be
-/// complete: it gives the multipliers of the conditions.
-Eigen::MatrixXd hessian_along_manifold(Member& member) {
-  const StripProblem& problem = member.problem;
-  const Eigen::VectorXd units = units_of(problem.base);
-  std::vector<WeighedVector> sum;
-  if (member.condition_count() > 0) {
-    const Eigen::MatrixXd derivative = end_derivative(problem, member.fold) * units.asDiagonal();
-    // A flat strip's conditions depend on each other: the least multipliers.
-    const Eigen::VectorXd multipliers = derivative.transpose()
-                                            .completeOrthogonalDecomposition()
-                                            .solve(-units.cwiseProduct(member.model.gradient));
-    member.conditions.compute(derivative.transpose());
-    sum = weighed_conditions(problem, member.fold, multipliers);
-  }
-  for (const Pull& pull : pulls(problem, member.fold))
-    sum.push_back(weighed(member.fold, pull));
-  for (const Pull& pull : member.pulled)
-    sum.push_back(weighed(member.fold, pull));
-  Eigen::MatrixXd hessian = std::move(member.model.hessian);
-  if (!sum.empty()) hessian += second_derivatives(problem.base, member.p, member.fold, sum);
-  hessian = units.asDiagonal() * hessian * units.asDiagonal();
-  if (member.condition_count() > 0) {
-    const auto turn = member.conditions.householderQ();
-    hessian.applyOnTheLeft(turn.adjoint());
-    hessian.applyOnTheRight(turn);
-  }
-  return hessian.bottomRightCorner(member.dimensions(), member.dimensions());
-}
-
-/// A violated contact and the derivatives of its value by the parameters of its strips.
-struct Touch {
-  int here = 0, there = 0;
-  Eigen::VectorXd of_here, of_there;
-};
-
-/// Derivative of a point along a direction.
-Eigen::VectorXd derivative_of(const Member& member, const StripPoint& point, const Vec3& along) {
-  Eigen::VectorXd derivative = Eigen::VectorXd::Zero(member.p.size());
-  for (const StripPoint::Share& share : point.shares)
-    derivative += share.weight *
-                  end_derivative(member.problem.base, member.fold, member.twists, share.side,
-                                 share.ridge)
-                      .transpose() *
-                  along;
-  return derivative;
-}
-
-void pull_at(Member& member, const StripPoint& point, const Vec3& force) {
-  if (member.is_held) return;
-  for (const StripPoint::Share& share : point.shares)
-    member.pulled.push_back({share.ridge, share.side, share.weight * force});
-}
-
-/// The model of a system's objective about its shapes, in the tangent spaces of its strips.
-struct Model {
-  std::vector<Member> members;
-  double value = 0.0;
-  double load = 0.0;  ///< of that the part of loads, whose level is arbitrary
-  Eigen::VectorXd gradient;
-  BlockMatrix hessian;
-
-  /// A step as shapes.
-  Shapes moved(const Shapes& from, const Eigen::VectorXd& step) const {
-    Shapes shapes = from;
-    for (int i = 0; i < std::ssize(members); ++i)
-      if (!members[i].is_held)
-        shapes[i] += members[i].by_parameters(step.segment(hessian.begin(i), hessian.size(i)));
-    return shapes;
-  }
-};
-
-/// Adds the contacts to the value and to the strips' gradients.
-std::vector<Touch> touches(const StripSystem& system, std::vector<Member>& members, double& value) {
-  std::vector<Touch> found;
-  for (const Contact& contact : system.contacts) {
-    Member &here = members[contact.here.strip], &there = members[contact.there.strip];
-    const double violated = counted(system, contact,
-                                    contact.here.in(here.fold) - contact.there.in(there.fold));
-    if (violated == 0.0) continue;
-    value += 0.5 * system.penalty * violated * violated;
-    const Vec3 out = contact.normal / system.unit();
-    Touch touch{contact.here.strip, contact.there.strip, derivative_of(here, contact.here, -out),
-                derivative_of(there, contact.there, out)};
-    const double force = system.penalty * violated;
-    if (!here.is_held) here.model.gradient += force * touch.of_here;
-    if (!there.is_held) there.model.gradient += force * touch.of_there;
-    pull_at(here, contact.here, -force * out);
-    pull_at(there, contact.there, force * out);
-    if (touch.here > touch.there) {
-      std::swap(touch.here, touch.there);
-      std::swap(touch.of_here, touch.of_there);
-    }
-    found.push_back(std::move(touch));
-  }
-  return found;
-}
-
-/// Second derivatives of what touches, strip beside strip.
-void add_touches(Model& model, double penalty, const std::vector<Touch>& touching) {
-  std::map<std::pair<int, int>, std::vector<const Touch*>> by_strips;
-  for (const Touch& touch : touching)
-    by_strips[{touch.here, touch.there}].push_back(&touch);
-  for (const auto& [strips, touches] : by_strips) {
-    const Member &here = model.members[strips.first], &there = model.members[strips.second];
-    const auto rank = static_cast<Eigen::Index>(touches.size());
-    Eigen::MatrixXd a(here.dimensions(), rank), b(there.dimensions(), rank);
-    for (Eigen::Index i = 0; i < rank; ++i) {
-      if (!here.is_held) a.col(i) = here.along_manifold(touches[i]->of_here);
-      if (!there.is_held) b.col(i) = there.along_manifold(touches[i]->of_there);
-    }
-    model.hessian.on_diagonal(strips.first).noalias() += penalty * a * a.transpose();
-    model.hessian.on_diagonal(strips.second).noalias() += penalty * b * b.transpose();
-    if (!here.is_held && !there.is_held)
-      model.hessian.couple(strips.first, strips.second, penalty * a, std::move(b));
-  }
-}
-
-Model model_of(const StripSystem& system, const Shapes& shapes) {
-  std::vector<Member> members;
-  std::vector<int> sizes;
-  double value = 0.0, load = 0.0;
-  for (int strip = 0; strip < system.count(); ++strip) {
-    members.push_back(member_of(system, shapes, strip));
-    sizes.push_back(members.back().dimensions());
-    value += members.back().model.value;
-    load += members.back().load;
-  }
-  const std::vector<Touch> touching = touches(system, members, value);
-  BlockMatrix hessian(std::move(sizes));
-  Model model{std::move(members), value, load, Eigen::VectorXd(hessian.dimensions()),
-              std::move(hessian)};
-  for (int strip = 0; strip < system.count(); ++strip) {
-    Member& member = model.members[strip];
-    if (member.is_held) continue;
-    model.hessian.on_diagonal(strip) = hessian_along_manifold(member);
-    model.gradient.segment(model.hessian.begin(strip),
-                           member.dimensions()) = member.along_manifold(member.model.gradient);
-  }
-  add_touches(model, system.penalty, touching);
-  return model;
-}
 
 /// The step that minimises a model within a reach, nearly: damped by just as much as that takes
 /// (Moré and Sorensen). Where the model is concave along a direction the damping outweighs it.

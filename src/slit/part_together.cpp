@@ -4,6 +4,7 @@
 #include "part_together.hpp"
 
 #include "contacts.hpp"
+#include "coupling.hpp"
 #include "crossing.hpp"
 #include "newton.hpp"
 #include "strip_limits.hpp"
@@ -23,7 +24,8 @@ namespace {
 
 constexpr double kFirstPenalty = 1.0, kPenaltyGrowth = 4.0, kMostPenalty = 1000.0;
 constexpr double kLessViolated = 0.25;  // than in the round before, else the penalty grows
-constexpr int kMostRounds = 12, kStepsOfRound = 20;
+constexpr int kMostRounds = 12, kRoundsOfCoupled = 30, kStepsOfRound = 20;
+constexpr int kRoundsOfGap = 8;  // in which gaps go from what they are to what they should be
 constexpr double kFine = 1e-5;
 constexpr double kWorth = 20.0;  // times the objective that parting may cost
 
@@ -36,14 +38,15 @@ struct Parting {
   std::vector<StripProblem> problems = {};  ///< with the inequalities that were needed
   Pressing pressing = {};                   ///< of the sheet's strips
   int together = 0;                         ///< pairs that still need the same space
+  double gap_missed = 0.0;                  ///< most of all gaps, of the strips' length
   bool apart = false;
   double objective = 0.0;  ///< with what contacts cost
   int iterations = 0;
 };
 
 /// Less is better.
-std::tuple<bool, int, double> rank(const Parting& parting) {
-  return {!parting.apart, parting.together, parting.objective};
+std::tuple<bool, int, double, double> rank(const Parting& parting) {
+  return {!parting.apart, parting.together, parting.gap_missed, parting.objective};
 }
 
 /// Strips of a snapshot that are solved together.
@@ -57,9 +60,10 @@ class Group {
       if (now.slot(strip).state.too_tight) give_up_radius(problem);
       alone_ += now.slot(strip).state.objective;
       system_.strips.push_back(std::move(problem));
-      system_.held.push_back(std::ranges::find(moved, strip) == moved.end());
+      system_.held.push_back(!coupling() && std::ranges::find(moved, strip) == moved.end());
       shapes_.push_back(now.slot(strip).p);
     }
+    if (coupling()) system_.bonds = bonds_of(system_.strips, coupling()->smooth);
     pressing_.penalty = now.pressing.penalty;
     for (Contact contact : now.pressing.contacts) {
       contact.here.strip = member_of(contact.here.strip);
@@ -86,6 +90,7 @@ class Group {
   Parting parted(Choice choice, bool from_before, const DescentOptions& options) const {
     Parting now{shapes_}, best{shapes_};
     best.together = together();
+    best.gap_missed = missed_gap(shapes_);
     best.problems = system_.strips;
     StripSystem system = system_;
     system.penalty = kFirstPenalty;
@@ -94,28 +99,26 @@ class Group {
       system.contacts = pressing_.contacts;
     }
     const std::vector<StripPair> pairs = pairs_of(choice);
+    const DescentOptions of_round{kStepsOfRound, std::max(options.function_tolerance, kFine),
+                                  options.stop};
     double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < (coupling() ? kRoundsOfCoupled : kMostRounds); ++round) {
       if (options.stop && options.stop()) break;
       if (round > 0) {
         const Eigen::VectorXd values = contact_values(system, now.shapes);
         const double violated = values.size() > 0 ? std::max(0.0, values.maxCoeff()) : 0.0;
-        if (!from_before || violated > kLessViolated * before)
+        if ((!from_before && !coupling()) || violated > kLessViolated * before)
           system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
         before = violated;
         raise_multipliers(system, now.shapes, values);
       }
-      take_limits(system, pairs, now.shapes);
-      DescentOptions of_round = options;
-      of_round.max_iterations = kStepsOfRound;
-      of_round.function_tolerance = std::max(options.function_tolerance, kFine);
+      take_limits(system, pairs, now.shapes, std::min(1.0, (round + 1.0) / kRoundsOfGap));
       SystemDescent descent = descend_by_newton(system, std::move(now.shapes), of_round);
       now.shapes = std::move(descent.shapes);
       now.iterations += descent.iterations;
       now.objective = descent.objective;
-      now.together = run_together(pairs, now.shapes);
-      now.apart = now.together == 0 && holds_all(system, now.shapes);
-      if (now.objective > kWorth * alone_) break;
+      judge(now, pairs, system);
+      if (!coupling() && now.objective > kWorth * alone_) break;
       if (rank(now) <= rank(best))
         best = now, best.problems = system.strips, best.pressing = pressing_of(system, now.shapes);
       if (now.apart && descent.converged) break;
@@ -132,6 +135,15 @@ class Group {
       return std::holds_alternative<RadiusLimit>(known.what);
     });
   }
+
+  void judge(Parting& now, const std::vector<StripPair>& pairs, const StripSystem& system) const {
+    now.together = run_together(pairs, now.shapes);
+    now.gap_missed = missed_gap(now.shapes);
+    now.apart = now.together == 0 && now.gap_missed == 0.0 && holds_all(system, now.shapes);
+  }
+
+  /// Only the strips of the whole sheet are coupled.
+  const std::optional<SlitCoupling>& coupling() const { return now_.design->coupling; }
 
   FoldedStrip folded(const Shapes& shapes, int member) const {
     return folded_strip(system_.strips[member].base, shapes[member]);
@@ -193,6 +205,17 @@ class Group {
     return true;
   }
 
+  /// Of the strips' length; 0 if it cannot be seen.
+  double missed_gap(const Shapes& shapes) const {
+    constexpr double kSeen = 1e-6;
+    if (!coupling() || !coupling()->gap) return 0.0;
+    std::vector<FoldedStrip> strips;
+    for (int member = 0; member < system_.count(); ++member)
+      strips.push_back(folded(shapes, member));
+    const double missed = gap_missed(strips, *coupling()->gap) / system_.unit();
+    return missed > kSeen ? missed : 0.0;
+  }
+
   static void raise_contacts(StripSystem& system, const Eigen::VectorXd& values) {
     for (int i = 0; i < std::ssize(system.contacts); ++i) {
       double& multiplier = system.contacts[i].multiplier;
@@ -210,8 +233,9 @@ class Group {
   }
 
   /// What strips now violate; what they violated before keeps its multiplier.
-  void take_limits(StripSystem& system, const std::vector<StripPair>& pairs,
-                   const Shapes& shapes) const {
+  /// `share`: of the way from gaps as they were to those asked for.
+  void take_limits(StripSystem& system, const std::vector<StripPair>& pairs, const Shapes& shapes,
+                   double share) const {
     const std::vector<Contact> before = std::exchange(system.contacts, {});
     for (const StripPair& pair : pairs) {
       const FoldedStrip left = folded(shapes, pair.left), right = folded(shapes, pair.right);
@@ -222,7 +246,15 @@ class Group {
       });
       // Strips that are not beside each other have nothing to do with each other until they meet.
       if (!is_beside(pair) && known.empty() && !cross(left, right)) continue;
-      for (Contact& contact : contacts_of(pair, left, right, thickness())) {
+      std::vector<Contact> all = contacts_of(pair, left, right, thickness());
+      if (coupling() && coupling()->gap && is_beside(pair)) {
+        const double at_first = gap_between(folded(shapes_, pair.left),
+                                            folded(shapes_, pair.right));
+        std::ranges::move(kept_gap(pair.left, pair.right, left, right,
+                                   on_the_way(*coupling()->gap, at_first, share)),
+                          std::back_inserter(all));
+      }
+      for (Contact& contact : all) {
         for (const Contact& other : known)
           if (is_same(other, contact)) contact.multiplier += other.multiplier;
         system.contacts.push_back(std::move(contact));
@@ -240,6 +272,7 @@ class Group {
   static bool is_same(const Contact& a, const Contact& b) {
     constexpr double kAlike = 0.5, kNear = 0.25;
     const StripPoint::Share &first = a.here.shares.front(), &second = b.here.shares.front();
+    if (a.of_gap != b.of_gap || a.of_gap != GapLimit::none) return a.of_gap == b.of_gap;
     return a.here.strip == b.here.strip && a.there.strip == b.there.strip &&
            first.side == second.side && first.ridge == second.ridge &&
            std::abs(first.weight - second.weight) < kNear && a.normal.dot(b.normal) > kAlike;
@@ -267,6 +300,11 @@ void add_together(std::vector<bool>& wanted, const Snapshot& now, const std::vec
   std::vector<bool> has_moved(now.count());
   for (const int strip : moved)
     has_moved[strip] = true;
+  if (now.design->coupling && !moved.empty()) {
+    for (int strip = 0; strip < now.count(); ++strip)
+      wanted[strip] = now.slot(strip).p.size() > 0;
+    return;
+  }
   const auto want = [&](int strip) {
     for (int near = std::max(0, strip - 1); near <= std::min(now.count() - 1, strip + 1); ++near)
       if (now.slot(near).p.size() > 0) wanted[near] = true;
@@ -290,11 +328,13 @@ std::vector<int> those(const std::vector<bool>& wanted) {
 
 /// What parts the strips at the nearest, else the better of one strip on top everywhere and the
 /// other: judged by what is left together, then by the objective.
-Parting best_parting(const Group& group, const DescentOptions& options) {
+Parting best_parting(const Group& group, bool is_coupled, const DescentOptions& options) {
   std::optional<Parting> best;
   int iterations = 0;
   const auto try_to = [&](Choice choice, bool from_before) {
-    if (best && (best->apart || (options.stop && options.stop()))) return;
+    // On which side a strip lies has nothing to do with gaps where strips end.
+    const bool is_enough = best && (best->apart || (is_coupled && best->together == 0));
+    if (is_enough || (best && options.stop && options.stop())) return;
     Parting other = group.parted(choice, from_before, options);
     iterations += other.iterations;
     if (!best || rank(other) < rank(*best)) best = std::move(other);
@@ -341,14 +381,14 @@ int part_together(Snapshot& now, const std::vector<int>& moved, const DescentOpt
     if (wanted == before) break;
     const std::vector<int> strips = those(wanted);
     const Group group(now, strips, moved);
-    const Parting parting = best_parting(group, options);
+    const Parting parting = best_parting(group, now.design->coupling.has_value(), options);
     iterations += parting.iterations;
     if (!parting.apart && parting.together > 0 && parting.together >= group.together()) break;
     for (int member = 0; member < std::ssize(strips); ++member)
       if (group.moves(member))
         take_shape(now, strips[member], parting.shapes[member],
                    parting.problems[member].inequalities,
-                   presses(parting.pressing, strips[member]));
+                   now.design->coupling || presses(parting.pressing, strips[member]));
     take_pressing(now, wanted, parting.pressing);
     note_crossings(now, moved);
   }

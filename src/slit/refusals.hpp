@@ -135,6 +135,12 @@ constexpr Refusal load_without_material{
     code::invalid_input,
     "{@field} is given, but no material, so nothing says how stiff the sheet is.",
     "Give the material: young, and density for its weight."};
+constexpr Refusal gap_at_panel{code::invalid_input,
+                               "{@field} is given, but the strips end at a second panel.",
+                               "Leave it out: there the leg curve sets the gaps."};
+constexpr Refusal least_above_most{code::invalid_input,
+                                   "The least gap of {@field}, {least}, is above the most, {most}.",
+                                   "Give the smaller one first."};
 constexpr Refusal load_without_energy{
     code::invalid_input, "{@field} is given, but the strips are to be smooth, not of least energy.",
     "Leave out weights.smooth, and set objective to energy."};

@@ -77,8 +77,8 @@ Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   Snapshot next = now;
   design.ends.resize(design.sheet.strips.size());
   bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle ||
-             design.objective != now.design->objective || design.ground != now.design->ground ||
-             !same_load(design, *now.design);
+             design.objective != now.design->objective || design.coupling != now.design->coupling ||
+             design.ground != now.design->ground || !same_load(design, *now.design);
   auto panels = checked_panels(design);
   if (!panels) return pass_on(panels);
   if (auto sound = check_all(design, *panels); !sound) return pass_on(sound);

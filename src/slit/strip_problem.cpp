@@ -1,5 +1,7 @@
 #include "strip_problem.hpp"
 
+#include "second_jet.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -48,6 +50,26 @@ class RadiusTerm {
     add(row, limit_.ridge, 0, -by * factor_ * tangent_ * skew_ / length_);
     add(row, limit_.quad + 1, limit_.side, -by);
     add(row, limit_.quad, limit_.side, by);
+  }
+
+  /// Of the value by the fold and by both ends of the ridge.
+  void add_curvature(Eigen::MatrixXd& to, double by) const {
+    using std::sqrt, std::tan;
+    using Number = SecondJet<3>;
+    const double unit = base_.unit(), half = angle_ < 0.0 ? -0.5 : 0.5;
+    const bool slides = limit_.ridge > 0 && limit_.ridge < base_.quads;
+    const Number angle = variable<3>(angle_, 0),
+                 skew = constant<Number>(skew_) +
+                        constant<Number>(unit) * (variable<3>(0.0, 2) - variable<3>(0.0, 1));
+    const Number value = constant<Number>(by * scale_ * factor_) *
+                         tan(constant<Number>(half) * angle) *
+                         sqrt(skew * skew + constant<Number>(base_.width() * base_.width()));
+    const std::array<int, 3> at{limit_.ridge,
+                                slides ? abscissa_index(base_.quads, limit_.ridge, 0) : -1,
+                                slides ? abscissa_index(base_.quads, limit_.ridge, 1) : -1};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (at[i] >= 0 && at[j] >= 0) to(at[i], at[j]) += value.v[i].v[j];
   }
 
  private:
@@ -318,6 +340,18 @@ bool evaluate(const StripProblem& problem, const StripParameters& p,
   if (!is_shape(problem.base, p)) return false;
   Rows(problem, p, residuals, jacobian).fill();
   return true;
+}
+
+Eigen::MatrixXd limit_curvature(const StripProblem& problem, const StripParameters& p) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(p.size(), p.size());
+  for (const Inequality& inequality : problem.inequalities) {
+    const auto* limit = std::get_if<RadiusLimit>(&inequality.what);
+    if (!limit) continue;
+    const RadiusTerm term(problem, p, *limit);
+    const double pressed = problem.penalty * term.value() + inequality.multiplier;
+    if (pressed > 0.0) term.add_curvature(sum, pressed);
+  }
+  return sum;
 }
 
 Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParameters& p) {

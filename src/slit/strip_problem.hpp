@@ -101,6 +101,9 @@ struct Pull {
 };
 std::vector<Pull> pulls(const StripProblem& problem, const StripFold& fold);
 
+/// Second derivatives of the radius limits, each times what it adds to the objective's slope.
+Eigen::MatrixXd limit_curvature(const StripProblem& problem, const StripParameters& p);
+
 /// Ridges in order on both sides, no fold of half a turn.
 bool is_shape(const StripBase& base, const StripParameters& p);
 

@@ -37,11 +37,22 @@ Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes) 
 }
 
 double violation(const StripSystem& system, const Contact& contact, const Vec3& apart) {
-  return (contact.offset - contact.normal.dot(apart)) / system.unit();
+  return (contact.offset - direction_of(contact, apart).dot(apart)) / system.unit();
+}
+Vec3 direction_of(const Contact& contact, const Vec3& apart) {
+  const bool turns = contact.of_gap == GapLimit::most && !apart.isZero(0.0);
+  return turns ? Vec3(-apart.normalized()) : contact.normal;
 }
 double counted(const StripSystem& system, const Contact& contact, const Vec3& apart) {
   if (system.penalty == 0.0) return 0.0;
   return std::max(0.0, violation(system, contact, apart) + contact.multiplier / system.penalty);
+}
+
+Vec3 Bond::difference(const std::vector<StripFold>& folds) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sum += kShares[i] * points[i].in(folds[points[i].strip]);
+  return sum;
 }
 
 double objective_of(const StripSystem& system, const Shapes& shapes) {
@@ -49,7 +60,8 @@ double objective_of(const StripSystem& system, const Shapes& shapes) {
   std::vector<StripFold> folds;
   for (int strip = 0; strip < system.count(); ++strip) {
     if (!system.held[strip]) sum += whole_objective(system.strips[strip], shapes[strip]);
-    if (!system.contacts.empty()) folds.push_back(folded(system.strips[strip].base, shapes[strip]));
+    if (!system.contacts.empty() || !system.bonds.empty())
+      folds.push_back(folded(system.strips[strip].base, shapes[strip]));
   }
   for (const Contact& contact : system.contacts) {
     const double violated = counted(
@@ -57,6 +69,8 @@ double objective_of(const StripSystem& system, const Shapes& shapes) {
         contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
     sum += 0.5 * system.penalty * violated * violated;
   }
+  for (const Bond& bond : system.bonds)
+    sum += 0.5 * bond.stiffness * bond.difference(folds).squaredNorm();
   return sum;
 }
 

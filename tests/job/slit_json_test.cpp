@@ -272,5 +272,19 @@ TEST(SlitJson, RefusesEndsAndPanelsThatContradictOneAnother) {
   EXPECT_EQ(place_of_mistake(document), "s.json/ends");
 }
 
+TEST(SlitJson, ReadsWhatStripsHaveToDoWithEachOther) {
+  EXPECT_FALSE(slits_of(two_strips()).design.coupling);
+  const SlitCoupling usual = *slits_of(with("/coupling", json::object())).design.coupling;
+  EXPECT_EQ(usual, SlitCoupling{});
+  const json given = json::parse(R"({"smooth": 0.5, "gap": [0.002, 0.01]})");
+  const SlitCoupling coupling = *slits_of(with("/coupling", given)).design.coupling;
+  EXPECT_EQ(coupling.smooth, 0.5);
+  ASSERT_TRUE(coupling.gap);
+  EXPECT_DOUBLE_EQ((*coupling.gap)[0], 2.0);
+  EXPECT_DOUBLE_EQ((*coupling.gap)[1], 10.0);
+  for (const char* wrong : {R"({"gap": [0.002]})", R"({"gap": [-1, 2]})", R"({"smooth": -1})"})
+    EXPECT_FALSE(parse_slits(with("/coupling", json::parse(wrong)).dump(), "s.json", {})) << wrong;
+}
+
 }  // namespace
 }  // namespace planish::job

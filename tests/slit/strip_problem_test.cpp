@@ -197,5 +197,36 @@ TEST(StripShape, HasItsRidgesInOrderAndNoFoldOfHalfATurn) {
     }
 }
 
+/// Of radius limits alone, whose slope is known.
+TEST(StripProblem, LimitsHaveTheCurvatureOfDifferences) {
+  StripProblem problem = problem_with_everything(5);
+  std::erase_if(problem.inequalities, [](const Inequality& one) {
+    return !std::holds_alternative<RadiusLimit>(one.what);
+  });
+  const StripParameters p = random_parameters(problem.base, 5, 0.6);
+  for (std::size_t i = 0; i < problem.inequalities.size(); ++i) {
+    StripProblem one = problem;
+    one.penalty = 1e-12;  // its slope is the multiplier's alone
+    one.inequalities = {problem.inequalities[i]};
+    one.inequalities[0].multiplier = 2.0;
+    const auto slope = [&](const StripParameters& at) -> Eigen::VectorXd {
+      constexpr double kStep = 1e-5;
+      Eigen::VectorXd slopes(at.size());
+      for (Eigen::Index q = 0; q < at.size(); ++q) {
+        StripParameters up = at, down = at;
+        up[q] += kStep;
+        down[q] -= kStep;
+        slopes[q] = (inequality_values(one, up)[0] - inequality_values(one, down)[0]) /
+                    (2.0 * kStep);
+      }
+      return slopes;
+    };
+    const Eigen::MatrixXd expected = 2.0 * differences(slope, p);
+    EXPECT_LT((limit_curvature(one, p) - expected).norm(), 1e-3 * expected.norm()) << i;
+    one.inequalities[0].multiplier = -1.0;
+    EXPECT_TRUE(limit_curvature(one, p).isZero(0.0));
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -25,6 +25,10 @@ struct FoldedStrip {
   std::vector<Frame> quads;
 };
 
+/// From the corner where a strip ends to that of its neighbour on the right that faces it, mm;
+/// negative if they overlap.
+double gap_between(const FoldedStrip& left, const FoldedStrip& right);
+
 /// A facet of a panel, between two parallel lines of the flat sheet at which a strip begins or
 /// ends.
 struct PanelFacet {

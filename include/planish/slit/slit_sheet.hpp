@@ -148,6 +148,16 @@ struct SlitWeights {
   friend bool operator==(const SlitWeights&, const SlitWeights&) = default;
 };
 
+/// What strips have to do with each other besides that none runs into another: all of them are
+/// solved together, and an edit of one moves others.
+struct SlitCoupling {
+  double smooth = 0.003;  ///< weight of second differences from strip to strip: the middles of
+                          ///< corresponding ridges of three neighbours should lie evenly
+  std::optional<std::array<double, 2>> gap = {};  ///< least and most, mm: from corner to corner
+                                                  ///< where neighbours end
+  friend bool operator==(const SlitCoupling&, const SlitCoupling&) = default;
+};
+
 /// A slit sheet and the form that it shall take: the content of a file (formats.md#slits).
 struct SlitDesign {
   SlitSheet sheet;
@@ -166,6 +176,7 @@ struct SlitDesign {
   std::optional<SlitMaterial> material = {};  ///< needed for what follows
   bool gravity = false;                       ///< the sheet's own weight bends it
   std::vector<SlitLoad> loads = {};
+  std::optional<SlitCoupling> coupling = {};  ///< with `SlitObjective::energy` only
   bool ground = false;  ///< nothing goes below y = 0, the middle surface stays half a thickness
                         ///< above
   std::vector<SlitAnchor> anchors;
