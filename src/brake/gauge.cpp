@@ -19,6 +19,8 @@ namespace planish::brake_detail {
 
 namespace {
 
+/// Of a line: what a finger is off by is at most tripled at its ends.
+constexpr double kSquare = 1.0 / 3.0;
 constexpr double kSameEdge = 1e-3;  // mm: lengths that are one
 
 /// Where along a range a finger finds room between what blocks it, the outermost places of it.
@@ -70,6 +72,14 @@ bool GaugeStops::stand_side_by_side(const Place& a, const Place& b) {
          (a.at() - b.at()).norm() < kSameEdge;
 }
 
+double least_touch(StageCache& cache, const Setting& stroke) {
+  constexpr double kLeastOfEdge = 5.0;  // mm
+  const auto pieces = pressed_pieces(cache, stroke);
+  const double square = kSquare * (pieces.back().hi - pieces.front().lo);
+  return std::min(GaugeStops::kLeastTouching * cache.inputs().tools.machine.gauge->finger_width,
+                  std::max(kLeastOfEdge, square));
+}
+
 GaugeStops::GaugeStops(StageCache& cache, const Setting& stroke, bool openings)
     : cache_(cache),
       stroke_(stroke),
@@ -81,38 +91,39 @@ GaugeStops::~GaugeStops() = default;
 /// finger could stand in the die also above it.
 void GaugeStops::add(std::vector<GaugeEdge> edges, bool by_nose, double share) {
   const double width = by_nose ? gauge_->nose->width : gauge_->finger_width;
+  const double least = share < 1.0 ? least_touch(cache_, stroke_) : width;
   std::erase_if(edges, [&](const GaugeEdge& edge) {
-    return !is_in_range(edge, *gauge_) || !is_touched(edge) || edge.length() < share * width;
+    return !is_in_range(edge, *gauge_) || !is_touched(edge) || edge.length() < least;
   });
   std::ranges::stable_sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
     return a.length() > b.length() + kSameEdge;
   });
   const auto lifted = over_die(*gauge_, cache_.inputs().work.thickness);
   for (GaugeEdge& edge : edges) {
-    places_.push_back({edge, by_nose, width, share * width});
+    places_.push_back({edge, by_nose, width, least});
     if (!lifted || edge.is_formed() || by_nose) continue;
     edge.height = *lifted;
-    places_.push_back({std::move(edge), by_nose, width, share * width});
+    places_.push_back({std::move(edge), by_nose, width, least});
   }
 }
 
 /// The next kind of places, in the order in which they are preferred.
 bool GaugeStops::add_next() {
   if (!gauge_) return false;
-  const auto edges = [&](bool in_openings) {
-    std::vector<GaugeEdge> all = edges_facing(cache_, stroke_);
+  const auto edges = [&](bool in_openings, double width = 0.0) {
+    std::vector<GaugeEdge> all = edges_facing(cache_, stroke_, kLeastTouching * width);
     std::erase_if(all, [&](const GaugeEdge& edge) { return edge.in_opening != in_openings; });
     return all;
   };
   switch (kind_++) {
     case 0:
-      add(edges(false), false, 1.0);
+      add(edges(false, gauge_->finger_width), false, 1.0);
       return true;
     case 1:
       add(formed_facing(cache_, stroke_, *gauge_), false, 1.0);
       return true;
     case 2:
-      add(edges(false), false, kLeastTouching);
+      add(edges(false, gauge_->finger_width), false, kLeastTouching);
       return true;
     case 3:
       add(formed_facing(cache_, stroke_, *gauge_), false, kLeastTouching);
@@ -246,10 +257,6 @@ bool is_gauged(StageCache& cache, const Setting& stroke) {
 
 namespace planish {
 
-bool GaugeStop::is_square() const {
-  constexpr double kSquare = 1.0 /
-                             3.0;  // what a finger is off by is at most tripled along the line
-  return touched >= kSquare * line;
-}
+bool GaugeStop::is_square() const { return touched >= brake_detail::kSquare * line; }
 
 }  // namespace planish

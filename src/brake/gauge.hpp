@@ -53,6 +53,10 @@ class GaugeStops {
   std::vector<Place> places_;
 };
 
+/// How much of a finger's width touches at least where it stands over an end: half of it, or what
+/// holds the sheet square if that is less, mm.
+double least_touch(StageCache& cache, const Setting& stroke);
+
 /// The best place with the tools of the stroke, and whether there is any: quicker.
 std::optional<GaugeStop> gauge(StageCache& cache, const Setting& stroke);
 bool is_gauged(StageCache& cache, const Setting& stroke);

@@ -10,17 +10,26 @@ namespace planish::brake_detail {
 namespace {
 
 constexpr double kParallel = 0.1 * 3.14159265358979 / 180.0;  // edges that a finger touches flat
-constexpr double kOneEdge = 1e-3;                             // mm: edges that go on
+constexpr double kLevel = 0.2;     // mm: by which the ends of a line may be off, one from the other
+constexpr double kOneEdge = 1e-3;  // mm: edges that go on
+
+/// How much of a direction runs away from the line, at most: so that the line, or what is touched
+/// if that is longer, is off by no more than a shop allows.
+double most_slope(const BrakeLine& pressed, double touched = 0.0) {
+  return std::min(std::tan(kParallel), kLevel / std::max(pressed.to() - pressed.from(), touched));
+}
 
 /// The edges of a body or zone, seen from the line; `left`: those that face away to the left.
-void add_gauge_edges(const std::vector<FreeEdge>& edges, const Eigen::Isometry3d& frame, bool left,
+void add_gauge_edges(const std::vector<FreeEdge>& edges, const BrakeLine& pressed, bool left,
                      std::vector<GaugeEdge>& found) {
+  const Eigen::Isometry3d frame = line_frame(pressed);
   for (const FreeEdge& edge : edges) {
     const Vec3 a = frame * Vec3(edge.a.x(), edge.a.y(), 0.0),
                b = frame * Vec3(edge.b.x(), edge.b.y(), 0.0);
     const Vec2 outward(edge.b.y() - edge.a.y(), edge.a.x() - edge.b.x());
     const double out = (frame.linear() * Vec3(outward.x(), outward.y(), 0.0)).y();
-    if (std::abs(b.y() - a.y()) > std::tan(kParallel) * std::abs(b.x() - a.x())) continue;
+    const double wide = std::abs(b.x() - a.x());
+    if (std::abs(b.y() - a.y()) > most_slope(pressed, wide) * wide) continue;
     if ((left ? out : -out) <= 0.0) continue;
     const double away = left ? std::max(a.y(), b.y()) : std::max(-a.y(), -b.y());
     found.push_back({away,
@@ -30,8 +39,8 @@ void add_gauge_edges(const std::vector<FreeEdge>& edges, const Eigen::Isometry3d
   }
 }
 
-/// Neighbouring edges on one line as one.
-std::vector<GaugeEdge> joined_edges(std::vector<GaugeEdge> edges) {
+/// Neighbouring edges on one line as one, also beyond gaps.
+std::vector<GaugeEdge> joined_edges(std::vector<GaugeEdge> edges, double gap) {
   std::ranges::sort(edges, [](const GaugeEdge& a, const GaugeEdge& b) {
     if (std::abs(a.away - b.away) > kOneEdge) return a.away < b.away;
     return a.along.lo < b.along.lo;
@@ -40,12 +49,13 @@ std::vector<GaugeEdge> joined_edges(std::vector<GaugeEdge> edges) {
   for (const GaugeEdge& edge : edges) {
     GaugeEdge* last = joined.empty() ? nullptr : &joined.back();
     if (!last || std::abs(last->away - edge.away) > kOneEdge ||
-        std::abs(edge.along.lo - last->along.hi) > kOneEdge) {
+        edge.along.lo - last->along.hi > gap || edge.in_opening != last->in_opening) {
       joined.push_back(edge);
       continue;
     }
-    last->along.hi = edge.along.hi;
-    const bool goes_on = (last->in_pattern.b - edge.in_pattern.a).norm() < kOneEdge;
+    last->along.hi = std::max(last->along.hi, edge.along.hi);
+    const bool goes_on = (last->in_pattern.b - edge.in_pattern.a).norm() <=
+                         (last->in_pattern.a - edge.in_pattern.b).norm();
     last->in_pattern = goes_on ? Segment{last->in_pattern.a, edge.in_pattern.b}
                                : Segment{edge.in_pattern.a, last->in_pattern.b};
   }
@@ -93,7 +103,9 @@ std::vector<UprightFace> upright_faces(StageCache& cache, const Setting& stroke)
     const PlacedPart& placed = *cache.parts(stroke)[part];
     const Vec3 normal = placed.at.linear().col(2);
     if (at.is_zone || placed.flat || placed.left != (stroke.direction > 0)) continue;
-    if (std::abs(normal.x()) > kParallel || std::abs(normal.z()) > kParallel) continue;
+    if (std::abs(normal.x()) > most_slope(work.lines[stroke.line]) ||
+        std::abs(normal.z()) > kParallel)
+      continue;
     const Body& body = work.bodies[at.index];
     UprightFace face{{}, {kEverywhere.hi, kEverywhere.lo}, 0.0, body.flange};
     for (const Convex& piece : body.pieces)
@@ -147,7 +159,7 @@ void add_fold(const Fold& fold, const std::vector<Convex>& zone, const BrakeLine
   const auto seen = [&](const Vec2& p) { return Vec3(lying * Vec3(p.x(), p.y(), 0.0)); };
   const Vec3 at = seen(line.origin), along = seen(line.origin + line.along) - at;
   const double away = side * at.y() - half + fold.radius + thickness;
-  if (std::abs(along.y()) > std::sin(kParallel) || away <= 0.0) return;
+  if (std::abs(along.y()) > most_slope(pressed) || away <= 0.0) return;
   const auto height = height_at_fold(line.up == pressed.up ? fold.radius : -thickness - fold.radius,
                                      thickness, gauge);
   if (!height) return;
@@ -199,19 +211,18 @@ Interval front_of(const BackGauge& gauge) {
   return front;
 }
 
-std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke) {
+std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke, double gap) {
   const Workpiece& work = cache.inputs().work;
   const PartTree& tree = cache.tree(stroke.line);
   const std::vector<const PlacedPart*>& parts = cache.parts(stroke);
   std::vector<GaugeEdge> edges;
-  const Eigen::Isometry3d frame = line_frame(work.lines[stroke.line]);
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     if (parts[part]->flat) {
       const PartTree::Part& at = tree.parts()[part];
-      add_gauge_edges(at.is_zone ? work.zones[at.index].edges : work.bodies[at.index].edges, frame,
-                      stroke.direction > 0, edges);
+      add_gauge_edges(at.is_zone ? work.zones[at.index].edges : work.bodies[at.index].edges,
+                      work.lines[stroke.line], stroke.direction > 0, edges);
     }
-  edges = joined_edges(std::move(edges));
+  edges = joined_edges(std::move(edges), std::max(gap, kOneEdge));
   std::erase_if(edges, [](const GaugeEdge& edge) { return edge.away <= 0.0; });
   return edges;
 }

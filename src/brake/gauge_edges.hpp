@@ -29,8 +29,9 @@ inline bool is_touched(const GaugeEdge& edge) { return edge.touched >= edge.need
 /// The front of a finger, from its lowest to its highest corner there.
 Interval front_of(const BackGauge& gauge);
 
-/// The straight edges of all flat parts that face the gauge, parallel to the line.
-std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke);
+/// The straight edges of all flat parts that face the gauge, parallel to the line; those on one
+/// line are one, also beyond gaps so wide.
+std::vector<GaugeEdge> edges_facing(StageCache& cache, const Setting& stroke, double gap = 0.0);
 
 /// Level lines on the outer faces of upright flanges, where a finger comes nearest to touching them
 /// with all its front (of some it may touch nothing), and folds that its front touches.

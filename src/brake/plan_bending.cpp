@@ -211,11 +211,14 @@ bool makes_radius(const Stroke& stroke) {
   return !stroke.flattening && !stroke.press_line && !is_hem(stroke.angle);
 }
 
-bool is_made_otherwise(const Stroke& stroke, double thickness) {
+double told_from(double radius_drawn, double thickness) {
   constexpr double kTold = 0.1, kToldOfThickness = 0.2;  // math.md#made-radius
-  return makes_radius(stroke) &&
-         std::abs(stroke.radius_made - stroke.radius_drawn) >
-             std::min(kTold * stroke.radius_drawn, kToldOfThickness * thickness);
+  return std::min(kTold * radius_drawn, kToldOfThickness * thickness);
+}
+
+bool is_made_otherwise(const Stroke& stroke, double thickness) {
+  return makes_radius(stroke) && std::abs(stroke.radius_made - stroke.radius_drawn) >
+                                     told_from(stroke.radius_drawn, thickness);
 }
 
 namespace {

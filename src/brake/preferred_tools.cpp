@@ -43,13 +43,14 @@ std::vector<Run> runs_of(const std::vector<StrokeChoice>& strokes) {
   return runs;
 }
 
-/// How far the radius that a pair makes is from the drawn one, if tools make it.
+/// How far the radius that a pair makes is from the drawn one, if tools make it and it is told.
 double off_radius(const StrokeInputs& inputs, int number, const Pair& pair) {
   const BrakeLine& line = inputs.work.lines[number];
   if (line.press_line || line.closes || line.closed_by) return 0.0;
-  return std::abs(
+  const double off = std::abs(
       made_radius(inputs.tools.punches[pair.punch], inputs.tools.dies[pair.die], inputs.options) -
       line.drawn_radius);
+  return off > told_from(line.drawn_radius, inputs.work.thickness) ? off : 0.0;
 }
 
 /// How far the V of a pair is from the wanted one, for a bump, whose cost does not tell.
@@ -60,8 +61,8 @@ double off_opening(const StrokeInputs& inputs, int number, const Pair& pair) {
                   wanted_opening(line, inputs.tools, inputs.options));
 }
 
-/// All pairs for the strokes of a run, the preferred first: those that leave the drawn radius most
-/// nearly, then those of the wanted V, then the bluntest.
+/// All pairs for the strokes of a run, the preferred first: those that leave the drawn radius, or
+/// most nearly, then those of the wanted V, then the bluntest.
 std::vector<Pair> pairs_of(const StrokeInputs& inputs, const std::vector<StrokeChoice>& strokes,
                            const Run& run) {
   const BrakeTools& tools = inputs.tools;

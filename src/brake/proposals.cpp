@@ -87,7 +87,8 @@ std::vector<Proposal> proposals(const Sheet& sheet, const Layout& layout, const 
   if (tried.work().lines.empty()) return {};
   const std::vector<Shared> now{
       {try_rolled}, {try_orders}, {try_openings}, {try_lower_ears, 3}, {try_short_punch, 3}},
-      later{{try_longer}, {try_wider}, {try_segments}, {try_punches}, {try_taller}, {try_shorter}};
+      later{{try_longer},  {try_wider},  {try_segments}, {try_punches, 3},
+            {try_dies, 3}, {try_taller}, {try_shorter}};
   try_each(tried, now, shares_of(later) + 1);
   if (!helps_now(tried)) try_each(tried, later, 1);
   if (tried.found.empty()) try_each(tried, {{try_split}}, 0);

@@ -138,15 +138,36 @@ void try_segments(Trying& trying) {
 
 void try_punches(Trying& trying) {
   if (!trying.others()) return;
-  BrakeTools more = trying.tools();
-  for (const Punch& punch : trying.others()->punches)
-    if (!has(trying, punch)) more.punches.push_back(punch);
-  if (more.punches.size() == trying.tools().punches.size() || !trying.can_bend(more)) return;
+  std::vector<const Punch*> tried;
   for (const Punch& punch : trying.others()->punches) {
-    if (has(trying, punch) || !trying.can_bend(with(trying, punch))) continue;
+    const bool alike = std::ranges::any_of(
+        tried, [&](const Punch* one) { return are_alike(*one, punch); });
+    if (has(trying, punch) || alike) continue;
+    tried.push_back(&punch);
+    if (!trying.can_bend(with(trying, punch))) continue;
     const Punch* same = own(trying, punch);
     trying.found.push_back(
         {.kind = Kind::punch, .tools = {same ? same->id : punch.id}, .ears = same != nullptr});
+    return;
+  }
+}
+
+/// Where a die is in the way or too wide.
+void try_dies(Trying& trying) {
+  const std::vector<BlockedBend> blocked = trying.blocked();
+  const bool by_die = std::ranges::any_of(blocked, [](const BlockedBend& one) {
+    return one.hits ? !is_above(one.hits->kind) : one.needed > one.reach;
+  });
+  if (!trying.others() || !by_die) return;
+  for (const Die& die : trying.others()->dies) {
+    const bool owned = std::ranges::any_of(trying.all_tools().dies, [&](const Die& one) {
+      return one.profile == die.profile && one.opening == die.opening;
+    });
+    if (owned) continue;
+    BrakeTools more = trying.tools();
+    more.dies.push_back(die);
+    if (!trying.can_bend(more)) continue;
+    trying.found.push_back({.kind = Kind::die, .tools = {die.id}});
     return;
   }
 }

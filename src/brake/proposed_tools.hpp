@@ -9,6 +9,7 @@ namespace planish::brake_detail {
 void try_openings(Trying& trying);
 void try_segments(Trying& trying);
 void try_punches(Trying& trying);
+void try_dies(Trying& trying);
 void try_lower_ears(Trying& trying);
 void try_short_punch(Trying& trying);
 void try_taller(Trying& trying);

@@ -16,16 +16,6 @@ namespace {
 
 constexpr std::int64_t kLeastChecks = 20;  // that a change counts as, for what is made ready
 
-/// Of the same shape but for the radius of the tip, as strong, and of the same segments.
-bool are_alike(const Punch& a, const Punch& b) {
-  const auto ears = [](const Punch& punch) {
-    const Ears none{}, &of = punch.ears ? *punch.ears : none;
-    return std::array{of.left, of.right, of.height, of.reach};
-  };
-  return a.profile == b.profile && a.angle.radians() == b.angle.radians() &&
-         a.max_force == b.max_force && a.segments == b.segments && ears(a) == ears(b);
-}
-
 std::set<int> lines_of(const std::vector<FittingTools>& fitting, int punch) {
   std::set<int> lines;
   for (int line = 0; line < std::ssize(fitting); ++line)
@@ -50,6 +40,15 @@ BrakeTools without_likes(BrakeTools tools, const Workpiece& work, const PlanOpti
 }
 
 }  // namespace
+
+bool are_alike(const Punch& a, const Punch& b) {
+  const auto ears = [](const Punch& punch) {
+    const Ears none{}, &of = punch.ears ? *punch.ears : none;
+    return std::array{of.left, of.right, of.height, of.reach};
+  };
+  return a.profile == b.profile && a.angle.radians() == b.angle.radians() &&
+         a.max_force == b.max_force && a.segments == b.segments && ears(a) == ears(b);
+}
 
 Trying::Trying(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                const PlanOptions& options, const Plan& plan, const ProposalOptions& trying,

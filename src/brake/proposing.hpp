@@ -10,6 +10,9 @@
 
 namespace planish::brake_detail {
 
+/// Of the same shape but for the radius of the tip, as strong, and of the same segments.
+bool are_alike(const Punch& a, const Punch& b);
+
 /// What a proposal is tried with: the sheet that cannot be bent, and the work that may still be
 /// done on this kind of change.
 class Trying {

@@ -104,7 +104,7 @@ constexpr Sentence face_beyond_lift{"face_beyond_lift",
                                     "stands upright, {away} from the bend line"};
 constexpr Sentence edge_too_short{
     "edge_too_short",
-    "the longest edge in its range is {longest}, less than half of the finger's width, {width}"};
+    "the longest edge in its range is {longest}, and a finger has to touch {least}"};
 constexpr Sentence finger_in_tool{
     "finger_in_tool", "at the edge, {away} from the bend line, the fingers would stand in {tool}"};
 constexpr Sentence finger_blocked{"finger_blocked",

@@ -80,9 +80,10 @@ Remark what_is_untouched(StageCache& cache, const Setting& stroke) {
   if (const auto faces = untouched(edges, gauge)) return *faces;
   std::erase_if(edges, [](const GaugeEdge& edge) { return !is_touched(edge); });
   const double longest = std::ranges::max_element(edges, {}, &GaugeEdge::length)->length();
-  if (longest < GaugeStops::kLeastTouching * gauge.finger_width)
+  const double least = least_touch(cache, stroke);
+  if (longest < least)
     return remark_of(say::edge_too_short,
-                     {{"longest", longest, unit::mm}, {"width", gauge.finger_width, unit::mm}});
+                     {{"longest", longest, unit::mm}, {"least", least, unit::mm}});
   if (const auto in = GaugeStops(cache, told).in_tool(stroke.punch, stroke.die))
     return remark_of(say::finger_in_tool,
                      {{"away", in->away, unit::mm},

@@ -168,6 +168,23 @@ void note_ended(Plan& plan, std::chrono::steady_clock::time_point until, double 
       {kTimedOut, tell(say::changes_timed_out, {{"seconds", seconds, unit::seconds}})});
 }
 
+/// Whether a name is that of mild steel, as shops write it.
+bool is_mild_steel(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
+  return !has("stainless") && !has("inox") &&
+         std::ranges::any_of(std::array{"steel", "stahl", "acier", "s235", "s355", "dc0", "st37"},
+                             has);
+}
+
+/// The file may name a metal that nothing was chosen for.
+void note_metal(const Report& report, const Bending& bending, Plan& plan) {
+  const bool chosen = !bending.metal.empty() ||
+                      bending.plan.tensile_strength != PlanOptions{}.tensile_strength;
+  if (chosen || report.material.empty() || is_mild_steel(report.material)) return;
+  plan.remarks.push_back({"other_metal", tell(say::other_metal, {{"material", report.material}})});
+}
+
 }  // namespace
 
 Result<std::vector<BendId>> bends_named(const Report& report,
@@ -233,6 +250,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
                                 progress);
     note_ended(*plan, until, options.limits.seconds);
   }
+  if (plan) note_metal(report, bending, *plan);
   if (plan) return take_plan(report, std::move(*plan), bending);
   if (bending.ask == Bending::Ask::plan || plan.error().code.status != ExitStatus::refused)
     return plan.error();

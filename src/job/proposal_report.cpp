@@ -20,8 +20,9 @@ using Kind = Proposal::Kind;
 constexpr int kDigits = 6;  // of an opening that is given as an option
 
 const std::vector<std::string_view> kKinds{
-    "smaller_v", "punch", "taller_punches", "shorter_flange", "longer_flanges", "swap",
-    "any_order", "split", "rolled",         "segments",       "lower_ears",     "short_punch"};
+    "smaller_v",  "punch",     "taller_punches", "shorter_flange", "longer_flanges",
+    "swap",       "any_order", "split",          "rolled",         "segments",
+    "lower_ears", "die",       "short_punch"};
 
 std::string with_unit(double mm, const Units& units) {
   return fmt::format("{} {}", units.short_text(mm), units.symbol());
@@ -79,6 +80,8 @@ std::string proposal_sentence(const Proposal& proposal, const Report& report) {
       return fmt::format("with {} rolled", fmt::join(bends, " and "));
     case Kind::segments:
       return fmt::format("with segments of 10 to 300 mm for {}", tools);
+    case Kind::die:
+      return "with the additional die " + tools;
     case Kind::lower_ears:
       return fmt::format("with ears whose foot is {} high", with_unit(proposal.by, units));
     case Kind::short_punch:

@@ -161,8 +161,8 @@ TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
       ways += choice.gauged;
     return ways;
   };
-  EXPECT_EQ(gauged(15.1, 50), 2);  // half of a finger
-  EXPECT_EQ(gauged(14.9, 50), 0);
+  EXPECT_EQ(gauged(5.1, 50), 2);  // of a narrow part all its width
+  EXPECT_EQ(gauged(4.9, 50), 0);
   EXPECT_EQ(gauged(60, 300 - kHalfZone - 0.1), 2);
   EXPECT_EQ(gauged(60, 300 - kHalfZone + 0.1), 1);
 }
@@ -440,6 +440,38 @@ TEST(Gauge, TellsHowFarApartItTouches) {
   EXPECT_NEAR(touched({{20, 80}}), 60.0, 1e-9);
   EXPECT_NEAR(touched({{60, 90}, {10, 40}}), 80.0, 1e-9);
   EXPECT_NEAR(touched({{80, 95}, {10, 40}}), 85.0, 1e-9);  // half of the second finger
+}
+
+/// An edge that is off by more than 0.2 mm over the line, here of 400, is not parallel: two fingers
+/// at one distance would make the bend crooked by as much.
+TEST(Gauge, TouchesNoTaperedEdge) {
+  for (const double taper : {0.15, 0.25}) {
+    SheetBuilder builder(1.5);
+    const FaceId base = builder.flange(Frame{},
+                                       {polygon({{0, 0}, {400, 0}, {400, 60}, {0, 60 + taper}})});
+    builder.flange_behind(
+        builder.bend(builder.rim(base, 0), {Angle::degrees(90), 2, BendDirection::up}),
+        {polygon({{0, 0}, {400, 0}, {400, 50}, {0, 40}})});
+    int gauged = 0;
+    for (const Stroke& stroke : strokes_of(builder.finish(), gauged_tools()))
+      gauged += stroke.gauge ? 1 : 0;
+    EXPECT_EQ(gauged, taper < 0.2 ? 1 : 0) << taper;
+  }
+}
+
+/// Teeth of 10 with gaps between them: fingers, 30 wide, bear on them from end to end, unless a gap
+/// is wider than half of a finger.
+TEST(Gauge, BearsOnTeeth) {
+  for (const double gap : {14.0, 16.0}) {
+    std::vector<Interval> teeth;
+    for (double at = 0.0; at + 10.0 <= 100.0; at += 10.0 + gap)
+      teeth.insert(teeth.begin(), {at, at + 10.0});
+    const auto stop = stop_at_teeth(teeth);
+    EXPECT_EQ(stop.has_value(), gap < 15.0) << gap;
+    if (stop) {
+      EXPECT_NEAR(stop->touched, teeth.front().hi - teeth.back().lo, 1e-9);
+    }
+  }
 }
 
 /// Teeth at one distance are better than a longer one by itself, which lies farther away.

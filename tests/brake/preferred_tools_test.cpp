@@ -89,6 +89,21 @@ TEST(PreferredTools, OfDiesOfOneOpeningAreThoseOfTheLargestAngle) {
   }
 }
 
+/// An acute punch whose tip is nearer to the drawn radius is not preferred: what differs by less
+/// than a tenth is not told either.
+TEST(PreferredTools, AreNoKnifeForATenthOfTheRadius) {
+  BrakeTools tools = plain_tools({.tip_radius = 0.8});
+  tools.dies = plain_dies({12.0});
+  tools.punches.push_back(punch({.angle = Angle::degrees(30), .tip_radius = 2.0}));
+  tools.punches.back().id = "knife";
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto plan = plan_with(strip({Straight{40}, kBent, Straight{60}}, 80, 1.5), tools);
+    ASSERT_TRUE(plan);
+    EXPECT_NE(plan->strokes.at(0).punch, "knife");
+    std::ranges::rotate(tools.punches, tools.punches.begin() + 1);
+  }
+}
+
 /// The same where two bends need punches of their own, side by side in one set-up.
 TEST(PreferredTools, AreTheBluntestDieForTwoPunches) {
   const auto bent = [](double radius) {

@@ -61,6 +61,18 @@ TEST(ProposedTools, NameAPunchThatNeedsEars) {
   EXPECT_EQ(eared->tools, std::vector<std::string>{"P"});
 }
 
+/// A flange that is too short for the shop's V takes a narrower one of the catalogue.
+TEST(ProposedTools, NameADieThatWouldDo) {
+  BrakeTools tools = plain_tools(), others = tools;
+  tools.dies = plain_dies({16.0}, "V");
+  others.dies = plain_dies({20.0, 12.0, 10.0}, "V");
+  const double half_zone = 0.25 * std::numbers::pi * (1.0 + 0.44 * 2.0);
+  const Sheet sheet = strip({Straight{60}, bent_up(1.0), Straight{7.7 - half_zone}}, 50, 2.0);
+  const Tried all = tried(sheet, tools, {}, &others);
+  ASSERT_NE(all.of(Kind::die), nullptr);
+  EXPECT_EQ(all.of(Kind::die)->tools, std::vector<std::string>{"V12"});
+}
+
 /// A flange of x takes a V of at most 2 (x − q) with shoulders of q, here of 1.5.
 TEST(ProposedTools, NameTheWidestVForAShortFlange) {
   BrakeTools tools = plain_tools();

@@ -25,7 +25,7 @@ TEST(Ungauged, TellsWhyAFormedFlangeIsNoStop) {
   EXPECT_EQ(why(12.0, 80.0, 60.0), "gauged");
   EXPECT_EQ(why(1.6, 80.0, 60.0), "gauged");
   EXPECT_EQ(why(1.4, 80.0, 60.0), "face_too_low");
-  EXPECT_EQ(why(12.0, 14.9, 60.0), "edge_too_short");
+  EXPECT_EQ(why(12.0, 4.9, 60.0), "edge_too_short");
   EXPECT_EQ(why(12.0, 80.0, 300.0), "edge_out_of_range");
 }
 

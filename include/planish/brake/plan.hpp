@@ -138,7 +138,11 @@ struct Station {
 /// otherwise.
 bool makes_radius(const Stroke& stroke);
 
-/// Whether that is worth telling besides the drawn one: by more than a tenth of it or 0.2 T.
+/// From which difference on a radius that is made is told besides the drawn one, mm: a tenth of it
+/// or 0.2 T.
+double told_from(double radius_drawn, double thickness);
+
+/// Whether that of a stroke is.
 bool is_made_otherwise(const Stroke& stroke, double thickness);
 
 /// The code of what is said of a bend in the stage that got furthest.
@@ -171,6 +175,7 @@ struct Proposal {
     rolled,          ///< `bends`, of large radius, rolled and not bent
     segments,        ///< more segments of `tools`: all lengths of a common set
     lower_ears,      ///< ears of the punches whose foot is only `by` high
+    die,             ///< a die of another catalogue besides: `tools`
     short_punch,     ///< the punch may be `by` short of each end of a line
   };
   Kind kind = Kind::smaller_v;
