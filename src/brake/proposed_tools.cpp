@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 namespace planish::brake_detail {
@@ -136,10 +137,14 @@ void try_segments(Trying& trying) {
   trying.found.push_back({.kind = Kind::segments, .tools = ids});
 }
 
+/// The bluntest that does.
 void try_punches(Trying& trying) {
   if (!trying.others()) return;
+  std::vector<Punch> punches = trying.others()->punches;
+  std::ranges::stable_sort(punches, std::greater(),
+                           [](const Punch& one) { return one.angle.degrees(); });
   std::vector<const Punch*> tried;
-  for (const Punch& punch : trying.others()->punches) {
+  for (const Punch& punch : punches) {
     const bool alike = std::ranges::any_of(
         tried, [&](const Punch* one) { return are_alike(*one, punch); });
     if (has(trying, punch) || alike) continue;

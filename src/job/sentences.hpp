@@ -159,7 +159,7 @@ constexpr std::string_view changes_timed_out =
     "the time of {seconds} ended the search for changes that would help, so the next run may find "
     "more";
 constexpr std::string_view other_metal =
-    "the part is of {material}, and forces and radii are those of mild steel: choose its metal with "
+    "the material is {material}, and forces and radii are those of mild steel: choose with "
     "`--material`";
 constexpr std::string_view no_gauge_edge = "the back gauge has nothing to touch for {@bend}: {why}";
 
