@@ -14,6 +14,9 @@
 #include "standing.hpp"
 #include "sweep.hpp"
 
+#include <planish/geometry/region.hpp>
+
+#include <algorithm>
 #include <limits>
 
 namespace planish::brake_detail {
@@ -117,19 +120,13 @@ Remark remark_on(const StrokeInputs& inputs, int line, const Lack& lack, const P
   return remark_of(usual ? say::short_side : say::short_of_usual, facts);
 }
 
-bool is_within(const Convex& ring, const Vec2& p) {
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    if (cross(ring[(i + 1) % ring.size()] - ring[i], p - ring[i]) < 0.0) return false;
-  return true;
-}
-
 /// Whether a part has no corner in the tool that it hits, and so comes out on the other side.
 bool goes_through(const PressMotion& motion, const PlacedPart& part, double turn,
                   const Obstacle& tool) {
   return std::ranges::none_of(part.sections, [&](const Convex& section) {
     return std::ranges::any_of(turned_with_side(motion, section).at(turn), [&](const Vec2& p) {
       return std::ranges::any_of(tool.pieces,
-                                 [&](const Convex& piece) { return is_within(piece, p); });
+                                 [&](const Convex& piece) { return inside({piece}, p); });
     });
   });
 }
@@ -196,11 +193,11 @@ BlockedBend deepest(StageCache& cache, const Setting& stroke, const Obstruction&
     }
   }
   blocked.depth = lo;
-  const auto& whole = cache.tools().deeper(kind, tool, 0.0, counting.front().of);
-  if (turn)
-    blocked.through = goes_through(motion_at(inputs, stroke, kind), placed, *turn,
-                                   placed.left == (stroke.direction > 0) ? whole : mirrored(whole));
-  if (turn) blocked.at_turn = Angle::radians(*turn);
+  if (!turn) return blocked;
+  const Obstacle& whole = cache.tools().deeper(kind, tool, 0.0, counting.front().of);
+  blocked.through = goes_through(motion_at(inputs, stroke, kind), placed, *turn,
+                                 placed.left == (stroke.direction > 0) ? whole : mirrored(whole));
+  blocked.at_turn = Angle::radians(*turn);
   return blocked;
 }
 

@@ -4,6 +4,7 @@
 #include "check.hpp"
 
 #include "closing.hpp"
+#include "gauge.hpp"
 #include "plane_side.hpp"
 #include "standing.hpp"
 
@@ -38,6 +39,13 @@ std::optional<Obstruction> obstruction_of(StageCache& cache, const Setting& stro
 StrokeVerdict check(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
   const auto found = obstruction_of(cache, setting(cache.inputs(), formed, choice));
   return found ? StrokeVerdict{false, found->because} : StrokeVerdict{};
+}
+
+bool can_be_made(StageCache& cache, const LineSet& formed, const StrokeChoice& choice) {
+  const Setting stroke = setting(cache.inputs(), formed, choice);
+  const bool keeps_gauge = cache.inputs().work.lines[stroke.line].closes ||
+                           is_gauged(cache, stroke) == choice.gauged;
+  return keeps_gauge && check(cache, formed, choice).feasible;
 }
 
 }  // namespace planish::brake_detail

@@ -12,4 +12,7 @@ std::optional<Obstruction> obstruction_of(StageCache& cache, const Setting& stro
 /// Whether a stroke can be made. If not, the lines by which this is so.
 StrokeVerdict check(StageCache& cache, const LineSet& formed, const StrokeChoice& choice);
 
+/// Whether it can be made and is gauged as the choice says. What closes a hem needs no gauge.
+bool can_be_made(StageCache& cache, const LineSet& formed, const StrokeChoice& choice);
+
 }  // namespace planish::brake_detail

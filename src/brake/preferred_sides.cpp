@@ -54,20 +54,13 @@ class Turning {
     if (rotations(turned) > rotations(strokes_)) return false;
     std::vector<bool> askew = askew_;
     for (std::size_t s = from; s < to; ++s) {
-      if (!can_be_made(s, turned[s])) return false;
+      if (!can_be_made(cache_, formed_[s], turned[s])) return false;
       askew[s] = is_askew(s, turned[s]);
     }
     if (std::ranges::count(askew, true) >= std::ranges::count(askew_, true)) return false;
     strokes_ = std::move(turned);
     askew_ = std::move(askew);
     return true;
-  }
-
-  bool can_be_made(std::size_t s, const StrokeChoice& choice) {
-    const Setting stroke = setting(cache_.inputs(), formed_[s], choice);
-    const bool keeps_gauge = cache_.inputs().work.lines[stroke.line].closes ||
-                             is_gauged(cache_, stroke) == choice.gauged;
-    return keeps_gauge && check(cache_, formed_[s], choice).feasible;
   }
 
   static int rotations(const std::vector<StrokeChoice>& strokes) {

@@ -6,7 +6,6 @@
 
 #include "check.hpp"
 #include "fits.hpp"
-#include "gauge.hpp"
 
 #include <planish/base/tolerance.hpp>
 
@@ -117,10 +116,7 @@ class Preferring {
       if (!std::ranges::count(cache_.inputs().fitting[line].pairs,
                               ToolPair{pair.punch, pair.die, choice.v_away}))
         return false;
-    const Setting stroke = setting(cache_.inputs(), formed_[s], choice);
-    const bool keeps_gauge = cache_.inputs().work.lines[stroke.line].closes ||
-                             is_gauged(cache_, stroke) == choice.gauged;
-    return keeps_gauge && check(cache_, formed_[s], choice).feasible;
+    return can_be_made(cache_, formed_[s], choice);
   }
 
   void take(std::size_t s, const Pair& pair) {

@@ -26,8 +26,7 @@ void try_rolled(Trying& trying) {
       proposal.bends.push_back(one.bend);
   if (proposal.bends.empty()) return;
   auto work = trying.work_for(trying.options(), large);
-  if (work && trying.can_bend(std::move(*work), trying.tools(), trying.options()))
-    trying.found.push_back(std::move(proposal));
+  if (work && trying.can_bend(std::move(*work))) trying.found.push_back(std::move(proposal));
 }
 
 /// Where no order does, none with two of its bends swapped does.

@@ -27,8 +27,7 @@ bool resizes(Trying& trying, const ChangedBody& one, Kind kind) {
   const auto does = [&](int step) {
     const double by = step * kFinest;
     return trying.can_bend(kind == Kind::shorter_flange ? shortened(trying.work(), body, near, by)
-                                                        : widened(trying.work(), one, by),
-                           trying.tools(), trying.options());
+                                                        : widened(trying.work(), one, by));
   };
   if (steps < 1 || !trying.work().bodies[body].flange) return false;
   // Too much makes it shorter than the die needs.
@@ -135,9 +134,8 @@ void try_split(Trying& trying) {
   for (const int line : lines) {
     if (trying.work().lines[line].press_line) continue;
     const auto halves = split_at(trying.work(), line);
-    const bool both = std::ranges::all_of(halves, [&](const Workpiece& half) {
-      return half.lines.empty() || trying.can_bend(half, trying.tools(), trying.options());
-    });
+    const bool both = std::ranges::all_of(
+        halves, [&](const Workpiece& half) { return half.lines.empty() || trying.can_bend(half); });
     if (!both) continue;
     trying.found.push_back({.kind = Kind::split, .bends = trying.work().lines[line].bends});
     return;

@@ -157,7 +157,7 @@ struct BlockedBend {
   std::optional<Angle> at_turn = {};
   std::optional<Remark> why = {};    ///< with what would help if that is known
   double reach = 0.0, needed = 0.0;  ///< of `with`, too short for the die: from the bend line, mm
-  bool through = false;              ///< `depth` is as deep as can be: right through the tool
+  bool through = false;              ///< no corner is in the tool: right through it
 };
 
 /// A change by which a sheet can be bent that cannot be bent as it is. Each was planned again and
