@@ -4,6 +4,7 @@
 #include "results.hpp"
 #include "state.hpp"
 #include "support/flat_plate.hpp"
+#include "support/test_folder.hpp"
 
 #include <planish/io/flat_json.hpp>
 
@@ -20,24 +21,14 @@ namespace planish::test {
 /// A folder of one test, gone when it ends.
 class BatchFolder : public ::testing::Test {
  protected:
-  BatchFolder() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~BatchFolder() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) const {
-    std::filesystem::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  std::string text_in(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  const std::filesystem::path
-      folder_ = std::filesystem::path(::testing::TempDir()) /
-                (std::string("planish-batch-") +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "-" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  void write(const std::string& name, const std::string& text) const { own_.write(name, text); }
+  std::string text_in(const std::string& name) const { return own_.read(name); }
+
+ private:
+  const TestFolder own_;
+
+ protected:
+  const std::filesystem::path& folder_ = own_.path();
 };
 
 /// A part that was made, with one file.

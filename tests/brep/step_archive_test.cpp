@@ -1,4 +1,5 @@
 #include "packed_bytes.hpp"
+#include "support/test_folder.hpp"
 
 #include <planish/brep/codes.hpp>
 #include <planish/brep/step_archive.hpp>
@@ -6,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace planish {
 namespace {
@@ -16,13 +16,10 @@ using planish::test::gzipped, planish::test::zipped;
 
 class StepArchive : public ::testing::Test {
  protected:
-  StepArchive() { fs::create_directories(folder_); }
-  ~StepArchive() override { fs::remove_all(folder_); }
   fs::path write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-    return folder_ / name;
+    return folder_.write(name, bytes);
   }
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "planish-step-archive";
+  const test::TestFolder folder_;
   const std::string kStep = "ISO-10303-21; END-ISO-10303-21;";
 };
 
@@ -54,7 +51,7 @@ TEST_F(StepArchive, MayHoldNone) {
   EXPECT_FALSE(step_files_in(write("d", kStep)));
   EXPECT_FALSE(step_files_in(write("e", "")));
   EXPECT_FALSE(step_files_in(folder_ / "absent"));
-  EXPECT_FALSE(step_files_in(folder_));
+  EXPECT_FALSE(step_files_in(folder_.path()));
 }
 
 }  // namespace

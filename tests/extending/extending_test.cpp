@@ -4,6 +4,7 @@
 #include "disc_maker.hpp"
 #include "points_artifact.hpp"
 #include "program.hpp"
+#include "support/test_folder.hpp"
 #include "work/workbench.hpp"
 
 #include <planish/job/run.hpp>
@@ -77,27 +78,6 @@ void expect_circle(const std::string& csv) {
   // A chord's sagitta s takes at most two thirds of s times the arc from the disc.
   EXPECT_NEAR(ring.area, kPi * kRadius * kRadius, kChord * 2.0 * kPi * kRadius);
 }
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / "planish-extending") {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return (path_ / name).string();
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream file(path_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 int run_program(const std::vector<std::string>& arguments) {
   std::vector<const char*> argv{"planish"};
@@ -190,13 +170,13 @@ TEST(NewMaker, HasASchema) {
 }
 
 TEST(NewMaker, IsACommand) {
-  const Folder folder;
-  const std::string disc = folder.write("disc.json", kDisc);
+  const test::TestFolder folder;
+  const std::string disc = folder.write("disc.json", kDisc).string();
   EXPECT_EQ(run_program({"disc", disc, "--quiet", "--least-radius", "60"}), 0);
   EXPECT_THAT(folder.read("disc.dxf"), HasSubstr("CIRCLE"));
-  EXPECT_EQ(run_program({"disc", disc, "--flat", folder.path("disc.dwg")}), 2);
-  EXPECT_EQ(run_program({"disc", disc, "--mould", folder.path("mould.stl")}), 2);
-  EXPECT_EQ(run_program({"disc", folder.path("none.json")}), 3);
+  EXPECT_EQ(run_program({"disc", disc, "--flat", (folder / "disc.dwg").string()}), 2);
+  EXPECT_EQ(run_program({"disc", disc, "--mould", (folder / "mould.stl").string()}), 2);
+  EXPECT_EQ(run_program({"disc", (folder / "none.json").string()}), 3);
   EXPECT_EQ(run_program({"disc", "--help"}), 0);
 }
 
@@ -274,12 +254,13 @@ TEST(NewArtifact, IsWrittenOfEveryMaker) {
 }
 
 TEST(NewArtifact, IsASuffixOfTheCommandLine) {
-  const Folder folder;
-  const std::string disc = folder.write("disc.json", kDisc);
-  EXPECT_EQ(run_program({"disc", disc, "--flat", folder.path("ring.csv"), "--quiet"}), 0);
+  const test::TestFolder folder;
+  const std::string disc = folder.write("disc.json", kDisc).string();
+  EXPECT_EQ(run_program({"disc", disc, "--flat", (folder / "ring.csv").string(), "--quiet"}), 0);
   expect_circle(folder.read("ring.csv"));
   const std::string plates = PLANISH_SOURCE_DIR "/examples/connect/a_folded.json";
-  EXPECT_EQ(run_program({"connect", plates, "--flat", folder.path("plates.csv"), "--quiet"}), 0);
+  EXPECT_EQ(run_program({"connect", plates, "--flat", (folder / "plates.csv").string(), "--quiet"}),
+            0);
   EXPECT_THAT(folder.read("plates.csv"), HasSubstr("x,y\n"));
 }
 

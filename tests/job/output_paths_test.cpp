@@ -1,8 +1,8 @@
+#include "support/test_folder.hpp"
+
 #include <planish/job/output_paths.hpp>
 
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 namespace planish::job {
 namespace {
@@ -12,12 +12,8 @@ namespace fs = std::filesystem;
 class OutputPaths : public ::testing::Test {
  protected:
   OutputPaths() { fs::create_directories(folder_ / "below"); }
-  ~OutputPaths() override { fs::remove_all(folder_); }
-  fs::path file(const std::string& name) const {
-    std::ofstream(folder_ / name) << "x";
-    return folder_ / name;
-  }
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "planish_output_paths";
+  fs::path file(const std::string& name) const { return folder_.write(name, "x"); }
+  const test::TestFolder folder_;
 };
 
 TEST_F(OutputPaths, SpareInputsUnderWhateverName) {

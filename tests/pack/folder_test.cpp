@@ -1,5 +1,7 @@
 #include "folder.hpp"
 
+#include "support/test_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <iterator>
@@ -11,17 +13,9 @@ namespace fs = std::filesystem;
 
 class PackFolder : public ::testing::Test {
  protected:
-  PackFolder() { fs::remove_all(out_); }
-  ~PackFolder() override { fs::remove_all(out_); }
-  std::string text_in(const std::string& name) const {
-    std::ifstream file(out_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  // Of its own for each test: several run at a time.
-  const fs::path out_ = fs::path(::testing::TempDir()) /
-                        ("planish_pack_folder_" +
-                         std::string(
-                             ::testing::UnitTest::GetInstance()->current_test_info()->name()));
+  std::string text_in(const std::string& name) const { return folder_.read("out/" + name); }
+  const test::TestFolder folder_;
+  const fs::path out_ = folder_ / "out";
 };
 
 TEST_F(PackFolder, HasWhatIsAdded) {

@@ -1,35 +1,27 @@
 #include "zip.hpp"
 
+#include "support/test_folder.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 // Read by another program: Python's zipfile.
 
 namespace planish::pack {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What Python prints of an archive; `archive` is its zipfile.
 std::string python_says(const std::string& bytes, const std::string& program) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "planish_zip";
-  fs::create_directories(folder);
-  std::ofstream(folder / "a.zip", std::ios::binary) << bytes;
-  std::ofstream(folder / "read.py") << "import zipfile, sys\n"
-                                       "archive = zipfile.ZipFile(sys.argv[1])\n"
-                                    << program;
+  const test::TestFolder folder;
+  folder.write("a.zip", bytes);
+  folder.write("read.py",
+               "import zipfile, sys\narchive = zipfile.ZipFile(sys.argv[1])\n" + program);
   const std::string command = std::string(PLANISH_PYTHON) + " " + (folder / "read.py").string() +
                               " " + (folder / "a.zip").string() + " > " +
                               (folder / "said").string();
   EXPECT_EQ(std::system(command.c_str()), 0);
-  std::ostringstream said;
-  said << std::ifstream(folder / "said").rdbuf();
-  fs::remove_all(folder);
-  return said.str();
+  return folder.read("said");
 }
 
 std::string archive_of(const std::vector<std::pair<std::string, std::string>>& files) {
