@@ -1,9 +1,7 @@
-#include "bed.hpp"
 #include "describe.hpp"
+#include "laid_strokes.hpp"
 #include "large_radius.hpp"
 #include "plan_search.hpp"
-#include "preferred_sides.hpp"
-#include "preferred_tools.hpp"
 #include "prepared.hpp"
 #include "sentences.hpp"
 
@@ -117,24 +115,21 @@ void note_large(const StrokeInputs& inputs, Plan& plan) {
   }
 }
 
-/// The strokes with their stations. A set-up more than the search counted, since segments or the
-/// length of the press do not do for all, may be one that another order needs not.
-void add_strokes(StageCache& cache, const StrokeSearch& search, Plan& plan) {
-  std::vector<ChosenStroke> chosen;
-  LineSet formed = no_lines(cache.inputs().lines());
-  for (const StrokeChoice& choice :
-       with_preferred_tools(cache, with_square_gauges(cache, search.strokes))) {
-    chosen.push_back({formed, choice});
-    formed = joined(formed, choice.lines);
-  }
-  Bed bed = bed_of(cache, chosen);
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    plan.strokes.push_back(describe(cache, chosen[i].formed, bed.choices[i], bed.rows[i]));
-  plan.stations = std::move(bed.stations);
-  const double weight = cache.inputs().options.weights.tool_change;
-  const bool more = bed.count_more(weight, plan.tool_changes, plan.cost);
-  if (more && weight > 0.0 && plan.status == PlanStatus::optimal)
-    plan.status = PlanStatus::feasible;
+/// The strokes with their stations, and what they cost with every set-up. One more than the search
+/// counted, since segments or the length of the press do not do for all, may be one that another
+/// order needs not.
+void add_strokes(StageCache& cache, const LaidStrokes& laid, Plan& plan) {
+  for (std::size_t i = 0; i < laid.chosen.size(); ++i)
+    plan.strokes.push_back(
+        describe(cache, laid.chosen[i].formed, laid.bed.choices[i], laid.bed.rows[i]));
+  plan.stations = laid.bed.stations;
+  plan.cost = laid.search.cost;
+  plan.turn_overs = laid.search.turn_overs;
+  plan.rotations = laid.search.rotations;
+  plan.tool_changes = laid.search.tool_changes;
+  plan.ungauged = laid.search.ungauged;
+  plan.v_away = laid.search.v_away;
+  if (plan.status == PlanStatus::optimal && laid.is_dearer) plan.status = PlanStatus::feasible;
 }
 
 /// What is in the way of a bend in the stage that got furthest.
@@ -235,18 +230,12 @@ Result<Plan> planned(const StrokeInputs& inputs, const Progress& progress) {
   if (!search) return pass_on(search);
   if (search->furthest.empty()) search->furthest = no_lines(inputs.lines());
   plan.status = search->status;
-  plan.cost = search->cost;
-  plan.turn_overs = search->turn_overs;
-  plan.rotations = search->rotations;
-  plan.tool_changes = search->tool_changes;
-  plan.ungauged = search->ungauged;
-  plan.v_away = search->v_away;
   plan.states = search->stages;
   if (search->timed_out)
     plan.remarks.push_back(
         remark_of(plan.status == PlanStatus::infeasible ? say::reasons_timed_out : say::timed_out,
                   {{"seconds", options.limits.seconds, unit::seconds}}));
-  add_strokes(cache, *search, plan);
+  add_strokes(cache, laid_strokes(cache, *search, progress), plan);
   note_tools(inputs, plan);
   if (plan.status != PlanStatus::infeasible) return plan;
   add_unformed(inputs, *search, plan);

@@ -13,6 +13,14 @@
 namespace planish::brake_detail {
 namespace {
 
+std::vector<StrokeChoice> outermost(StageCache& cache, const LineSet& formed) {
+  std::vector<StrokeChoice> all = choices(cache, formed);
+  std::erase_if(all, [&](const auto& choice) { return !is_outermost(cache, formed, choice); });
+  return all;
+}
+
+}  // namespace
+
 StrokeProblem problem_of(StageCache& cache) {
   const StrokeInputs& inputs = cache.inputs();
   StrokeProblem problem;
@@ -31,14 +39,6 @@ StrokeProblem problem_of(StageCache& cache) {
     }
   return problem;
 }
-
-std::vector<StrokeChoice> outermost(StageCache& cache, const LineSet& formed) {
-  std::vector<StrokeChoice> all = choices(cache, formed);
-  std::erase_if(all, [&](const auto& choice) { return !is_outermost(cache, formed, choice); });
-  return all;
-}
-
-}  // namespace
 
 Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress) {
   constexpr int kMany = 14;           // lines: fewer are searched whole in a moment

@@ -6,6 +6,9 @@
 
 namespace planish::brake_detail {
 
+/// What the search asks of the stages.
+StrokeProblem problem_of(StageCache& cache);
+
 /// The search, and where it gives up the cheapest order from the outside in. That is looked for
 /// first: those orders are few, and most parts with many bends have one.
 Result<StrokeSearch> search_plan(StageCache& cache, const Progress& progress);

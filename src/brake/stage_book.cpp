@@ -244,13 +244,7 @@ bool StageBook::can_end_with(const LineSet& lines) {
 }
 
 double StageBook::change(int from, int to) const {
-  if (from == kNoSetUp || from == to) return 0.0;
-  const SetUp &a = set_ups_[from], &b = set_ups_[to];
-  double cost = 0.0;
-  if (a.has_tools() && (a.punch != b.punch || a.die != b.die)) cost += weights_.tool_change;
-  if (a.reference_up != b.reference_up) cost += weights_.turn_over;
-  if (a.direction != b.direction) cost += weights_.rotate;
-  return cost;
+  return from == kNoSetUp || from == to ? 0.0 : set_ups_[from].change_to(set_ups_[to], weights_);
 }
 
 }  // namespace planish::brake_detail

@@ -26,6 +26,13 @@ struct SetUp {
 
   bool has_tools() const { return punch != kNoTools; }
   SetUp without_tools() const { return {kNoTools, kNoTools, reference_up, direction}; }
+  bool has_same_tools(const SetUp& other) const { return punch == other.punch && die == other.die; }
+  /// What it costs to go on with another.
+  double change_to(const SetUp& other, const StrokeWeights& weights) const {
+    return (has_tools() && !has_same_tools(other) ? weights.tool_change : 0.0) +
+           (reference_up != other.reference_up ? weights.turn_over : 0.0) +
+           (direction != other.direction ? weights.rotate : 0.0);
+  }
 };
 
 /// What of a choice costs a change.

@@ -82,6 +82,16 @@ const std::vector<const PlacedPart*>& StageCache::parts(const Setting& stroke) {
   return entered(stroke).placed;
 }
 
+const SegmentSums& StageCache::segments_left(ToolKind row, int tool, SegmentSums::Chosen used) {
+  const SegmentSums& all = row == ToolKind::punch ? inputs_.punch_segments[tool]
+                                                  : inputs_.die_segments[tool];
+  if (used == 0) return all;
+  const auto known = segments_left_.find({row, tool, used});
+  if (known != segments_left_.end()) return known->second;
+  return segments_left_.emplace(std::tuple(row, tool, used), SegmentSums(all.segments(), used))
+      .first->second;
+}
+
 const BlockedWay* StageCache::blocked_way(const LineSet& formed_pressed) const {
   const auto known = blocked_ways_.find(formed_pressed);
   return known == blocked_ways_.end() ? nullptr : &known->second;

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
+#include <tuple>
 #include <unordered_map>
 
 namespace planish::brake_detail {
@@ -75,6 +77,9 @@ class StageCache {
   Interval contact(int line, int die, const Make& make) {
     return kept(contacts_, line * static_cast<int>(inputs_.tools.dies.size()) + die, make);
   }
+
+  /// What the segments of a tool add up to without those that are used.
+  const SegmentSums& segments_left(ToolKind row, int tool, SegmentSums::Chosen used);
 
   /// How often it was found out whether a tool stands: what the work of a search is counted in.
   std::int64_t checks() const { return checks_; }
@@ -151,6 +156,7 @@ class StageCache {
   std::int64_t checks_ = 0;
   std::vector<std::unique_ptr<Room>> rooms_;
   std::unordered_map<int, Interval> contacts_;
+  std::map<std::tuple<ToolKind, int, SegmentSums::Chosen>, SegmentSums> segments_left_;
   std::unordered_map<LineSet, BlockedWay, LineSetHash> blocked_ways_;
   std::unordered_map<LineSet, std::optional<Obstruction>, LineSetHash> in_the_way_;
 };

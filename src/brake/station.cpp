@@ -7,6 +7,8 @@
 #include "one_line.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace planish::brake_detail {
 namespace {
@@ -110,9 +112,108 @@ std::optional<double> StationTools::where(const Demand& demand, double shortfall
   return can(between) ? between : ways.front();
 }
 
-void StationTools::add(const Demand& demand, double at) {
-  reach = {std::min(reach.lo, demand.part.lo + at), std::max(reach.hi, demand.part.hi + at)};
-  strokes.push_back({demand.stroke, at});
+void StationTools::add(std::shared_ptr<const Demand> demand, double at) {
+  reach = {std::min(reach.lo, demand->part.lo + at), std::max(reach.hi, demand->part.hi + at)};
+  strokes.push_back({std::move(demand), at});
+}
+
+int StationTools::first_stroke() const {
+  int first = strokes.front().demand->stroke;
+  for (const Made& made : strokes)
+    first = std::min(first, made.demand->stroke);
+  return first;
+}
+
+namespace {
+
+bool are_apart(std::vector<ToolRow>& rows) {
+  std::ranges::sort(rows, {}, &ToolRow::from);
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (extent(rows[i - 1]).hi > rows[i].from + kSameLength) return false;
+  return true;
+}
+
+/// So far from the first row of a station that whole millimetres lie between, no nearer.
+double at_whole(const StationTools& station, const Interval& own, double at) {
+  const double from = station.rows[0].front().from, distance = own.lo + at - from;
+  return from - own.lo +
+         (distance > 0.0 ? std::ceil(distance - kSameLength) : std::floor(distance + kSameLength));
+}
+
+/// Where a line may begin so that punches for it stand beside those of a station: next to them, or
+/// just clear of what strokes have beside their lines.
+std::vector<double> beside(const StationTools& station, const std::vector<ToolRow>& punches,
+                           const Demand& demand) {
+  const Interval own{punches.front().from, extent(punches.back()).hi};
+  std::vector<double> ways;
+  for (const ToolRow& row : station.rows[0]) {
+    const Interval there = extent(row);
+    ways.insert(ways.end(), {there.hi - own.lo, there.lo - own.hi});
+    for (const Interval& wall : demand.walls[0])
+      ways.insert(ways.end(),
+                  {there.lo - wall.hi + kPenetration, there.hi - wall.lo - kPenetration});
+  }
+  for (const StationTools::Made& made : station.strokes)
+    for (const Interval& wall : made.demand->walls[0])
+      ways.insert(ways.end(), {wall.hi + made.at - kPenetration - own.lo,
+                               wall.lo + made.at + kPenetration - own.hi});
+  for (double& at : ways)
+    at = at_whole(station, own, at);
+  return ways;
+}
+
+/// Where the die may begin for all strokes: in the middle of the range, or at one end.
+std::vector<double> places_of_die(const StationTools& station, double shortfall) {
+  const double length = station.rows[1].front().length();
+  Interval range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const StationTools::Made& made : station.strokes)
+    for (const Interval& piece : made.demand->pieces) {
+      const Interval pressed = covered(piece, shortfall);
+      range.lo = std::max(range.lo, pressed.hi + made.at - length);
+      range.hi = std::min(range.hi, pressed.lo + made.at);
+    }
+  if (range.lo > range.hi + kSameLength) return {};
+  const double middle = 0.5 * (range.lo + range.hi), first = station.rows[0].front().from;
+  return {first + std::round(middle - first), middle, range.lo, range.hi};
+}
+
+}  // namespace
+
+bool StationTools::stand_beside(const std::vector<ToolRow>& punches,
+                                std::shared_ptr<const Demand> demand, double shortfall) {
+  if (rows[1].size() != 1) return false;
+  std::optional<StationTools> best;
+  for (const double at : beside(*this, punches, *demand)) {
+    StationTools with = *this;
+    for (ToolRow row : punches) {
+      row.from += at;
+      with.rows[0].push_back(std::move(row));
+    }
+    if (!are_apart(with.rows[0])) continue;
+    with.add(demand, at);
+    for (const double from : places_of_die(with, shortfall)) {
+      with.rows[1].front().from = from;
+      if (!std::ranges::all_of(with.strokes, [&](const Made& made) {
+            return with.stands(*made.demand, shortfall, made.at);
+          }))
+        continue;
+      with.fit_ends();
+      if (!best || with.tools.hi - with.tools.lo < best->tools.hi - best->tools.lo)
+        best = std::move(with);
+      break;
+    }
+  }
+  if (best) *this = std::move(*best);
+  return best.has_value();
+}
+
+void StationTools::fit_ends() {
+  tools = {std::min(rows[0].front().from, rows[1].front().from),
+           std::max(extent(rows[0].back()).hi, extent(rows[1].back()).hi)};
+  reach = tools;
+  for (const Made& made : strokes)
+    reach = {std::min(reach.lo, made.demand->part.lo + made.at),
+             std::max(reach.hi, made.demand->part.hi + made.at)};
 }
 
 }  // namespace planish::brake_detail

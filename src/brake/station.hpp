@@ -4,6 +4,7 @@
 #include "stage_cache.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,17 +38,26 @@ struct StationTools {
   Rows rows = {};
   Interval tools = {}, reach = {};  ///< of the rows; with the workpieces
   struct Made {
-    int stroke = 0;
+    std::shared_ptr<const Demand> demand;
     double at = 0.0;  ///< the left end of its line
   };
   std::vector<Made> strokes = {};
+
+  int first_stroke() const;
 
   /// Whether the rows press the line of a stroke from there and are in nothing's way.
   bool stands(const Demand& demand, double shortfall, double at) const;
   /// Where the line of a stroke may begin: in the middle of the rows, else in the middle between
   /// the places where one or the other end just does.
   std::optional<double> where(const Demand& demand, double shortfall) const;
-  void add(const Demand& demand, double at);
+  void add(std::shared_ptr<const Demand> demand, double at);
+  /// Stands punches of their own for a stroke, given along its line, over the die beside those that
+  /// are there, as near as all strokes allow; the die is moved along under them. Whether that can
+  /// be: if not, nothing is changed.
+  bool stand_beside(const std::vector<ToolRow>& punches, std::shared_ptr<const Demand> demand,
+                    double shortfall);
+  /// Sets `tools` and `reach` by the rows and strokes.
+  void fit_ends();
 };
 
 }  // namespace planish::brake_detail

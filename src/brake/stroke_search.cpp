@@ -109,6 +109,27 @@ double cost_of(const StageBook& book, const std::vector<int>& strokes) {
   return cost;
 }
 
+void tell_strokes(std::vector<StrokeChoice> strokes, const StrokeWeights& weights,
+                  StrokeSearch& result) {
+  result.cost = 0.0;
+  result.turn_overs = result.rotations = result.tool_changes = 0;
+  result.ungauged = result.v_away = 0;
+  std::optional<SetUp> before;
+  for (const StrokeChoice& stroke : strokes) {
+    const SetUp now = set_up_of(stroke);
+    result.cost += weights.of(stroke) + (before ? before->change_to(now, weights) : 0.0);
+    result.ungauged += stroke.gauged ? 0 : 1;
+    result.v_away += stroke.v_away;
+    if (before) {
+      result.turn_overs += before->reference_up != now.reference_up ? 1 : 0;
+      result.rotations += before->direction != now.direction ? 1 : 0;
+      result.tool_changes += before->has_same_tools(now) ? 0 : 1;
+    }
+    before = now;
+  }
+  result.strokes = std::move(strokes);
+}
+
 }  // namespace brake_detail
 
 std::chrono::steady_clock::time_point StrokeLimits::end(
@@ -164,23 +185,11 @@ bool run(StrokeWork& work, const StrokeLimits& limits) {
   return search_best_first(work);
 }
 
-void tell_plan(StrokeSearch& result, StrokeWork& work) {
-  const StageBook& book = work.book();
-  result.cost = work.cheapest();
-  const KnownChoice* before = nullptr;
-  for (const int stroke : work.plan()) {
-    const KnownChoice& known = book.choice(stroke);
-    result.strokes.push_back(known.choice);
-    result.ungauged += known.choice.gauged ? 0 : 1;
-    result.v_away += known.choice.v_away;
-    if (before) {
-      const SetUp &a = book.set_up(before->set_up), &b = book.set_up(known.set_up);
-      result.turn_overs += a.reference_up != b.reference_up ? 1 : 0;
-      result.rotations += a.direction != b.direction ? 1 : 0;
-      result.tool_changes += a.punch != b.punch || a.die != b.die ? 1 : 0;
-    }
-    before = &known;
-  }
+void tell_plan(StrokeSearch& result, StrokeWork& work, const StrokeWeights& weights) {
+  std::vector<StrokeChoice> strokes;
+  for (const int stroke : work.plan())
+    strokes.push_back(work.book().choice(stroke).choice);
+  tell_strokes(std::move(strokes), weights, result);
 }
 
 void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines) {
@@ -208,7 +217,7 @@ Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWe
   if (work.stopped() == StrokeWork::Stop::cancelled) return fail(refuse::ordering_cancelled);
   if (work.has_plan()) {
     result.status = ended ? PlanStatus::optimal : PlanStatus::feasible;
-    tell_plan(result, work);
+    tell_plan(result, work, weights);
   } else {
     if (ended) tell_blocked(result, work, problem.lines);
     result.furthest = work.book().furthest();

@@ -100,4 +100,8 @@ bool search_reachable(StrokeWork& work);
 /// Cost of a sequence of choices.
 double cost_of(const StageBook& book, const std::vector<int>& strokes);
 
+/// Strokes as what a search found, with their changes and cost.
+void tell_strokes(std::vector<StrokeChoice> strokes, const StrokeWeights& weights,
+                  StrokeSearch& result);
+
 }  // namespace planish::brake_detail

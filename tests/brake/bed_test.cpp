@@ -117,16 +117,18 @@ TEST(Bed, SegmentsStandOnce) {
 TEST(Bed, StationsKeepTheWorkpieceClear) {
   const Sheet sheet = box({70.0, 45.0, 30.0});
   BrakeTools tools = plain_tools();
-  const Plan wide = planned(sheet, tools);
+  PlanOptions options;
+  options.begin_with = {BendId(0), BendId(2)};
+  const Plan wide = planned(sheet, tools, options);
   ASSERT_EQ(wide.stations.size(), 2u);
   const double needed = end_of(wide.stations[1].punch_rows) - wide.stations[0].punch_rows[0].from;
   // Rows of 65 and 40; the flat box is 70 + 2 · 30 long and more, its walls count twice.
   EXPECT_GT(needed, 65.0 + 40.0);
   tools.machine.length = needed - 2.0;
-  const Plan narrow = planned(sheet, tools);
+  const Plan narrow = planned(sheet, tools, options);
   EXPECT_EQ(narrow.tool_changes, 1);
   tools.machine.length = needed + 1.0;
-  EXPECT_EQ(planned(sheet, tools).tool_changes, 0);
+  EXPECT_EQ(planned(sheet, tools, options).tool_changes, 0);
 }
 
 /// Tools of other heights or openings would meet while these press; flat ones for a hem too.

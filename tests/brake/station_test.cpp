@@ -62,10 +62,10 @@ TEST(StationTools, ReachAsFarAsTheirWorkpieces) {
   Demand demand = line_of(70.0);
   demand.stroke = 3;
   demand.part = {-50.0, 90.0};
-  tools.add(demand, 15.0);
+  tools.add(std::make_shared<Demand>(demand), 15.0);
   EXPECT_DOUBLE_EQ(tools.reach.lo, -35.0);
   EXPECT_DOUBLE_EQ(tools.reach.hi, 105.0);
-  EXPECT_EQ(tools.strokes.front().stroke, 3);
+  EXPECT_EQ(tools.first_stroke(), 3);
 }
 
 }  // namespace

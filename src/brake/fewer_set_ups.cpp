@@ -1,0 +1,187 @@
+// The search for an order (best_first.cpp) knows which tools may stand together, not whether their
+// segments do for all strokes. Where its plan takes more set-ups than it counted, orders are looked
+// through once more, each stage with what stands on the bed: the cheapest first, of equal ones the
+// one with the most lines formed. What must hold: a cost with set-ups is never below the one
+// without, so the same bound holds (math.md#stations).
+#include "fewer_set_ups.hpp"
+
+#include "on_bed.hpp"
+#include "stage_book.hpp"
+#include "stroke_bound.hpp"
+
+#include <planish/base/search.hpp>
+#include <planish/base/tolerance.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr int kMostLaid = 2'000;  // strokes put on a bed: 1 s
+
+/// A stroke on the way to a plan; until its tools are laid, its cost is at least that.
+struct Node {
+  int stage = 0;  ///< before the stroke
+  int choice = 0;
+  int before = -1;  ///< the node that it follows
+  double cost = 0.0;
+  bool laid = false;
+  StrokeChoice made = {};  ///< with the tools that stand there
+  std::shared_ptr<const OnBed> bed = {};
+};
+
+struct Waiting {
+  double estimate = 0.0;
+  int formed = 0;
+  int node = 0;
+};
+
+struct Dearer {
+  bool operator()(const Waiting& a, const Waiting& b) const {
+    return std::tuple(a.estimate, -a.formed, a.node) > std::tuple(b.estimate, -b.formed, b.node);
+  }
+};
+
+class BedSearch {
+ public:
+  BedSearch(StageCache& cache, const StrokeProblem& problem, double than)
+      : cache_(cache),
+        weights_(cache.inputs().options.weights),
+        book_(problem, weights_),
+        bound_(problem, weights_),
+        than_(than) {}
+
+  std::vector<StrokeChoice> run(const Progress& progress) {
+    const PlanOptions& options = cache_.inputs().options;
+    const std::int64_t most_checks = cache_.checks() + options.limits.checks / 4;
+    const auto end = options.limits.end(std::chrono::steady_clock::now());
+    offer(book_.stage_of(no_lines(cache_.inputs().lines())), -1);
+    while (!open_.empty() && laid_ < kMostLaid && cache_.checks() < most_checks) {
+      if (progress.should_stop() || std::chrono::steady_clock::now() > end) return {};
+      const int node = open_.take().node;
+      if (!nodes_[node].laid && !lay(node)) continue;
+      const int after = book_.stage_of(formed_after(nodes_[node]));
+      if (book_.is_full(after)) return strokes_to(node);
+      offer(after, node);
+    }
+    return {};
+  }
+
+ private:
+  int set_up(int node) const { return book_.choice(nodes_[node].choice).set_up; }
+
+  LineSet formed_after(const Node& node) const {
+    return joined(*book_[node.stage].formed, book_.choice(node.choice).choice.lines);
+  }
+
+  bool is_cheaper(double cost) const { return cost < than_ - tolerance::kComputed * (1.0 + than_); }
+
+  double estimate(const Node& node) {
+    const int after = book_.choice(node.choice).set_up;
+    return node.cost + bound_(formed_after(node), &book_.set_up(after));
+  }
+
+  void wait(int node) {
+    const double least = estimate(nodes_[node]);
+    if (is_cheaper(least)) open_.add({least, count(formed_after(nodes_[node])), node});
+  }
+
+  /// The strokes of a stage, one for all tools that stand on the same bed.
+  void offer(int stage, int before) {
+    std::set<std::tuple<LineSet, int, double>> offered;
+    const std::size_t offers = book_.offers(stage).size();
+    for (std::size_t i = 0; i < offers; ++i) {
+      const int choice = book_[stage].offers[i].choice;
+      const KnownChoice& known = book_.choice(choice);
+      const std::tuple key(known.choice.lines, known.set_up, known.cost);
+      if (offered.contains(key)) continue;
+      Node node{stage, choice, before, known.cost};
+      if (before >= 0)
+        node.cost += nodes_[before].cost + book_.change(set_up(before), known.set_up);
+      if (!is_cheaper(estimate(node)) || !book_.feasible(stage, i)) continue;
+      offered.insert(key);
+      nodes_.push_back(std::move(node));
+      wait(static_cast<int>(nodes_.size()) - 1);
+    }
+  }
+
+  /// Puts the tools of a stroke on the bed, a cleared one if need be. Whether to go on from there:
+  /// not where that makes it dearer, or a way as cheap is known.
+  bool lay(int number) {
+    Node& node = nodes_[number];
+    node.laid = true;
+    node.made = book_.choice(node.choice).choice;
+    ChosenStroke stroke{*book_[node.stage].formed, node.made};
+    const auto demand = demand_for(node);
+    ++laid_;
+    std::optional<OnBed> with;
+    if (node.before >= 0 &&
+        set_up_of(nodes_[node.before].made).has_same_tools(set_up_of(node.made))) {
+      with = with_any_tools(cache_, *nodes_[node.before].bed, stroke, demand);
+      if (!with) node.cost += weights_.tool_change;
+    }
+    const bool dearer = !with && node.before >= 0;
+    if (!with) with = with_stroke(cache_, {}, demand);
+    if (!with || is_known(node, *with)) return false;
+    node.made = stroke.choice;
+    node.bed = std::make_shared<OnBed>(std::move(*with));
+    if (dearer) wait(number);
+    return !dearer;
+  }
+
+  std::shared_ptr<const Demand> demand_for(const Node& node) {
+    auto& known = demands_[{node.stage, node.choice}];
+    if (!known) {
+      const int number = count(
+          *book_[node.stage].formed);  // no two strokes of a plan have the same
+      known = std::make_shared<Demand>(
+          demand_of(cache_, {*book_[node.stage].formed, node.made}, number));
+    }
+    return known;
+  }
+
+  /// Whether a way to the same stage and set-up is known that is no dearer with fewer lines to
+  /// stand for, or with a bed cleared besides.
+  bool is_known(const Node& node, const OnBed& bed) {
+    LineSet lines = no_lines(cache_.inputs().lines());
+    for (const auto& demand : bed.strokes)
+      lines = joined(std::move(lines), demand->choice.lines);
+    auto& ways = reached_[{formed_after(node), book_.choice(node.choice).set_up}];
+    for (const auto& [cost, on_bed] : ways)
+      if ((cost <= node.cost && within(on_bed, lines)) || cost + weights_.tool_change <= node.cost)
+        return true;
+    ways.emplace_back(node.cost, std::move(lines));
+    return false;
+  }
+
+  std::vector<StrokeChoice> strokes_to(int node) const {
+    std::vector<StrokeChoice> strokes;
+    for (; node >= 0; node = nodes_[node].before)
+      strokes.push_back(nodes_[node].made);
+    std::ranges::reverse(strokes);
+    return strokes;
+  }
+
+  StageCache& cache_;
+  const StrokeWeights& weights_;
+  StageBook book_;
+  StrokeBound bound_;
+  double than_;
+  int laid_ = 0;
+  std::vector<Node> nodes_;
+  Frontier<Waiting, Dearer> open_;
+  std::map<std::pair<int, int>, std::shared_ptr<const Demand>> demands_;  ///< by stage and choice
+  std::map<std::pair<LineSet, int>, std::vector<std::pair<double, LineSet>>> reached_;
+};
+
+}  // namespace
+
+std::vector<StrokeChoice> with_fewer_set_ups(StageCache& cache, const StrokeProblem& problem,
+                                             double than, const Progress& progress) {
+  return BedSearch(cache, problem, than).run(progress);
+}
+
+}  // namespace planish::brake_detail
