@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <numbers>
 
 namespace planish::test {
@@ -54,7 +55,8 @@ TEST(MadeRadius, KeepsTheOutsideLengthsOfASharpFold) {
   EXPECT_NEAR(length_made(sheet, 1.5), legs - deduction, 1e-9);
 }
 
-/// A radius that takes more of the flanges than the bend gives back has no pattern.
+/// A radius that takes more of the flanges than the bend gives back has no pattern; by how much is
+/// said.
 TEST(MadeRadius, RefusesWhatTakesTheFlanges) {
   const Sheet sheet = strip(
       {Straight{60}, Turn{Angle::degrees(150), 1.0, BendDirection::up}, Straight{60}}, 50, 2.0);
@@ -63,6 +65,14 @@ TEST(MadeRadius, RefusesWhatTakesTheFlanges) {
   const auto flat = flat_sheet(sheet, options);
   ASSERT_FALSE(flat);
   EXPECT_EQ(flat.error().code, code::bad_option);
+  const double angle = Angle::degrees(150).radians(),
+               k = flat_sheet(sheet)->pattern.bends.front().allowance.k_factor;
+  const double short_by = 2.0 * (20.0 - 1.0) * std::tan(angle / 2.0) - angle * (20.0 + k * 2.0);
+  const std::string& message = flat.error().message;
+  const auto at = message.find("needs ");
+  ASSERT_NE(at, std::string::npos) << message;
+  constexpr double kRounded = 6e-3;
+  EXPECT_NEAR(std::stod(message.substr(at + 6)), short_by, kRounded) << message;
 }
 
 }  // namespace
