@@ -32,6 +32,8 @@ std::optional<Obstruction> obstruction_of(StageCache& cache, const Setting& stro
     if (rows) return std::nullopt;
     return std::move(rows.error());
   }
+  // With a punch that is known not to stand no die needs to be asked.
+  if (const auto* punch = cache.known_in_the_way(stroke, ToolKind::punch)) return *punch;
   if (const auto& die = in_the_way(cache, stroke, ToolKind::die)) return die;
   return in_the_way(cache, stroke, ToolKind::punch);
 }

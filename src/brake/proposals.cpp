@@ -48,11 +48,12 @@ void try_orders(Trying& trying) {
   trying.found.push_back({.kind = Kind::any_order});
 }
 
-/// The shop can do these at once.
+/// The shop can do these at once, and the bends get as good.
 bool helps_now(const Trying& trying) {
-  return std::ranges::any_of(trying.found, [](const Proposal& one) {
+  constexpr double kSlightlyShort = 5.0;  // thicknesses: the bend goes on beyond the punch
+  return std::ranges::any_of(trying.found, [&](const Proposal& one) {
     return one.kind == Kind::rolled || one.kind == Kind::swap || one.kind == Kind::any_order ||
-           one.kind == Kind::short_punch;
+           (one.kind == Kind::short_punch && one.by <= kSlightlyShort * trying.sheet().thickness);
   });
 }
 

@@ -19,7 +19,7 @@ constexpr double kOneOpening = 1e-3;   // mm
 const std::vector<double> kCommonSet{10, 15, 20, 40, 50, 100, 100, 200, 300};  // mm
 constexpr double kStepOfFoot = 5.0, kLowestFoot = 10.0;                        // mm, of ears
 /// By how much a punch may be short of each end: in thicknesses, in mm, of the shortest line.
-constexpr double kShortInThicknesses = 15.0, kShortest = 20.0, kShortOfLine = 0.1;
+constexpr double kShortInThicknesses = 15.0, kShortest = 20.0, kShortOfLine = 1.0 / 6.0;
 
 /// A punch whose upper half is moved up.
 Punch taller(Punch punch, double by) {
@@ -181,10 +181,17 @@ void try_lower_ears(Trying& trying) {
   double highest = 0.0;
   for (const Punch& punch : trying.tools().punches)
     if (punch.ears) highest = std::max(highest, punch.ears->height);
-  if (!hits_punch(trying)) return;
-  for (double height = highest - kStepOfFoot; height >= kLowestFoot; height -= kStepOfFoot)
-    if (trying.can_bend(with_low_ears(trying.tools(), height)))
-      return trying.found.push_back({.kind = Kind::lower_ears, .by = height});
+  const auto does = [&](double height) {
+    return trying.can_bend(with_low_ears(trying.tools(), height));
+  };
+  double low = kLowestFoot, high = highest;
+  if (high <= low || !hits_punch(trying) || !does(low)) return;
+  while (high - low > kStepOfFoot && !trying.is_spent()) {
+    const double middle = std::max(low + kStepOfFoot,
+                                   kStepOfFoot * std::floor((low + high) / (2.0 * kStepOfFoot)));
+    (does(middle) ? low : high) = middle;
+  }
+  trying.found.push_back({.kind = Kind::lower_ears, .by = low});
 }
 
 /// To a millimetre.
@@ -203,7 +210,7 @@ void try_short_punch(Trying& trying) {
   const std::vector<BlockedBend> blocked = trying.blocked();
   const bool lacks = std::ranges::any_of(blocked, lacks_segments);
   if (enough <= little || !(lacks || hits_punch(trying)) || !does(enough)) return;
-  while (enough - little > 1.0) {
+  while (enough - little > 1.0 && !trying.is_spent()) {
     const double middle = std::floor(0.5 * (little + enough));
     (does(middle) ? enough : little) = middle;
   }
@@ -212,14 +219,24 @@ void try_short_punch(Trying& trying) {
 
 void try_taller(Trying& trying) {
   const std::vector<BlockedBend> hits = trying.hits();
-  const bool above = std::ranges::any_of(
-      hits, [](const BlockedBend& one) { return is_above(one.hits->kind); });
-  if (!above || !trying.can_bend(with_taller_punches(trying.tools(), kTallest))) return;
-  double too_low = 0.0, enough = kTallest;
-  while (enough - too_low > kStepOfPunch) {
-    const double middle = kStepOfPunch * std::round((too_low + enough) / (2.0 * kStepOfPunch));
-    (trying.can_bend(with_taller_punches(trying.tools(), middle)) ? enough : too_low) = middle;
+  const auto does = [&](double by) {
+    return trying.can_bend(with_taller_punches(trying.tools(), by));
+  };
+  double deepest = 0.0;  // what is in the way, above
+  for (const BlockedBend& one : hits)
+    if (is_above(one.hits->kind)) deepest = std::max(deepest, one.depth);
+  if (deepest == 0.0) return;
+  double too_low = 0.0, enough = kStepOfPunch * std::ceil(deepest / kStepOfPunch);
+  if (enough >= kTallest || !does(enough)) {
+    too_low = std::min(enough, kTallest - kStepOfPunch);
+    enough = kTallest;
+    if (!does(enough)) return;
   }
+  while (enough - too_low > kStepOfPunch && !trying.is_spent()) {
+    const double middle = kStepOfPunch * std::round((too_low + enough) / (2.0 * kStepOfPunch));
+    (does(middle) ? enough : too_low) = middle;
+  }
+  if (trying.is_spent() && enough - too_low > kStepOfPunch) return;  // far more than is needed
   trying.found.push_back({.kind = Kind::taller_punches, .by = enough});
 }
 

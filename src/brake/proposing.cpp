@@ -80,11 +80,15 @@ void Trying::share_out(int shares, int of) {
   left_ -= share_;
 }
 
+bool Trying::is_spent() const {
+  return share_ <= 0 || Clock::now() >= until_ || progress_.should_stop();
+}
+
 bool Trying::can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options,
                       std::vector<BlockedBend>* reasons) {
   if (reasons) reasons->clear();
+  if (is_spent()) return false;
   const std::chrono::duration<double> time = until_ - Clock::now();
-  if (share_ <= 0 || time.count() <= 0.0 || progress_.should_stop()) return false;
   options.limits.first = true;
   options.limits.reasons = reasons != nullptr;
   options.limits.seconds = std::min(options.limits.seconds, time.count());

@@ -41,6 +41,8 @@ class Trying {
   /// With as much work as a plan may take.
   bool can_bend_in_full(const PlanOptions& options);
 
+  /// Whether a change may have failed for want of work or time alone.
+  bool is_spent() const;
   /// The checks that what follows may take; what a kind leaves of its share the others may use.
   void share_out(int shares, int of);
 

@@ -92,6 +92,20 @@ const SegmentSums& StageCache::segments_left(ToolKind row, int tool, SegmentSums
       .first->second;
 }
 
+LineSet StageCache::key_of(const Setting& stroke, ToolKind row) {
+  LineSet key = *stroke.formed;
+  key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
+  const bool above = row == ToolKind::punch;
+  key.push_back(4U * static_cast<unsigned>(above ? stroke.punch : stroke.die) + (above ? 2U : 0U) +
+                (stroke.direction > 0 ? 1U : 0U));
+  return key;
+}
+
+const Obstruction* StageCache::known_in_the_way(const Setting& stroke, ToolKind row) const {
+  const auto found = in_the_way_.find(key_of(stroke, row));
+  return found != in_the_way_.end() && found->second ? &*found->second : nullptr;
+}
+
 const BlockedWay* StageCache::blocked_way(const LineSet& formed_pressed) const {
   const auto known = blocked_ways_.find(formed_pressed);
   return known == blocked_ways_.end() ? nullptr : &known->second;

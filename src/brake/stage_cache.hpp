@@ -88,17 +88,16 @@ class StageCache {
   template <typename Make>
   const std::optional<Obstruction>& in_the_way(const Setting& stroke, ToolKind row,
                                                const Make& make) {
-    LineSet key = *stroke.formed;
-    key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
-    const bool above = row == ToolKind::punch;
-    key.push_back(4U * static_cast<unsigned>(above ? stroke.punch : stroke.die) +
-                  (above ? 2U : 0U) + (stroke.direction > 0 ? 1U : 0U));
+    LineSet key = key_of(stroke, row);
     if (in_the_way_.size() >= kMostKept) in_the_way_.clear();
     const auto found = in_the_way_.find(key);
     if (found != in_the_way_.end()) return found->second;
     ++checks_;
     return in_the_way_.emplace(std::move(key), make()).first->second;
   }
+
+  /// The same, as far as it was found out: null if not, or if nothing is in the way.
+  const Obstruction* known_in_the_way(const Setting& stroke, ToolKind row) const;
 
   /// The way that comes nearest in a stage, if it is known: `formed` followed by `pressed`.
   const BlockedWay* blocked_way(const LineSet& formed_pressed) const;
@@ -142,6 +141,8 @@ class StageCache {
     const auto found = map.find(key);
     return found != map.end() ? found->second : map.emplace(std::move(key), make()).first->second;
   }
+  /// Of a tool in a stroke, whichever the other is.
+  static LineSet key_of(const Setting& stroke, ToolKind row);
   static constexpr std::size_t kMostKept = 500'000;  // answers: 100 MB
 
   Room& room(int line);

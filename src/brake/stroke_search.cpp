@@ -159,7 +159,10 @@ Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weig
 }
 
 /// Looks for any plan, with more and more patience. Returns whether it is known that there is none.
+/// Mostly there is one, and it is found at once; who wants no reasons tries what mostly is of no
+/// use, so that first it is asked whether any stroke can be the last.
 bool look_for_plan(StrokeWork& work) {
+  if (!work.wants_reasons() && !work.can_end()) return true;
   for (const std::int64_t patience : {std::int64_t{0}, kQuickStages / 20, kQuickStages}) {
     for (const Guide guide :
          {Guide::cost, Guide::outside_in, Guide::first_line, Guide::last_line}) {
@@ -169,7 +172,7 @@ bool look_for_plan(StrokeWork& work) {
       work.renew_bound();
       if (ended || !work.hopeless().empty()) return true;
     }
-    if (patience == 0 && !work.can_end()) return true;
+    if (patience == 0 && work.wants_reasons() && !work.can_end()) return true;
   }
   return false;
 }
