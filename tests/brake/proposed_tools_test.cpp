@@ -145,14 +145,15 @@ TEST(ProposedTools, TellByHowMuchThePunchMayBeShort) {
 }
 
 /// A bend does not end well where the punch is short of it by ten thicknesses: that is one way
-/// among others, as a shorter lip.
+/// among others, as ears.
 TEST(ProposedTools, TellOtherWaysBesideAPunchThatIsFarTooShort) {
   PlanOptions options;
   options.begin_with = {BendId(2), BendId(1), BendId(0)};
-  const Tried all = tried(lipped_base(9.5), plain_tools({.half_width = 4.0}, {.half_width = 9.0}),
-                          options);
+  BrakeTools tools = plain_tools({.half_width = 4.0}, {.half_width = 9.0}), others = tools;
+  others.punches[0].ears = Ears{50.0, 50.0, 25.0, 20.0};
+  const Tried all = tried(lipped_base(9.5), tools, options, &others);
   EXPECT_NE(all.of(Kind::short_punch), nullptr);
-  EXPECT_NE(all.of(Kind::shorter_flange), nullptr);
+  EXPECT_NE(all.of(Kind::punch), nullptr);
 }
 
 /// Between the walls of a box a punch in one piece does not stand.
