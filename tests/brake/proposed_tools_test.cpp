@@ -147,11 +147,9 @@ TEST(ProposedTools, TellByHowMuchThePunchMayBeShort) {
 /// A bend does not end well where the punch is short of it by ten thicknesses: that is one way
 /// among others, as ears.
 TEST(ProposedTools, TellOtherWaysBesideAPunchThatIsFarTooShort) {
-  PlanOptions options;
-  options.begin_with = {BendId(2), BendId(1), BendId(0)};
   BrakeTools tools = plain_tools({.half_width = 4.0}, {.half_width = 9.0}), others = tools;
   others.punches[0].ears = Ears{50.0, 50.0, 25.0, 20.0};
-  const Tried all = tried(lipped_base(9.5), tools, options, &others);
+  const Tried all = tried(lipped_tray(10.0), tools, {}, &others);
   EXPECT_NE(all.of(Kind::short_punch), nullptr);
   EXPECT_NE(all.of(Kind::punch), nullptr);
 }
