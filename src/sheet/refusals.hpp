@@ -16,8 +16,8 @@ constexpr Refusal k_for_no_bend{code::bad_option,
                                 "Leave it out."};
 constexpr Refusal radius_takes_flanges{
     code::bad_option,
-    "Made with an inside radius of {radius}, {@bend} needs {short} less sheet than its flanges have "
-    "up to their drawn edges.",
+    "Made with an inside radius of {radius}, {@bend} needs {short} less sheet than its flanges "
+    "have up to their drawn edges.",
     "Draw it with that radius, or cut it as drawn: it gets that much longer."};
 constexpr Refusal tolerance_not_positive{code::bad_option,
                                          "The tolerances of a flat pattern must be above 0 mm."};
