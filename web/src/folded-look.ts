@@ -1,4 +1,6 @@
+import type { Matrix4 } from 'three';
 import type { FoldedCamera } from './folded-camera.ts';
+import type { RidgeEnd } from './handles.ts';
 import { markedWith, partOfEdge, type PickedLine } from './lines.ts';
 import type { MeasuringEvents } from './measure/events.ts';
 import { refOfEdge, snapAt } from './measure/snap.ts';
@@ -12,6 +14,22 @@ export interface LookEvents extends MeasuringEvents {
   /** What lies under the resting pointer. */
   hover(under: PickedLine | null): void;
 }
+
+export interface FoldedViewEvents extends LookEvents {
+  /** Whether the line was used; else the part behind it is picked. */
+  pickLine(line: PickedLine): boolean;
+  pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
+  pickAnchor(anchor: number): void;
+  pickRidgeEnd(end: RidgeEnd): void;
+  dragAnchor(anchor: number, at: Vec3, event: number): void;
+  dragPlate(id: string, moved: Matrix4, event: number): void;
+  dragEnd(): void;
+  zoomed(): void;
+}
+
+/** Whether a pointer went farther than a click does. */
+export const isMoved = (e: PointerEvent, from: { x: number; y: number }) =>
+  Math.hypot(e.clientX - from.x, e.clientY - from.y) > 4;
 
 /** What of the folded sheet lies under the pointer: to be picked, lit up, or measured. */
 export class FoldedLook {

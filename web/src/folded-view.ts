@@ -1,6 +1,6 @@
-import { Box3, Color, type Matrix4, Plane, Scene, Vector3, WebGLRenderer } from 'three';
+import { Box3, Color, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { FoldedCamera, type StandardView } from './folded-camera.ts';
-import { FoldedLook, type LookEvents } from './folded-look.ts';
+import { FoldedLook, isMoved, type FoldedViewEvents } from './folded-look.ts';
 import { CubeView } from './cube-view.ts';
 import { cutAt, isKept } from './section.ts';
 import type { ViewState } from './view-state.ts';
@@ -10,6 +10,7 @@ import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
 import type { PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
+import { forcesOf, noForces } from './slit-forces.ts';
 import type { NamedPlaces, Solid } from './solid-mesh.ts';
 import { SolidObject } from './solid-object.ts';
 import { directionThatShows } from './solid-sight.ts';
@@ -20,18 +21,6 @@ import { frameDrawn } from './timings.ts';
 import type { Stage } from './stage.ts';
 import type { AnchorSpec } from './edits/slit-types.ts';
 import type { OrderAnswer, Shape, Vec3 } from './types.ts';
-
-export interface FoldedViewEvents extends LookEvents {
-  /** Whether the line was used; else the part behind it is picked. */
-  pickLine(line: PickedLine): boolean;
-  pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
-  pickAnchor(anchor: number): void;
-  pickRidgeEnd(end: RidgeEnd): void;
-  dragAnchor(anchor: number, at: Vec3, event: number): void;
-  dragPlate(id: string, moved: Matrix4, event: number): void;
-  dragEnd(): void;
-  zoomed(): void;
-}
 
 /** What is marked: a row of parts, the number of an edge. */
 export interface Picked {
@@ -56,7 +45,7 @@ export class FoldedView {
   private shape: Shape | null = null;
   private overlay: Overlay = noOverlay;
   private palette: Palette;
-  private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
+  private press: { x: number; y: number; anchor: number | null; plane: Plane; end: RidgeEnd | null } | null = null;
   private frame = 0;
   private readonly above: ViewOverlay;
   private moving = false; // something is being dragged
@@ -175,8 +164,9 @@ export class FoldedView {
   }
 
   /** What of the sheet is cut away, and whether one sees through it. */
-  setSection({ section: { on, along, at, flipped }, seeThrough }: ViewState, inMachine: boolean) {
+  setSection({ section: { on, along, at, flipped }, seeThrough, bending }: ViewState, inMachine: boolean) {
     this.glass = seeThrough;
+    if (this.sheet.setBending(bending)) this.sheet.paint(this.palette, this.picked.part, this.picked.edge, this.hit);
     this.sheet.setGlass(seeThrough, this.palette);
     this.solid.paint(this.palette, seeThrough);
     this.sheet.setSection(on && !inMachine ? (positions) => cutAt(positions, along, at, flipped) : null);
@@ -282,50 +272,58 @@ export class FoldedView {
           12,
         )
       : null;
-    const plane = new Plane();
-    if (anchor !== null) {
-      const at = new Vector3(...this.anchorAt(this.overlay.anchors[anchor]!));
-      plane.setFromNormalAndCoplanarPoint(this.eye.camera.getWorldDirection(new Vector3()), at);
+    const end = anchor === null && !this.events.measured() ? this.ridgeEndUnder(e) : null,
+      at = anchor === null ? end?.at : this.anchorAt(this.overlay.anchors[anchor]!),
+      plane = new Plane();
+    if (at) {
+      plane.setFromNormalAndCoplanarPoint(this.eye.camera.getWorldDirection(new Vector3()), new Vector3(...at));
       this.eye.orbit.enabled = false;
       this.renderer.domElement.setPointerCapture(e.pointerId);
-      this.events.pickAnchor(anchor);
     }
-    this.press = { x: e.clientX, y: e.clientY, anchor, plane };
+    if (anchor !== null) this.events.pickAnchor(anchor);
+    this.press = { x: e.clientX, y: e.clientY, anchor, plane, end };
+  }
+
+  private ridgeEndUnder(e: PointerEvent): RidgeEnd | null {
+    if (!this.shape || !this.overlay.handles) return null;
+    const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
+      end = this.eye.nearest(
+        e,
+        ends.map((r) => r.at),
+        7,
+      );
+    return end === null ? null : ends[end]!;
   }
 
   private move(e: PointerEvent) {
-    if (!this.press) return this.under.hover(e);
-    if (this.press.anchor === null) return;
-    const at = this.eye.ray(e).ray.intersectPlane(this.press.plane, new Vector3());
+    const { press } = this;
+    if (!press) return this.under.hover(e);
+    if (press.end && isMoved(e, press)) {
+      // A strip that is pulled gets an anchor where it was picked up.
+      this.events.pickRidgeEnd(press.end);
+      press.anchor = this.overlay.anchors.length - 1;
+      press.end = null;
+    }
+    if (press.anchor === null) return;
+    const at = this.eye.ray(e).ray.intersectPlane(press.plane, new Vector3());
     const { scale } = this.overlay;
-    if (at) this.events.dragAnchor(this.press.anchor, [at.x / scale, at.y / scale, at.z / scale], performance.now());
+    if (at) this.events.dragAnchor(press.anchor, [at.x / scale, at.y / scale, at.z / scale], performance.now());
   }
 
   private up(e: PointerEvent) {
     const press = this.press;
     this.press = null;
     if (!press || e.button !== 0) return;
-    if (press.anchor !== null) {
-      this.eye.orbit.enabled = true;
-      this.events.dragEnd();
-      return;
-    }
-    if (Math.hypot(e.clientX - press.x, e.clientY - press.y) > 4 || this.plateGizmo.isHeld) return;
+    if (press.anchor !== null || press.end) this.eye.orbit.enabled = true;
+    if (press.anchor !== null) return this.events.dragEnd();
+    if (press.end) return this.events.pickRidgeEnd(press.end);
+    if (isMoved(e, press) || this.plateGizmo.isHeld) return;
     this.click(e);
   }
 
   private click(e: PointerEvent) {
     const measured = this.events.measured();
     if (measured) return this.events.measurePick(measured.of && this.under.refUnder(measured.of, e));
-    if (this.shape && this.overlay.handles) {
-      const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
-        end = this.eye.nearest(
-          e,
-          ends.map((r) => r.at),
-          7,
-        );
-      if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
-    }
     const { line, skin } = this.under.under(e);
     if (line && this.events.pickLine(line.line)) return;
     this.events.pickFacet(skin?.facet ?? null, skin?.upper ?? true, skin?.at ?? null);
@@ -364,6 +362,7 @@ export class FoldedView {
       this.overlay,
       this.overlay.scale,
       this.overlay.ridges,
+      this.overlay.handles ? forcesOf(this.shape, this.overlay.loads) : noForces,
     );
   }
 

@@ -14,7 +14,8 @@ import {
   type Texture,
 } from 'three';
 import type { Palette } from './theme.ts';
-import type { AnchorSpec } from './edits/slit-types.ts';
+import type { AnchorSpec, SlitSpec } from './edits/slit-types.ts';
+import type { Forces } from './slit-forces.ts';
 import type { Handles, Vec3 } from './types.ts';
 
 export interface Overlay {
@@ -25,6 +26,7 @@ export interface Overlay {
   anchor: number | null;
   gizmo: 'translate' | 'rotate';
   ridges: number; // of a strip before it is subdivided
+  loads: Pick<SlitSpec, 'loads' | 'symmetric'> | null; // of a slit sheet
   handles: boolean; // whether handles fit what is shown: not while it is partly folded
 }
 
@@ -35,6 +37,7 @@ export const noOverlay: Overlay = {
   numbered: [],
   anchor: null,
   gizmo: 'translate',
+  loads: null,
   handles: true,
   ridges: 10,
 };
@@ -52,8 +55,10 @@ export class HandleObjects {
     selected: { plate: string | null; anchor: number | null; numbered: string[] },
     scale: number,
     ridges: number,
+    forces: Forces,
   ) {
     this.clear();
+    this.forces(forces, palette);
     for (const plate of handles.plates ?? [])
       if (plate.id === selected.plate)
         this.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
@@ -98,6 +103,15 @@ export class HandleObjects {
 
   private curve(points: Vec3[], color: string, closed: boolean) {
     if (points.length > 1) this.add(new (closed ? LineLoop : Line)(through(points), this.line(color)));
+  }
+
+  /** Loads as arrows; the centre of mass above the ground that bears it. */
+  private forces({ arrows, centre, support }: Forces, palette: Palette) {
+    for (const [tail, tip] of arrows) this.curve(arrow(tail, tip), palette.anchor, false);
+    this.curve(support, palette.measure, true);
+    if (!centre) return;
+    this.curve([centre, [centre[0], 0, centre[2]]], palette.measure, false);
+    this.points([centre], palette.measure, 15);
   }
 
   /** The numbers of a plate's edges, as files name them, in the middle of each. */
@@ -162,6 +176,14 @@ export function ridgeEnds(handles: Handles, count: number): RidgeEnd[] {
           ],
     );
   });
+}
+
+/** A shaft, and a head of two barbs a tenth as long, drawn in one stroke. */
+function arrow(tail: Vec3, tip: Vec3): Vec3[] {
+  const along = tip.map((v, k) => v - tail[k]!) as Vec3,
+    across: Vec3 = Math.hypot(along[0], along[1]) > 0 ? [along[1], -along[0], 0] : [Math.hypot(...along), 0, 0],
+    barb = (side: number) => tip.map((v, k) => v - 0.15 * along[k]! + 0.08 * side * across[k]!) as Vec3;
+  return [tail, tip, barb(1), tip, barb(-1)];
 }
 
 const through = (points: Vec3[]) =>

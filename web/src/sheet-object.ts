@@ -18,6 +18,7 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { bendingColours, curvatures } from './curvature.ts';
 import { markedWith, type PickedLine } from './lines.ts';
 import { setRim } from './rim.ts';
 import { replaceGeometry, bothSkins, doubled, rowsOf, setTint } from './sheet-geometry.ts';
@@ -73,6 +74,7 @@ export class SheetObject {
   private readonly rimTint = new Color();
   private readonly hitTint = new Color();
   private hit: number | null = null; // the part that collides
+  private bending = false; // coloured by how sharply it is bent
 
   constructor() {
     this.skin = new Mesh(new BufferGeometry(), sheetMaterial(true));
@@ -205,6 +207,13 @@ export class SheetObject {
     for (const { material } of [this.skin, this.rim]) setOpacity(material as ShaderMaterial, glass);
   }
 
+  /** Whether colours tell how sharply the sheet is bent; says whether that is other than before. */
+  setBending(bending: boolean): boolean {
+    const other = bending !== this.bending;
+    this.bending = bending;
+    return other;
+  }
+
   /** Lights up a part, by its row; null: none. Says whether that changes something; nothing is made for it. */
   light(row: number | null, color: string): boolean {
     const { uniforms } = this.skin.material as ShaderMaterial,
@@ -247,12 +256,14 @@ export class SheetObject {
       palette.selected,
       palette.hit,
     ].map((c) => new Color(c));
+    const bent = this.bending ? bendingTints(shape) : null;
     for (let c = 0; c < n; ++c) {
       const part = rows[c]!,
         isBend = shape.parts[part]?.kind === 'bend';
       const own = part === hit ? collides! : part === selected ? mark! : null;
-      const upper = own ?? (isBend ? bend! : flange!),
-        lower = own ?? (isBend ? bendUnder! : flangeUnder!);
+      const tint = own ?? bent?.[cornerFacet[c]!],
+        upper = tint ?? (isBend ? bend! : flange!),
+        lower = tint ?? (isBend ? bendUnder! : flangeUnder!);
       color.setXYZ(c, upper.r, upper.g, upper.b);
       color.setXYZ(n + c, lower.r, lower.g, lower.b);
     }
@@ -350,5 +361,17 @@ function liesOn({ shape, corners }: SheetMesh, a: number, b: number, part: numbe
       vy = y - l[4 * i + 1]!;
     const along = (vx * ux + vy * uy) / length;
     return Math.abs(vx * uy - vy * ux) < 0.01 * length && along > -0.01 && along < length + 0.01;
+  });
+}
+
+/** The colour of each facet between those of flat and of the sharpest bend. */
+function bendingTints(shape: Shape): Color[] {
+  const bent = curvatures(shape),
+    most = bent.reduce((a, b) => Math.max(a, b), 0) || 1,
+    stops = bendingColours.map((c) => new Color(c));
+  return Array.from(bent, (k) => {
+    const at = (k / most) * (stops.length - 1),
+      i = Math.min(Math.floor(at), stops.length - 2);
+    return stops[i]!.clone().lerp(stops[i + 1]!, at - i);
   });
 }

@@ -7,6 +7,7 @@ export type SectionAxis = 'x' | 'y' | 'z' | 'view';
 export interface ViewState {
   section: { on: boolean; axis: SectionAxis; along: Vec3; at: number; flipped: boolean }; // at: share of the part
   seeThrough: boolean;
+  bending: boolean; // coloured by how sharply it is bent
   arrangement: Arrangement | null; // that was chosen; null: by the pattern
   suggested: Arrangement; // by the pattern
   split: number; // share of the folded view
@@ -24,6 +25,7 @@ export const noSection: ViewState['section'] = { on: false, axis: 'x', along: [1
 export const initialView: ViewState = {
   section: noSection,
   seeThrough: false,
+  bending: false,
   arrangement: null,
   suggested: 'beside',
   split: evenly,

@@ -127,10 +127,12 @@ export class Views {
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
     if (isInMachine(state) !== isInMachine(before) || state.order !== before.order) this.showMachine(state);
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.picked(state));
-    const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
+    const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors,
+      loads = (s: State) => (s.input.spec as SlitSpec | null)?.loads;
     if (
       state.selection !== before.selection ||
       anchors(state) !== anchors(before) ||
+      loads(state) !== loads(before) ||
       state.fold !== before.fold ||
       state.gizmo !== before.gizmo ||
       isInMachine(state) !== isInMachine(before) ||
@@ -194,6 +196,7 @@ export class Views {
       numbered: this.numbered(state),
       anchor: state.selection.anchor,
       gizmo: state.gizmo,
+      loads: state.document?.kind === 'slit' ? spec : null,
       handles: state.fold > 0.999 && !isInMachine(state),
       ridges: spec?.ridges ?? 10,
     };

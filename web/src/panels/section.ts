@@ -6,6 +6,7 @@ import type { Ui } from '../ui.ts';
 import { clean, convert, unitName, type DisplayUnit } from '../units.ts';
 import type { Vec3 } from '../types.ts';
 import { measureButton } from './measures.ts';
+import { bendingButton, slitFacts } from './slit-facts.ts';
 import './section.css';
 
 const axes: [SectionAxis, string, string][] = [
@@ -49,6 +50,7 @@ export function viewTools(ui: Ui, folded: FoldedPart) {
     >
       Glass
     </button>
+    ${bendingButton(ui)}
     <button
       data-testid="arrangement"
       title=${stacked ? 'Both views side by side' : 'The folded part above its pattern: more room for wide patterns'}
@@ -56,7 +58,7 @@ export function viewTools(ui: Ui, folded: FoldedPart) {
     >
       ${stacked ? 'Side by side' : 'Stack'}
     </button>
-    ${section.on && !none && !isInMachine(ui.state) ? sectionBar(ui, folded) : nothing}`;
+    ${section.on && !none && !isInMachine(ui.state) ? sectionBar(ui, folded) : nothing} ${slitFacts(ui)}`;
 }
 
 /** What is nearer to the eye is cut away. */

@@ -12,6 +12,7 @@ import { choice, lengthField, numberField, section, slider, toggle } from './fie
 import { legFields, secondPanel } from './legs.ts';
 import { mouldFields } from './mould.ts';
 import { thicknessField } from './sheet-fields.ts';
+import { energyText, energyUnit, loadFields, stressText } from './loads.ts';
 import { stripFields } from './strips.ts';
 
 type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
@@ -22,6 +23,7 @@ export function slitPanel(ui: Ui) {
   return html` ${section('Leg curve, on the ground', legFields(ui, spec, 'leg'))}
   ${section('Second panel', secondPanel(ui, spec))} ${section('Seat curve, in the middle', seatEditor(ui, spec, set))}
   ${section('Anchors', anchorFields(ui, spec))} ${section('Strips', stripTable(ui, spec))}
+  ${section('Material, weight and loads', loadFields(spec, set))}
   ${section(
     'Fineness',
     html` ${numberField({
@@ -108,7 +110,7 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
 function anchorFields(ui: Ui, spec: SlitSpec) {
   const anchors = spec.anchors ?? [];
   return html`<p class="hint">
-      Click the end of a ridge in the folded view to anchor it; drag the ball to move it; Delete removes it.
+      Pull a strip at the end of a ridge, in the folded view, or click there: an anchor holds it. Delete releases it.
     </p>
     ${anchors.map((a, i) => anchorBlock(ui, spec, a, i))}`;
 }
@@ -156,10 +158,12 @@ function stripTable(ui: Ui, spec: SlitSpec) {
     from = ui.state.shape?.report.units;
   if (!strips.length) return html`<p class="hint">No strip is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
-  const columns: [string, (s: StripRow) => string][] = [
+  const columns: [string, (s: StripRow) => string, string?][] = [
     ['Gap', ({ gap }) => (gap === null ? '–' : sizeText(convert(gap, from, ui.state.units)))],
     ['Least radius', (s) => text(s.min_radius)],
   ];
+  columns.push(['Energy', (s) => energyText(s.energy, spec), energyUnit(spec)]);
+  if (strips.some((s) => s.stress != null)) columns.push(['Stress', (s) => stressText(s.stress), 'N/mm²']);
   if (spec.seat_curve) columns.push(['Off seat', (s) => text(s.seat_distance)]);
   if (spec.anchors?.length) columns.push(['Off anchors', (s) => text(s.anchor_distance)]);
   if (spec.scan?.length) columns.push(['Off scan', (s) => text(s.scan_distance)]);
@@ -167,7 +171,7 @@ function stripTable(ui: Ui, spec: SlitSpec) {
     <thead>
       <tr>
         <th>Strip</th>
-        ${columns.map(([name]) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}
+        ${columns.map(([name, , unit]) => html`<th>${name}<br />${unit ?? unitName(ui.state.units)}</th>`)}
       </tr>
     </thead>
     <tbody>

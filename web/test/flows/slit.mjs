@@ -105,3 +105,32 @@ export async function scan({ page }) {
   assert.notDeepEqual(after, before);
   after.forEach((d) => assert.ok(d < 2, `the scans lie ${after} mm from their strips`));
 }
+
+/** Under weight and loads: what is said beside the picture, the colours, a strip that is pulled and let go. */
+export async function loads({ page }) {
+  await open(page, [coarse(page, 'stool.json')]);
+  const facts = () => page.textContent('[data-testid=slit-facts]');
+  assert.match(await facts(), /energy [\d.]+ J\s*stands, may be tilted by 1\d\.\d°/);
+  await page.click('[data-testid=bending]');
+  assert.match(await page.textContent('[data-testid=bending-scale]'), /radius 2\d\d\.?\d* mm, \d+ N\/mm² of 1100/);
+  const end = await state(
+    page,
+    `(() => { const r = s.shape.handles.ridges[1], row = r[Math.floor(r.length / 2)][0];
+    return { ...views.folded.project(row), eye: views.folded.direction }; })()`,
+  );
+  await drag(page, end, { x: 0, y: 8 }, 8);
+  await rested(page);
+  assert.equal(await state(page, 's.input.spec.anchors.length'), 1, 'a strip that is pulled has an anchor');
+  assert.deepEqual(await state(page, 'views.folded.direction'), end.eye, 'the view stays');
+  await page.keyboard.press('Delete');
+  await rested(page);
+  assert.equal(await state(page, 's.input.spec.anchors'), undefined);
+  await page.click('[data-testid=load-add]');
+  await rested(page);
+  const loads = await state(page, 's.input.spec.loads');
+  assert.deepEqual(loads.at(-1), { strip: 0, at: 1, force: [0, -100, 0] });
+  await page.locator(`[data-testid=load-${loads.length - 1}] [data-testid=load-y]`).fill('-9000');
+  await page.keyboard.press('Enter');
+  await rested(page);
+  assert.ok((await state(page, 's.problem')) || /not stable|N\/mm²/.test(await facts()), 'it is told');
+}
