@@ -185,6 +185,7 @@ std::optional<double> hit(const PressMotion& motion, const Moving& part, const O
 
 Closest closest(const PressMotion& motion, const Moving& part, const Obstacle& obstacle,
                 double most, double most_asked) {
+  // What slides along a tool is as near at every turn: the last digits would be most of the work.
   Closest best{most_asked, 0.0};
   // Exact below `enough`, a lower bound above.
   const auto gap_at = [&](double turn, double enough) {
@@ -206,7 +207,7 @@ Closest closest(const PressMotion& motion, const Moving& part, const Obstacle& o
     const double half = 0.5 * (to - from);
     const double moved = half * (part.speed(to) + (obstacle.moves ? motion.die_speed(to) : 0.0));
     const double gap = look(from + half, moved);
-    if (gap - moved >= best.distance || moved < kFollowed) return;
+    if (gap - moved >= best.distance || moved < kMeasured) return;
     self(self, from + half, to);
     self(self, from, from + half);
   };

@@ -31,8 +31,11 @@ inline constexpr double kFollowed = 0.001;
 std::optional<double> hit(const PressMotion& motion, const Moving& part, const Obstacle& obstacle,
                           double most);
 
-/// The smallest distance of a part from an obstacle over all turns, at least `keep` to be told
-/// apart from `most_asked`; within `kFollowed`. 0 if they meet.
+/// How closely distances are measured, mm: they are told to 0.1.
+inline constexpr double kMeasured = 0.02;
+
+/// The smallest distance of a part from an obstacle over all turns, if that is less than
+/// `most_asked`; too large by `kMeasured` at most. 0 if they meet.
 struct Closest {
   double distance = std::numeric_limits<double>::infinity();
   double turn = 0.0;

@@ -57,7 +57,7 @@ TEST(Sweep, FindsWhatADenseLookFinds) {
     double least = 1e9;
     for (int look = 0; look <= kLooks; ++look)
       least = std::min(least, gap(most * look / kLooks) + obstacle.keep);
-    EXPECT_LE(near.distance, least + 1e-9);
+    EXPECT_LE(near.distance, least + kMeasured);
     EXPECT_GT(near.distance, least - 0.1);  // of 100 mm · 0.8 rad / 1000 between two looks
   }
   EXPECT_GT(hits, 50);
