@@ -1,5 +1,7 @@
 #include "slit_drafts.hpp"
 
+#include <planish/slit/scans.hpp>
+
 namespace planish::job {
 namespace {
 
@@ -8,6 +10,14 @@ SlitDesign moved_scans(SlitDesign design, const Eigen::Isometry3d& motion) {
     for (Vec3& point : scan.points)
       point = motion * point;
   return design;
+}
+
+/// Points that name no strip.
+std::vector<Vec3> cloud_of(const SlitDesign& design) {
+  std::vector<Vec3> cloud;
+  for (const SlitScan& scan : design.scans)
+    if (!scan.strip) cloud.insert(cloud.end(), scan.points.begin(), scan.points.end());
+  return cloud;
 }
 
 /// A gain of the objective that cannot be seen while something is dragged.
@@ -30,18 +40,33 @@ Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
   session_ = std::move(*started);
   motion_ = Eigen::Isometry3d::Identity();
   aligned_ = file.align_scans;
+  cloud_ = cloud_of(file.design);
+  shares_.clear();
+  if (!aligned_ && cloud_.empty()) return {};
+  if (auto solved = solve(progress); !solved) return solved;
+  if (!cloud_.empty()) {
+    shares_ = by_strip(cloud_, session_->folded());
+    if (auto set = session_->set_design(with_shares(file.design)); !set) return set;
+  }
   if (!aligned_) return {};
   // Scans lie only roughly where the sheet is: move them to the first shape.
-  if (auto solved = solve(progress); !solved) return solved;
   const auto motion = session_->align_scans();
   if (!motion) return pass_on(motion);
   motion_ = *motion;
   return {};
 }
 
+SlitDesign SlitDrafts::with_shares(SlitDesign design) const {
+  std::erase_if(design.scans, [](const SlitScan& scan) { return !scan.strip; });
+  design.scans.insert(design.scans.end(), shares_.begin(), shares_.end());
+  return design;
+}
+
 Result<void> SlitDrafts::take(const SlitFile& file, const Progress& progress) {
-  if (!session_ || aligned_ != file.align_scans) return begin(file, progress);
-  return session_->set_design(aligned_ ? moved_scans(file.design, motion_) : file.design);
+  if (!session_ || aligned_ != file.align_scans || cloud_ != cloud_of(file.design))
+    return begin(file, progress);
+  SlitDesign design = with_shares(file.design);
+  return session_->set_design(aligned_ ? moved_scans(std::move(design), motion_) : design);
 }
 
 Result<void> SlitDrafts::follow(const SlitFile& file, const Progress& progress) {

@@ -25,10 +25,13 @@ class SlitDrafts {
   Result<void> begin(const SlitFile& file, const Progress& progress);
   Result<void> take(const SlitFile& file, const Progress& progress);
   Result<void> solve(const Progress& progress);
+  SlitDesign with_shares(SlitDesign design) const;
 
   std::optional<SlitSession> session_;
   Eigen::Isometry3d motion_ = Eigen::Isometry3d::Identity();
   bool aligned_ = false;
+  std::vector<Vec3> cloud_;       ///< points that name no strip
+  std::vector<SlitScan> shares_;  ///< the same, by the strips of the first shape
 };
 
 }  // namespace planish::job

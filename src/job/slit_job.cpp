@@ -11,6 +11,7 @@
 #include <planish/schema/units.hpp>
 #include <planish/sheet/slots.hpp>
 #include <planish/slit/codes.hpp>
+#include <planish/slit/scans.hpp>
 
 #include <fmt/format.h>
 
@@ -33,29 +34,16 @@ Result<void> solve(SlitSession& session, const Progress& progress) {
   return done ? Result<void>() : pass_on(done);
 }
 
-Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
-  constexpr int kRounds = 30;
-  const double still = 1e-4 * session.design().sheet.reach();
-  for (int round = 0; round < kRounds; ++round) {
-    if (auto done = solve(session, progress); !done) return done;
-    const auto step = session.align_scans();
-    if (!step) return pass_on(step);
-    motion = *step * motion;
-    const double turned = Eigen::AngleAxisd(step->linear()).angle() *
-                          session.design().sheet.reach();
-    if (step->translation().norm() + turned < still) break;
-  }
-  return solve(session, progress);
-}
-
 Result<SlitSession> solved(const SlitFile& file, SlitReport& report, const Progress& progress) {
   auto session = SlitSession::start(file.design);
   if (!session) return session;
   for (int level = 0; level <= file.subdivisions; ++level) {
     if (level > 0) session->subdivide();
-    const auto done = level == 0 && file.align_scans ? align(*session, report.scan_motion, progress)
-                                                     : solve(*session, progress);
-    if (!done) return pass_on(done);
+    if (auto done = solve(*session, progress); !done) return pass_on(done);
+    if (level > 0 || !(file.align_scans || has_cloud(file.design))) continue;
+    const auto motion = follow_scans(*session, file.design, file.align_scans, {}, progress);
+    if (!motion) return pass_on(motion);
+    report.scan_motion = *motion;
   }
   return session;
 }

@@ -137,7 +137,7 @@ Schema end_schema() {
 }
 
 Schema scan_schema() {
-  return object({required("strip", whole()),
+  return object({optional("strip", whole().said("where it is left out, of any strip")),
                  required("points", any_of({list(space_point(kCoordinate)), text()},
                                            "a list of points [x, y, z] or the name of a file"))});
 }
@@ -265,7 +265,8 @@ std::vector<ScanPlace> scans_at(const JsonPlace& place) {
   std::vector<ScanPlace> scans;
   for (const JsonPlace& item : place.items()) {
     const JsonPlace points = item["points"];
-    ScanPlace scan{{item["strip"].whole(), {}}, {}};
+    ScanPlace scan;
+    if (const JsonPlace strip = item["strip"]; strip.given()) scan.scan.strip = strip.whole();
     if (points.is_text())
       scan.file = points.text();
     else

@@ -217,19 +217,19 @@ BezierCurve scaled_to(BezierCurve curve, double wanted) {
 Result<void> check_scan(const SlitDesign& design, int index) {
   const auto& [strip, points] = design.scans[index];
   const std::string where = "/scan/" + std::to_string(index);
-  if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
+  const Fact number("scan", index + 1);
+  if (strip)
+    if (auto sound = check_strip_number(design, *strip, where + "/strip"); !sound) return sound;
   if (points.size() > kMostPoints)
-    return fail(refuse::scan_too_large, {{"strip", place::strip(strip)},
+    return fail(refuse::scan_too_large, {number,
                                          {"points", points.size()},
                                          {"most", kMostPoints},
                                          {"field", field(where, "/points")}});
-  if (points.empty())
-    return fail(refuse::empty_scan,
-                {{"strip", place::strip(strip)}, {"field", field(where, "/points")}});
+  if (points.empty()) return fail(refuse::empty_scan, {number, {"field", field(where, "/points")}});
   const auto bad = std::ranges::find_if(points, [](const Vec3& p) { return !in_range(p); });
   if (bad != points.end())
     return fail(refuse::bad_scan_point,
-                {{"strip", place::strip(strip)},
+                {number,
                  {"point", bad - points.begin() + 1},
                  {"most", kLargest, unit::mm},
                  {"field", field(where + "/points/" + std::to_string(bad - points.begin()))}},
@@ -334,7 +334,8 @@ Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design)
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
     const SlitScan& scan = design.scans[i];
     if (auto sound = check_scan(design, i); !sound) return pass_on(sound);
-    auto& all = points[scan.strip];
+    if (!scan.strip) continue;
+    auto& all = points[*scan.strip];
     all.insert(all.end(), scan.points.begin(), scan.points.end());
   }
   return points;

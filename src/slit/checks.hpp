@@ -24,7 +24,7 @@ Result<Panels> checked_panels(const SlitDesign& design);
 /// Checks a design except for its sheet, its leg curves (whose panels are given) and its scans.
 Result<void> check_all(const SlitDesign& design, const Panels& panels);
 
-/// Checked scans, grouped by strip.
+/// Checked scans, grouped by strip; without those that name none.
 Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design);
 
 }  // namespace planish::slit_detail

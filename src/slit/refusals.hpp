@@ -158,13 +158,15 @@ constexpr Refusal force_across_plane{
 // Scans.
 constexpr Refusal no_scan{code::empty_scan, "There is no scan to align.",
                           "Add the points of a scan."};
-constexpr Refusal scan_too_large{code::scan_too_large, "The scan of {@strip} has {points:point}.",
+constexpr Refusal cloud_off{code::empty_scan, "No point of the scan is near a strip.",
+                            "Check its units and where it lies, or set align_scan."};
+constexpr Refusal scan_too_large{code::scan_too_large, "Scan {scan} has {points:point}.",
                                  "Thin it out to {most} points or fewer."};
-constexpr Refusal empty_scan{code::empty_scan, "The scan of {@strip} has no points.",
+constexpr Refusal empty_scan{code::empty_scan, "Scan {scan} has no points.",
                              "Add points, or leave the scan out."};
 constexpr Refusal bad_scan_point{
     code::invalid_input,
-    "Point {point} of the scan of {@strip} has a coordinate that is not a finite number, or lies "
+    "Point {point} of scan {scan} has a coordinate that is not a finite number, or lies "
     "beyond {most}.",
     "Correct the point, or leave it out."};
 

@@ -88,9 +88,10 @@ struct StripEnd {
 };
 
 /// Points measured on a strip of a model, in the coordinates of the folded sheet. Several scans of
-/// one strip add up.
+/// one strip add up. Those that name no strip a session leaves out until `by_strip` has given their
+/// points to strips.
 struct SlitScan {
-  int strip = 0;
+  std::optional<int> strip = {};
   std::vector<Vec3> points;
 };
 
