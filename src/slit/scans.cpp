@@ -73,13 +73,9 @@ Samples samples_of(const FoldedSlitSheet& sheet) {
 std::vector<int> strips_of(const std::vector<Vec3>& cloud, const FoldedSlitSheet& sheet,
                            double farthest) {
   Samples samples = samples_of(sheet);
-  double side = 0.0;  // of the modelled half
-  for (const Vec3& p : samples.points)
-    side += p.x();
   const std::vector<int> strips = std::move(samples.strips);
   const NearestPoints nearest(std::move(samples.points));
-  return mapped(cloud, [&](Vec3 p) {
-    if (sheet.symmetric) p.x() = std::copysign(p.x(), side);
+  return mapped(cloud, [&](const Vec3& p) {
     const Vec3& found = nearest.nearest(p);
     if ((found - p).norm() > farthest) return kNoStrip;
     return strips[&found - nearest.points().data()];
@@ -88,18 +84,27 @@ std::vector<int> strips_of(const std::vector<Vec3>& cloud, const FoldedSlitSheet
 
 std::vector<SlitScan> scans_of(const std::vector<Vec3>& cloud, const std::vector<int>& strips,
                                const FoldedSlitSheet& sheet) {
-  const double side = sheet.strips.front().ridges.front().folded[0].x();
   std::vector<SlitScan> scans(sheet.strips.size());
   for (int s = 0; s < std::ssize(scans); ++s)
     scans[s].strip = s;
-  for (int i = 0; i < std::ssize(cloud); ++i) {
-    if (strips[i] == kNoStrip) continue;
-    Vec3 p = cloud[i];
-    if (sheet.symmetric) p.x() = std::copysign(p.x(), side);
-    scans[strips[i]].points.push_back(p);
-  }
+  for (int i = 0; i < std::ssize(cloud); ++i)
+    if (strips[i] != kNoStrip) scans[strips[i]].points.push_back(cloud[i]);
   std::erase_if(scans, [](const SlitScan& scan) { return scan.points.empty(); });
   return scans;
+}
+
+enum class OtherHalf { mirrored, left_out };
+
+/// The points as if only the modelled half of a symmetric sheet had been measured.
+std::vector<Vec3> on_modelled_half(std::vector<Vec3> points, const FoldedSlitSheet& sheet,
+                                   OtherHalf other) {
+  if (!sheet.symmetric) return points;
+  const double side = sheet.strips.front().ridges.front().folded[0].x();
+  if (other == OtherHalf::left_out)
+    std::erase_if(points, [&](const Vec3& p) { return p.x() * side < 0.0; });
+  for (Vec3& p : points)
+    p.x() = std::copysign(p.x(), side);
+  return points;
 }
 
 std::vector<Vec3> thinned(std::vector<Vec3> points) {
@@ -124,8 +129,10 @@ std::vector<Vec3> taken_cloud(SlitDesign& design) {
 /// Scans and strips in turn.
 class Following {
  public:
-  Following(SlitSession& session, SlitDesign design)
-      : session_(session), cloud_(taken_cloud(design)), told_(std::move(design)) {}
+  Following(SlitSession& session, SlitDesign design, OtherHalf other)
+      : session_(session),
+        cloud_(on_modelled_half(taken_cloud(design), session.folded(), other)),
+        told_(std::move(design)) {}
 
   /// Gives points to strips; whether some have another one than before.
   Result<bool> share_out(int round) {
@@ -181,7 +188,7 @@ bool has_cloud(const SlitDesign& design) {
 
 std::vector<SlitScan> by_strip(const std::vector<Vec3>& cloud, const FoldedSlitSheet& sheet,
                                double farthest) {
-  const std::vector<Vec3> points = thinned(cloud);
+  const std::vector<Vec3> points = on_modelled_half(thinned(cloud), sheet, OtherHalf::mirrored);
   return scans_of(points, strips_of(points, sheet, farthest), sheet);
 }
 
@@ -192,7 +199,9 @@ Result<Eigen::Isometry3d> follow_scans(SlitSession& session, SlitDesign design, 
   const double reach = design.sheet.reach();
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   const bool clouded = has_cloud(design);
-  Following following(session, std::move(design));
+  // Where the sheet lies only roughly, its plane of symmetry is not known.
+  Following following(session, std::move(design),
+                      align ? OtherHalf::left_out : OtherHalf::mirrored);
   for (int round = 0; round < kRounds; ++round) {
     if (auto done = session.solve(options, progress); !done) return pass_on(done);
     const auto changed = following.share_out(round);
