@@ -159,7 +159,7 @@ constexpr Refusal force_across_plane{
 constexpr Refusal no_scan{code::empty_scan, "There is no scan to align.",
                           "Add the points of a scan."};
 constexpr Refusal cloud_off{code::empty_scan, "No point of the scan is near a strip.",
-                            "Check its units and where it lies, or set align_scan."};
+                            "Check its units and where it lies, or name the strips of its points."};
 constexpr Refusal scan_too_large{code::scan_too_large, "Scan {scan} has {points:point}.",
                                  "Thin it out to {most} points or fewer."};
 constexpr Refusal empty_scan{code::empty_scan, "Scan {scan} has no points.",

@@ -5,6 +5,7 @@
 #include "nearest_points.hpp"
 #include "refusals.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/slit/scans.hpp>
 
 #include <algorithm>
@@ -93,15 +94,10 @@ std::vector<SlitScan> scans_of(const std::vector<Vec3>& cloud, const std::vector
   return scans;
 }
 
-enum class OtherHalf { mirrored, left_out };
-
 /// The points as if only the modelled half of a symmetric sheet had been measured.
-std::vector<Vec3> on_modelled_half(std::vector<Vec3> points, const FoldedSlitSheet& sheet,
-                                   OtherHalf other) {
+std::vector<Vec3> on_modelled_half(std::vector<Vec3> points, const FoldedSlitSheet& sheet) {
   if (!sheet.symmetric) return points;
   const double side = sheet.strips.front().ridges.front().folded[0].x();
-  if (other == OtherHalf::left_out)
-    std::erase_if(points, [&](const Vec3& p) { return p.x() * side < 0.0; });
   for (Vec3& p : points)
     p.x() = std::copysign(p.x(), side);
   return points;
@@ -129,9 +125,9 @@ std::vector<Vec3> taken_cloud(SlitDesign& design) {
 /// Scans and strips in turn.
 class Following {
  public:
-  Following(SlitSession& session, SlitDesign design, OtherHalf other)
+  Following(SlitSession& session, SlitDesign design)
       : session_(session),
-        cloud_(on_modelled_half(taken_cloud(design), session.folded(), other)),
+        cloud_(on_modelled_half(taken_cloud(design), session.folded())),
         told_(std::move(design)) {}
 
   /// Gives points to strips; whether some have another one than before.
@@ -150,19 +146,6 @@ class Following {
     if (shares_.empty()) return fail(refuse::cloud_off, {{"field", place::pointer("/scan")}});
     if (auto set = session_.set_design(shared()); !set) return pass_on(set);
     return changed > kChanged * static_cast<double>(cloud_.size());
-  }
-
-  /// Moves all scans to the strips.
-  Result<Eigen::Isometry3d> move() {
-    const auto step = session_.align_scans();
-    if (!step) return step;
-    for (Vec3& p : cloud_)
-      p = *step * p;
-    for (std::vector<SlitScan>* scans : {&told_.scans, &shares_})
-      for (SlitScan& scan : *scans)
-        for (Vec3& p : scan.points)
-          p = *step * p;
-    return step;
   }
 
   /// The design with the points of each strip.
@@ -188,7 +171,7 @@ bool has_cloud(const SlitDesign& design) {
 
 std::vector<SlitScan> by_strip(const std::vector<Vec3>& cloud, const FoldedSlitSheet& sheet,
                                double farthest) {
-  const std::vector<Vec3> points = on_modelled_half(thinned(cloud), sheet, OtherHalf::mirrored);
+  const std::vector<Vec3> points = on_modelled_half(thinned(cloud), sheet);
   return scans_of(points, strips_of(points, sheet, farthest), sheet);
 }
 
@@ -199,16 +182,15 @@ Result<Eigen::Isometry3d> follow_scans(SlitSession& session, SlitDesign design, 
   const double reach = design.sheet.reach();
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   const bool clouded = has_cloud(design);
-  // Where the sheet lies only roughly, its plane of symmetry is not known.
-  Following following(session, std::move(design),
-                      align ? OtherHalf::left_out : OtherHalf::mirrored);
+  PLANISH_ASSERT(!(align && clouded));
+  Following following(session, std::move(design));
   for (int round = 0; round < kRounds; ++round) {
     if (auto done = session.solve(options, progress); !done) return pass_on(done);
     const auto changed = following.share_out(round);
     if (!changed) return pass_on(changed);
     double moved = 0.0;
     if (align) {
-      const auto step = following.move();
+      const auto step = session.align_scans();
       if (!step) return step;
       motion = *step * motion;
       moved = step->translation().norm() + Eigen::AngleAxisd(step->linear()).angle() * reach;

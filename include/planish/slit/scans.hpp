@@ -18,9 +18,10 @@ std::vector<SlitScan> by_strip(const std::vector<Vec3>& cloud, const FoldedSlitS
                                double farthest = std::numeric_limits<double>::infinity());
 
 /// Solves a session of a design whose scans name no strip, or lie only roughly where the sheet is
-/// (`align`): strips are solved, points are given to the strips that they are nearest to, scans
-/// moved rigidly to the strips (ICP), in turn, until all are still, at most 30 times. Returns how
-/// the scans were moved. Errors: those of `SlitSession`; `empty_scan` (no point is near a strip).
+/// (`align`; not both at once): strips are solved, points are given to the strips that they are
+/// nearest to, or scans moved rigidly to the strips (ICP), in turn, until all are still, at most 30
+/// times. Returns how the scans were moved. Errors: those of `SlitSession`; `empty_scan` (no point
+/// is near a strip).
 Result<Eigen::Isometry3d> follow_scans(SlitSession& session, SlitDesign design, bool align,
                                        const SlitSolveOptions& options = {},
                                        const Progress& progress = {});
