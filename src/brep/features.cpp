@@ -336,7 +336,8 @@ std::set<int> add_silhouettes(SheetBuilder& builder, const SheetMap& map, const 
   for (const auto& [face, silhouette] : map.silhouettes) {
     add_silhouette(builder, map, of, face);
     for (const int p : silhouette.parts)
-      if (!is_all_seen(map, loops_here(of, of.rim.parts[p]))) parts.insert(p);
+      if (silhouette.over_bend || !is_all_seen(map, loops_here(of, of.rim.parts[p])))
+        parts.insert(p);
   }
   return parts;
 }

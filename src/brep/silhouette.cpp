@@ -186,12 +186,15 @@ bool is_covered_otherwise(const Slab& slab, const RimPart& part, const std::vect
   return std::abs(loop_area(opening.mine) - covered - loop_area(cut)) > kOff * perimeter(cut);
 }
 
-/// Whether a part lies along the outlines of both skins, or along neither and only here: an opening
-/// that reaches into a bend on one skin alone has no silhouette on a plane.
-bool is_alike_on_both_skins(const Slab& slab, const RimPart& part, bool outer) {
+/// How a part lies along the outline of a face and along that of the other skin: along both, or
+/// along neither and only here; or inside it here, as in other flanges, and on the other skin alone
+/// over bends.
+enum class OnSkins { alike, over_bend, apart };
+
+OnSkins on_skins(const Slab& slab, const RimPart& part, bool outer) {
   const Recognition& of = slab.of;
   const auto& partners = of.skins.partners[slab.face];
-  if (partners.empty()) return false;
+  if (partners.empty()) return OnSkins::apart;
   const int opposite = *std::ranges::max_element(partners, {},
                                                  [&](int f) { return of.outlines[f].area; });
   bool outer_there = false, elsewhere = false;
@@ -199,9 +202,11 @@ bool is_alike_on_both_skins(const Slab& slab, const RimPart& part, bool outer) {
     outer_there |= ref.face == opposite && ref.loop == of.outlines[opposite].outer;
     elsewhere |= std::ranges::count(partners, ref.face) == 0;
   }
+  if (outer) return outer_there ? OnSkins::alike : OnSkins::apart;
   for (const LoopRef& ref : loops_here(of, part))
-    elsewhere |= ref.face != slab.face;
-  return outer == outer_there && (outer || !elsewhere);
+    if (ref.face != slab.face && !goes_round(of, part, ref)) return OnSkins::apart;
+  if (outer_there && elsewhere && of.skins.sharp.empty()) return OnSkins::over_bend;
+  return outer_there || elsewhere ? OnSkins::apart : OnSkins::alike;
 }
 
 /// Whether an opening needs more than its narrowest section, or an outline than its own edges.
@@ -270,6 +275,7 @@ PlaneRegion region_of(const Slab& slab, int f) {
 /// The parts of the rim that a silhouette accounts for.
 struct Seen {
   std::vector<int> parts;
+  bool over_bend = false;
   Leaning faces;
   std::set<int> loops;  ///< of the skin face
 };
@@ -285,10 +291,10 @@ Seen seen_of(const Slab& slab) {
     // At sharp bends outlines of the skins differ by more than what the rim takes off.
     const bool plain = faces && faces->up.empty() && !of.skins.sharp.empty();
     const bool outer = std::ranges::count(loops, of.outlines[slab.face].outer) > 0;
-    if (!faces || plain || !is_alike_on_both_skins(slab, part, outer) ||
-        !asks(slab, part, loops, faces->up))
-      continue;
+    const OnSkins lies = on_skins(slab, part, outer);
+    if (!faces || plain || lies == OnSkins::apart || !asks(slab, part, loops, faces->up)) continue;
     seen.parts.push_back(p);
+    seen.over_bend |= lies == OnSkins::over_bend;
     std::ranges::copy(faces->up, std::back_inserter(seen.faces.up));
     std::ranges::copy(faces->down, std::back_inserter(seen.faces.down));
     seen.loops.insert(loops.begin(), loops.end());
@@ -360,6 +366,7 @@ std::optional<Silhouette> silhouette_of(const Recognition& of, int face, int lea
   std::ranges::copy_if(seen.loops, std::back_inserter(numbers), [&](int l) { return l != outer; });
   Silhouette silhouette;
   silhouette.parts = seen.parts;
+  silhouette.over_bend = seen.over_bend;
   silhouette.leaning = seen.faces.up;
   std::ranges::copy(seen.faces.down, std::back_inserter(silhouette.leaning));
   silhouette.skin_loops.assign(seen.loops.begin(), seen.loops.end());

@@ -42,10 +42,10 @@ std::vector<int> cut_loops(const SeenFace& seen) {
 
 /// What the solid has beyond the plain sheet under the cut, mm³: between the skins, what stands not
 /// upright; and the other skin where it has another outline than the cut. Empty at sharp bends, by
-/// which outlines of the skins differ too.
+/// which outlines of the skins differ too, and where the other skin's goes on over a bend.
 std::optional<double> volume_beyond(const SeenFace& seen, const Frame& plane, double cut_area) {
   const Recognition& of = seen.of;
-  if (!of.skins.sharp.empty()) return {};
+  if (!of.skins.sharp.empty() || seen.silhouette.over_bend) return {};
   double volume = 0.0, there = 0.0;
   for (const int p : seen.silhouette.parts)
     for (const LoopRef& ref : loops_there(of, seen.part(p)))
@@ -78,7 +78,9 @@ const char* kind_of(const SeenFace& seen, const RimPart& part, bool outer) {
   return level ? "pocket" : outer ? "chamfer" : "countersink";
 }
 
-void draw_outlines(SheetBuilder& builder, const SeenFace& seen, const RimPart& part) {
+/// Of a part along the skins' loops; those of the other skin that are not drawn yet.
+void draw_outlines(SheetBuilder& builder, const SeenFace& seen, const RimPart& part,
+                   std::set<LoopRef>& drawn) {
   const Recognition& of = seen.of;
   const auto& plane = std::get<Frame>(builder[seen.id()].surface);
   const auto is_outer = [&](const LoopRef& ref) { return of.outlines[ref.face].outer == ref.loop; };
@@ -93,7 +95,7 @@ void draw_outlines(SheetBuilder& builder, const SeenFace& seen, const RimPart& p
   }
   for (const LoopRef& ref : loops_there(of, part))
     if (std::ranges::count(of.skins.partners[seen.face], ref.face) > 0 &&
-        !is_cut(seen_through(of, ref, plane), builder[seen.id()]))
+        !is_cut(seen_through(of, ref, plane), builder[seen.id()]) && drawn.insert(ref).second)
       add_far_outline(builder, seen.map, of, kind_of(seen, part, is_outer(ref)), part, ref);
 }
 
@@ -142,8 +144,9 @@ void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognitio
   builder.add_outline(measured_outline(builder, seen.id(), ledges_of(of, face), of,
                                        std::max(0.0, -beyond.value_or(0.0))));
   const auto drawn_before = builder.sheet().features.size();
+  std::set<LoopRef> far;
   for (const int p : seen.silhouette.parts)
-    draw_outlines(builder, seen, seen.part(p));
+    draw_outlines(builder, seen, seen.part(p), far);
   const bool drawn = builder.sheet().features.size() > drawn_before;
   for (const int l : cut) {
     if (l == 0) continue;
@@ -151,11 +154,12 @@ void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognitio
     MeasuredOpening opening{seen.id(), l};
     opening.lacking = loop_area(loop) * of.skins.thickness;
     for (const int p : seen.silhouette.parts)
-      opening.intrusion = std::max(opening.intrusion,
-                                   intrusion_into(of, seen.part(p), plane, loop));
+      if (!seen.silhouette.over_bend)
+        opening.intrusion = std::max(opening.intrusion,
+                                     intrusion_into(of, seen.part(p), plane, loop));
     builder.add_opening(opening);
   }
-  builder.add_form_volume(beyond);
+  if (!seen.silhouette.over_bend) builder.add_form_volume(beyond);
   if (!drawn && std::abs(beyond.value_or(0.0)) > kWiderOutline * of.skins.thickness) {
     FormedFeature groove = feature_of("pocket", FormSide::both,
                                       seen.part(seen.silhouette.parts.front()).faces.front(),
