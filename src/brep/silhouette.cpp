@@ -72,7 +72,8 @@ std::set<int> neighbours(const Recognition& of, int f) {
 }
 
 /// The flange round a plane face of the reference skin: the faces of the rim that lie between the
-/// skins here, reached from the face over each other.
+/// skins here, reached from the face over each other; over walls beside it that go on along a bend,
+/// what lies below the face.
 class Slab {
  public:
   Slab(const Recognition& recognition, int skin_face, const Frame& frame)
@@ -81,9 +82,17 @@ class Slab {
     while (!open.empty()) {
       const int from = open.back();
       open.pop_back();
-      for (const int f : neighbours(of, from))
-        if (f >= 0 && of.rim.part_of[f] >= 0 && lies_here(f) && held_.insert(f).second)
-          open.push_back(f);
+      for (const int f : neighbours(of, from)) {
+        if (f < 0 || of.rim.part_of[f] < 0) continue;
+        if (lies_here(f)) {
+          if (held_.insert(f).second) open.push_back(f);
+        } else if (from == face) {
+          for (const int below : neighbours(of, f))
+            if (below >= 0 && of.rim.part_of[below] >= 0 && lies_below(below) && lies_here(below) &&
+                held_.insert(below).second)
+              open.push_back(below);
+        }
+      }
     }
   }
 
@@ -107,6 +116,12 @@ class Slab {
             depth < -slack || depth > of.skins.thickness + slack)
           return false;
     return true;
+  }
+
+  /// Whether a face lies within the extents of the face, seen along its normal.
+  bool lies_below(int f) const {
+    const Box3& box = of.outlines[face].space;
+    return enlarged(box, of.skins.thickness + of.tolerance).contains(of.outlines[f].space);
   }
 
   std::set<int> held_;
@@ -200,7 +215,7 @@ OnSkins on_skins(const Slab& slab, const RimPart& part, bool outer) {
   bool outer_there = false, elsewhere = false;
   for (const LoopRef& ref : loops_there(of, part)) {
     outer_there |= ref.face == opposite && ref.loop == of.outlines[opposite].outer;
-    elsewhere |= std::ranges::count(partners, ref.face) == 0;
+    elsewhere |= !lies_opposite(of, slab.face, ref.face);
   }
   if (outer) return outer_there ? OnSkins::alike : OnSkins::apart;
   for (const LoopRef& ref : loops_here(of, part))

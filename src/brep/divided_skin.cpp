@@ -1,0 +1,63 @@
+#include "divided_skin.hpp"
+
+#include <planish/base/id_vector.hpp>
+#include <planish/base/union_find.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+// A groove from edge to edge divides a skin. Of the reference skin what is the largest with all
+// that is joined to it stays; the rest of its planes belongs to the rim, and the silhouette
+// (math.md#silhouette) unites them again.
+
+namespace planish::brep {
+
+bool in_plane_of(const SolidModel& model, int f, int other, double spread) {
+  constexpr double kAlike = 1.0 - 1e-9;  // cosine
+  constexpr double kLevel = 1e-4;        // mm: files round
+  const auto* a = std::get_if<Frame>(&model.faces[f].surface);
+  const auto* b = std::get_if<Frame>(&model.faces[other].surface);
+  return a && b && a->z.dot(b->z) > kAlike && std::abs(b->local(a->origin).z()) <= spread + kLevel;
+}
+
+void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>& candidates) {
+  const std::vector<Skin> grown = skins.skin_of;
+  for (int f = 0; f < std::ssize(grown); ++f) {
+    if (!candidates[f] || grown[f] != Skin::none) continue;
+    for (int other = 0; other < std::ssize(grown); ++other)
+      if (grown[other] != Skin::none && in_plane_of(model, f, other, 0.0)) {
+        skins.skin_of[f] = grown[other];
+        (grown[other] == Skin::first ? skins.islands_first : skins.islands_second) += 1;
+        break;
+      }
+  }
+}
+
+Skins without_divided(const SolidModel& model, const std::vector<Outline>& outlines, Skins skins,
+                      Skin reference) {
+  const Groups groups = group_faces(model, outlines, skins, reference);
+  UnionFind sets(static_cast<int>(groups.rows.size()));
+  for (const GroupJoint& joint : groups.joints)
+    sets.unite(joint.a, joint.b);
+  std::map<int, double> area;
+  for (int g = 0; g < std::ssize(groups.rows); ++g)
+    for (const int f : groups.rows[g].faces)
+      area[sets.root(g)] += outlines[f].area;
+  const auto by_area = [](const auto& one) { return one.second; };
+  if (area.size() < 2) return skins;
+  const int largest = std::ranges::max_element(area, {}, by_area)->first;
+  const auto is_kept = [&](int f) {
+    return groups.of_face[f] >= 0 && sets.root(groups.of_face[f]) == largest;
+  };
+  const std::vector<Skin> before = skins.skin_of;
+  for (int f = 0; f < std::ssize(before); ++f) {
+    if (before[f] != reference || is_kept(f)) continue;
+    for (int other = 0; other < std::ssize(before) && skins.skin_of[f] != Skin::none; ++other)
+      if (is_kept(other) && in_plane_of(model, f, other, skins.spread))
+        skins.skin_of[f] = Skin::none;
+  }
+  return skins;
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "grouping.hpp"
+
+namespace planish::brep {
+
+/// Plane faces that grooves cut off from a skin, added to it: candidates of no skin that lie in the
+/// plane of one of its faces.
+void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>& candidates);
+
+/// Whether two planes are one, to the digits of a file or `spread`, and look the same way.
+bool in_plane_of(const SolidModel& model, int face, int other, double spread);
+
+/// The skins without the plane faces of the reference skin that no joint leads to and that lie in
+/// the plane of one to which joints lead. They look as the floors of grooves beside them do, and
+/// are a part of the blank as those are.
+Skins without_divided(const SolidModel& model, const std::vector<Outline>& outlines, Skins skins,
+                      Skin reference);
+
+}  // namespace planish::brep
