@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 // A groove from edge to edge divides a skin. Of the reference skin what is the largest with all
 // that is joined to it stays; the rest of its planes belongs to the rim, and the silhouette
@@ -21,12 +22,31 @@ bool in_plane_of(const SolidModel& model, int f, int other, double spread) {
   return a && b && a->z.dot(b->z) > kAlike && std::abs(b->local(a->origin).z()) <= spread + kLevel;
 }
 
+namespace {
+
+std::set<int> faces_beside(const SolidModel& model, int face) {
+  std::set<int> beside;
+  for (const auto& loop : model.faces[face].loops)
+    for (const CoEdge& use : loop)
+      beside.insert(face_across(model.edges[use.edge], face));
+  return beside;
+}
+
+/// Whether a groove may lie between both: one wall goes on below them.
+bool have_common_wall(const SolidModel& model, int face, int other) {
+  const std::set<int> a = faces_beside(model, face), b = faces_beside(model, other);
+  return std::ranges::any_of(a, [&](int wall) { return wall >= 0 && b.contains(wall); });
+}
+
+}  // namespace
+
 void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>& candidates) {
   const std::vector<Skin> grown = skins.skin_of;
   for (int f = 0; f < std::ssize(grown); ++f) {
     if (!candidates[f] || grown[f] != Skin::none) continue;
     for (int other = 0; other < std::ssize(grown); ++other)
-      if (grown[other] != Skin::none && in_plane_of(model, f, other, 0.0)) {
+      if (grown[other] != Skin::none && in_plane_of(model, f, other, 0.0) &&
+          have_common_wall(model, f, other)) {
         skins.skin_of[f] = grown[other];
         (grown[other] == Skin::first ? skins.islands_first : skins.islands_second) += 1;
         break;

@@ -5,7 +5,7 @@
 namespace planish::brep {
 
 /// Plane faces that grooves cut off from a skin, added to it: candidates of no skin that lie in the
-/// plane of one of its faces.
+/// plane of one of its faces and have a wall in common with it.
 void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>& candidates);
 
 /// Whether two planes are one, to the digits of a file or `spread`, and look the same way.
