@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 // A groove from edge to edge divides a skin. Of the reference skin what is the largest with all
 // that is joined to it stays; the rest of its planes belongs to the rim, and the silhouette
@@ -22,8 +21,6 @@ bool in_plane_of(const SolidModel& model, int f, int other, double spread) {
   return a && b && a->z.dot(b->z) > kAlike && std::abs(b->local(a->origin).z()) <= spread + kLevel;
 }
 
-namespace {
-
 std::set<int> faces_beside(const SolidModel& model, int face) {
   std::set<int> beside;
   for (const auto& loop : model.faces[face].loops)
@@ -31,6 +28,8 @@ std::set<int> faces_beside(const SolidModel& model, int face) {
       beside.insert(face_across(model.edges[use.edge], face));
   return beside;
 }
+
+namespace {
 
 /// Whether a groove may lie between both: one wall goes on below them.
 bool have_common_wall(const SolidModel& model, int face, int other) {
@@ -44,14 +43,31 @@ void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>&
   const std::vector<Skin> grown = skins.skin_of;
   for (int f = 0; f < std::ssize(grown); ++f) {
     if (!candidates[f] || grown[f] != Skin::none) continue;
-    for (int other = 0; other < std::ssize(grown); ++other)
+    for (int other = 0; other < std::ssize(grown) && skins.skin_of[f] == Skin::none; ++other)
       if (grown[other] != Skin::none && in_plane_of(model, f, other, 0.0) &&
-          have_common_wall(model, f, other)) {
+          have_common_wall(model, f, other))
         skins.skin_of[f] = grown[other];
-        (grown[other] == Skin::first ? skins.islands_first : skins.islands_second) += 1;
+  }
+}
+
+int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines,
+                   const Skins& skins, Skin skin) {
+  const Groups groups = group_faces(model, outlines, skins, skin);
+  const auto are_pieces = [&](const Group& a, const Group& b) {
+    return in_plane_of(model, a.leader, b.leader, skins.spread) &&
+           std::ranges::any_of(a.faces, [&](int f) {
+             return std::ranges::any_of(
+                 b.faces, [&](int other) { return have_common_wall(model, f, other); });
+           });
+  };
+  int pieces = 0;
+  for (size_t i = 0; i < groups.rows.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (are_pieces(groups.rows[i], groups.rows[j])) {
+        ++pieces;
         break;
       }
-  }
+  return pieces;
 }
 
 Skins without_divided(const SolidModel& model, const std::vector<Outline>& outlines, Skins skins,

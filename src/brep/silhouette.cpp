@@ -1,6 +1,7 @@
 #include "silhouette.hpp"
 
 #include "borders.hpp"
+#include "divided_skin.hpp"
 #include "form_volume.hpp"
 #include "plane_opening.hpp"
 #include "projection.hpp"
@@ -63,14 +64,6 @@ Look look_of(const Recognition& of, int f, const Vec3& normal) {
   return leans->most > kUpright ? Look::up : Look::upright;
 }
 
-std::set<int> neighbours(const Recognition& of, int f) {
-  std::set<int> faces;
-  for (const auto& loop : of.model.faces[f].loops)
-    for (const CoEdge& use : loop)
-      faces.insert(face_across(of.model.edges[use.edge], f));
-  return faces;
-}
-
 /// The flange round a plane face of the reference skin: the faces of the rim that lie between the
 /// skins here, reached from the face over each other; over walls beside it that go on along a bend,
 /// what lies below the face.
@@ -82,12 +75,12 @@ class Slab {
     while (!open.empty()) {
       const int from = open.back();
       open.pop_back();
-      for (const int f : neighbours(of, from)) {
+      for (const int f : faces_beside(of.model, from)) {
         if (f < 0 || of.rim.part_of[f] < 0) continue;
         if (lies_here(f)) {
           if (held_.insert(f).second) open.push_back(f);
         } else if (from == face) {
-          for (const int below : neighbours(of, f))
+          for (const int below : faces_beside(of.model, f))
             if (below >= 0 && of.rim.part_of[below] >= 0 && lies_below(below) && lies_here(below) &&
                 held_.insert(below).second)
               open.push_back(below);
@@ -105,7 +98,7 @@ class Slab {
  private:
   /// Whether a face lies between the skins, and beside no bend or other flange.
   bool lies_here(int f) const {
-    const bool beside_other = std::ranges::any_of(neighbours(of, f), [&](int other) {
+    const bool beside_other = std::ranges::any_of(faces_beside(of.model, f), [&](int other) {
       return other >= 0 && other != face && of.skins.skin_of[other] == of.skin;
     });
     if (beside_other) return false;
@@ -166,7 +159,7 @@ std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
     (slab.holds(f) ? leaning : away).insert(f);
     if (away.contains(f)) continue;
     if (look == Look::both) return std::nullopt;
-    const bool through = spans(of, neighbours(of, f));
+    const bool through = spans(of, faces_beside(of.model, f));
     if (through && !has_draft(of, f, slab.plane.z)) return std::nullopt;
     (look == Look::up ? found.up : found.down).push_back(f);
     stepped |= !through;
@@ -174,7 +167,8 @@ std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
   // A draft alone is cut along the skin, where that is the wider one.
   if (!stepped && found.up.empty()) return std::nullopt;
   for (const int f : leaning)
-    if (std::ranges::any_of(neighbours(of, f), [&](int other) { return away.contains(other); }))
+    if (std::ranges::any_of(faces_beside(of.model, f),
+                            [&](int other) { return away.contains(other); }))
       return std::nullopt;
   return found;
 }
@@ -359,7 +353,7 @@ std::vector<int> ledges_of(const Recognition& of, int face) {
     for (const int f : part.faces)
       if (const Look look = look_of(of, f, slab.plane.z);
           (look == Look::up || look == Look::both) && slab.holds(f) &&
-          !spans(of, neighbours(of, f)))
+          !spans(of, faces_beside(of.model, f)))
         ledges.push_back(f);
   }
   return ledges;

@@ -57,8 +57,8 @@ constexpr Refusal rip_parts{
 constexpr Refusal no_rips{code::closed_loop, "No rips along its edges open it."};
 constexpr Refusal rips_overlap{code::closed_loop,
                                "Rips along its edges leave a pattern that covers itself.",
-                               "Walls on both sides of an inward corner of their base fold out "
-                               "onto each other: make one of them a part of its own."};
+                               "In one piece its walls fold out onto each other: make one of them "
+                               "a part of its own."};
 constexpr Refusal one_rip{code::closed_loop, {}, "Rip {@edge} to open it.", "rip_edges", "{edges}"};
 constexpr Refusal many_rips{code::closed_loop,
                             {},

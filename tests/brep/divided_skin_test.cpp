@@ -98,5 +98,16 @@ TEST(DividedSkins, MayBeBent) {
     expect_whole(grooved(bracket, grooves, Cut::square), 60 * (90 + 30 + 4.5 * pi / 2), 0);
 }
 
+TEST(DividedSkins, AreReadAlongTheSkinThatIsWhole) {
+  // Recesses outside leave a corner of the flange between an edge and the bend, and the largest
+  // skin is that one; inside a recess reaches the other edge.
+  TopoDS_Shape part = bent_bracket({kThickness, 3, 60, 30, 60});
+  for (const auto& [from, to] : {std::pair{gp_Pnt(48, -1, -1), gp_Pnt(52, 14, 1.2)},
+                                 {gp_Pnt(50, 10, -1), gp_Pnt(61, 14, 1.2)},
+                                 {gp_Pnt(10, 50, 1.8), gp_Pnt(30, 61, 4)}})
+    part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeBox(from, to).Shape()).Shape();
+  expect_whole(part, 60 * (60 + 30 + 4.5 * pi / 2), 0);
+}
+
 }  // namespace
 }  // namespace planish::test
