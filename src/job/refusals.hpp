@@ -11,9 +11,7 @@ namespace planish::refuse {
 
 constexpr Refusal overlap_too_large{code::overlap,
                                     "{@part} overlap by {area}, {depth} deep, which is more than a "
-                                    "relief may cut away ({most_area} and {most_depth}).",
-                                    "Make one of them a part of its own, or so short that they do "
-                                    "not meet."};
+                                    "relief may cut away ({most_area} and {most_depth})."};
 constexpr Refusal relief_took_other{
     code::pattern_wrong,
     "A relief at {@at} would cut away {removed}, but the sheet has {within} there."};
