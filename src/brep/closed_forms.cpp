@@ -3,6 +3,7 @@
 #include "dihedral.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -134,6 +135,17 @@ bool makes_ring(const SolidModel& model, const Groups& groups, const Neighbours&
   return links.size() > inside.size() || other_lines(model, groups, inside, flange) > 0;
 }
 
+/// Curved groups that a flange meets in a sharp edge, with it: forms, if they end in what is drawn
+/// from both, even where their mouths lie on the outline of the flange.
+std::vector<std::pair<int, int>> pressed_at_edges(const Groups& groups) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const GroupJoint& joint : groups.joints)
+    for (const auto& [flange, form] : {std::pair(joint.a, joint.b), std::pair(joint.b, joint.a)})
+      if (joint.sharp && groups.rows[flange].flange && !groups.rows[form].flange)
+        pairs.emplace_back(flange, form);
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
@@ -156,6 +168,13 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
     if (area <= most && makes_ring(model, groups, neighbours, inside, flange))
       taken.insert(inside.begin(), inside.end());
   };
+  for (const auto& [flange, form] : pressed_at_edges(groups)) {
+    std::set<int> inside{form};
+    std::ranges::copy_if(neighbours[form], std::inserter(inside, inside.end()),
+                         [&](int next) { return next >= std::ssize(groups.rows); });
+    if (area_of(groups.rows[form]) <= most && makes_ring(model, groups, neighbours, inside, flange))
+      taken.insert(inside.begin(), inside.end());
+  }
   for (int g = 0; g < std::ssize(groups.rows); ++g) {
     if (!groups.rows[g].flange) continue;
     for (const int f : groups.rows[g].faces) {
