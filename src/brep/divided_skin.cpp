@@ -53,12 +53,16 @@ void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>&
 int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines,
                    const Skins& skins, Skin skin) {
   const Groups groups = group_faces(model, outlines, skins, skin);
+  const auto opposite = [&](const Group& group) {
+    std::set<int> faces;
+    for (const int f : group.faces)
+      faces.insert(skins.partners[f].begin(), skins.partners[f].end());
+    return faces;
+  };
   const auto are_pieces = [&](const Group& a, const Group& b) {
+    const std::set<int> below = opposite(b);
     return in_plane_of(model, a.leader, b.leader, skins.spread) &&
-           std::ranges::any_of(a.faces, [&](int f) {
-             return std::ranges::any_of(
-                 b.faces, [&](int other) { return have_common_wall(model, f, other); });
-           });
+           std::ranges::any_of(opposite(a), [&](int f) { return below.contains(f); });
   };
   int pieces = 0;
   for (size_t i = 0; i < groups.rows.size(); ++i)
