@@ -62,6 +62,12 @@ int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines
   const auto are_pieces = [&](const Group& a, const Group& b) {
     const std::set<int> below = opposite(b);
     return in_plane_of(model, a.leader, b.leader, skins.spread) &&
+           std::ranges::any_of(a.faces,
+                               [&](int f) {
+                                 return std::ranges::any_of(b.faces, [&](int other) {
+                                   return have_common_wall(model, f, other);
+                                 });
+                               }) &&
            std::ranges::any_of(opposite(a), [&](int f) { return below.contains(f); });
   };
   int pieces = 0;

@@ -16,7 +16,8 @@ void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>&
 /// Whether two planes are one, to the digits of a file or `spread`, and look the same way.
 bool in_plane_of(const SolidModel& model, int face, int other, double spread);
 
-/// Flanges of a skin, beyond the first, that lie in one plane and opposite one face.
+/// Flanges of a skin, beyond the first, that lie in one plane and opposite one face, and have a
+/// wall in common.
 int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines,
                    const Skins& skins, Skin skin);
 
