@@ -134,6 +134,32 @@ bool makes_ring(const SolidModel& model, const Groups& groups, const Neighbours&
   return links.size() > inside.size() || other_lines(model, groups, inside, flange) > 0;
 }
 
+/// Whether one face that is drawn out of the sheet borders both groups.
+bool share_a_dome(const SolidModel& model, const Groups& groups, const Rim& rim, int a, int b) {
+  std::map<int, std::set<int>> beside;  // groups, by drawn face
+  for (const SolidEdge& edge : model.edges)
+    for (const int side : {0, 1}) {
+      const int skin = edge.faces[side], drawn = edge.faces[1 - side];
+      if (skin >= 0 && drawn >= 0 && groups.of_face[skin] >= 0 && rim.part_of[drawn] >= 0 &&
+          is_drawn(model, drawn) && !rim.parts[rim.part_of[drawn]].within)
+        beside[drawn].insert(groups.of_face[skin]);
+    }
+  return std::ranges::any_of(
+      beside, [&](const auto& one) { return one.second.contains(a) && one.second.contains(b); });
+}
+
+/// Curved groups that meet a flange in a sharp edge and end in what is drawn from both: forms, even
+/// where their mouths lie on the outline of the flange.
+std::set<int> pressed_at_edges(const SolidModel& model, const Groups& groups, const Rim& rim) {
+  std::set<int> pressed;
+  for (const GroupJoint& joint : groups.joints)
+    for (const auto& [flange, form] : {std::pair(joint.a, joint.b), std::pair(joint.b, joint.a)})
+      if (joint.sharp && groups.rows[flange].flange && !groups.rows[form].flange &&
+          share_a_dome(model, groups, rim, flange, form))
+        pressed.insert(form);
+  return pressed;
+}
+
 }  // namespace
 
 std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
@@ -156,6 +182,8 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
     if (area <= most && makes_ring(model, groups, neighbours, inside, flange))
       taken.insert(inside.begin(), inside.end());
   };
+  for (const int form : pressed_at_edges(model, groups, rim))
+    if (area_of(groups.rows[form]) <= most) taken.insert(form);
   for (int g = 0; g < std::ssize(groups.rows); ++g) {
     if (!groups.rows[g].flange) continue;
     for (const int f : groups.rows[g].faces) {

@@ -71,6 +71,13 @@ int handles_at_touching_edges(const Recognition& of) {
 
 }  // namespace
 
+int contours_on(const Recognition& of, const RimPart& part, Skin skin) {
+  return closed_borders(of.model, part.faces, [&](int edge) {
+    const auto& faces = of.model.edges[edge].faces;
+    return std::ranges::any_of(faces, [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
+  });
+}
+
 bool has_several_holes(const Recognition& of, const RimPart& part) {
   const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
   const auto& here = loops_here(of, part);
@@ -108,15 +115,9 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
     const bool seen = std::ranges::any_of(loops_here(of, part),
                                           [&](const LoopRef& ref) { return map.is_seen(ref); });
     if (!part.within || part.openings <= 1 || seen || has_several_holes(of, part)) continue;
-    const auto contours_on = [&](Skin skin) {
-      return closed_borders(of.model, part.faces, [&](int edge) {
-        const auto& faces = of.model.edges[edge].faces;
-        return std::ranges::any_of(faces,
-                                   [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
-      });
-    };
-    const int cut = contours_on(of.skin);
-    if (cut == 0 || contours_on(other_skin(of.skin)) > cut || part.openings <= cut) continue;
+    const int cut = contours_on(of, part, of.skin);
+    if (cut == 0 || contours_on(of, part, other_skin(of.skin)) > cut || part.openings <= cut)
+      continue;
     FormedFeature feature = feature_of("contact", FormSide::both, part.faces.front(),
                                        map.face_id.begin()->second);
     feature.own_openings = part.openings - cut;

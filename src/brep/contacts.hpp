@@ -10,6 +10,10 @@ namespace planish::brep {
 /// which no bend makes of the sheet. Forms are on both skins.
 std::optional<Error> standing_across(const Recognition& of);
 
+/// Closed contours of a skin along a part, over all of its faces: fewer than openings where edges
+/// touch.
+int contours_on(const Recognition& of, const RimPart& part, Skin skin);
+
 /// Whether a recess in planes of the reference skin has more holes in its floor than outlines.
 bool has_several_holes(const Recognition& of, const RimPart& part);
 

@@ -119,29 +119,6 @@ double reach_inside(const BorderLoop& outer, const BorderLoop& inner) {
   return std::max((b.lo - a.lo).maxCoeff(), (a.hi - b.hi).maxCoeff());
 }
 
-FormedFeature drawn_opening(const char* kind, FormSide side, const PlaneOpening& opening,
-                            const BorderRef& first, std::vector<BorderLoop> outlines) {
-  FormedFeature feature = feature_of(kind, side, opening.part.faces.front(), first.face);
-  feature.outlines = std::move(outlines);
-  return feature;
-}
-
-/// Where an opening is wider than its cut, on either side or on both: to be machined after cutting.
-std::vector<FormedFeature> widenings(const PlaneOpening& opening, const BorderRef& first,
-                                     const BorderLoop& cut) {
-  const BorderLoop &mine = opening.mine, &theirs = opening.theirs;
-  const auto drawn = [&](FormSide side, std::vector<BorderLoop> outlines) {
-    return drawn_opening("countersink", side, opening, first, std::move(outlines));
-  };
-  const bool up = is_wider(mine, cut), down = is_wider(theirs, cut);
-  if (up && down && !is_wider(mine, theirs) && !is_wider(theirs, mine))
-    return {drawn(FormSide::both, {mine, theirs})};
-  std::vector<FormedFeature> found;
-  if (up) found.push_back(drawn(FormSide::up, {mine}));
-  if (down) found.push_back(drawn(FormSide::down, {theirs}));
-  return found;
-}
-
 /// How far a loop of the other skin lies below the plane of this one.
 double seen_depth(const Recognition& of, const LoopRef& ref, const Frame& plane) {
   return -plane.local(of.outlines[ref.face].rings[ref.loop].front()).z();
@@ -175,7 +152,7 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   const bool widened = narrower || map.widened.contains(here);
   if (widened) cut = narrower.value_or(opening.mine);
   MeasuredOpening balance = measured(of, opening, first, frame, cut);
-  std::vector<FormedFeature> found = widenings(opening, first, cut);
+  std::vector<FormedFeature> found = machined_round(of, opening, frame, first, cut);
   if (!widened && found.empty() && is_slanted(opening.mine, opening.theirs, of.skins.thickness)) {
     balance.intrusion = 0.0;
     found = {drawn_opening("slanted cut", FormSide::down, opening, first, {opening.theirs})};
@@ -336,7 +313,8 @@ std::set<int> add_silhouettes(SheetBuilder& builder, const SheetMap& map, const 
   for (const auto& [face, silhouette] : map.silhouettes) {
     add_silhouette(builder, map, of, face);
     for (const int p : silhouette.parts)
-      if (!is_all_seen(map, loops_here(of, of.rim.parts[p]))) parts.insert(p);
+      if (silhouette.over_bend || !is_all_seen(map, loops_here(of, of.rim.parts[p])))
+        parts.insert(p);
   }
   return parts;
 }

@@ -16,9 +16,13 @@ FormSide side_of(double rise, double least) {
 }
 
 /// How much farther a part rises above the reference skin than it reaches below the other one;
-/// below the reference skin, if it does not touch the other.
+/// below the reference skin, if it does not touch the other. Of a flange's, if it lies along one.
 double rise_of(const Recognition& of, const RimPart& part) {
-  const int skin = loops_here(of, part).front().face;
+  const auto& here = loops_here(of, part);
+  const auto flange = std::ranges::find_if(here, [&](const LoopRef& ref) {
+    return std::holds_alternative<Frame>(of.model.faces[ref.face].surface);
+  });
+  const int skin = (flange == here.end() ? here.front() : *flange).face;
   double highest = 0.0, lowest = 0.0;
   for (const int f : part.faces)
     for (const auto& ring : of.outlines[f].rings)

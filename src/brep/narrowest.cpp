@@ -2,6 +2,7 @@
 
 #include "borders.hpp"
 #include "passages.hpp"
+#include "threads.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
@@ -213,9 +214,10 @@ std::optional<BorderLoop> narrowest_section(const Recognition& of, const RimPart
 
 std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
                                      const Frame& plane) {
-  constexpr double kSame = 1e-4;    // mm: files round
-  constexpr double kRound = 0.999;  // of a turn
-  constexpr double kFitted = 5e-3;  // mm: edges of modelled threads are fitted
+  constexpr double kSame = 1e-4;      // mm: files round
+  constexpr double kRound = 0.999;    // of a turn
+  constexpr double kThreaded = 0.25;  // the same of what is left of a thread's core
+  constexpr double kFitted = 5e-3;    // mm: edges of modelled threads are fitted
   constexpr double kTurn = 2 * std::numbers::pi;
   std::vector<Core> cores;
   for (const int wall : part.faces)
@@ -229,8 +231,10 @@ std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
   });
   BorderLoop circle(1);
   circle.front().curve = Arc{least->centre, least->radius, 0.0, -kTurn};
-  if (turn < kRound * kTurn || intrusion_into(of, part, plane, circle) > kFitted) return {};
-  return circle;
+  if (intrusion_into(of, part, plane, circle) > kFitted) return {};
+  const bool round = turn >= kRound * kTurn ||
+                     (turn >= kThreaded * kTurn && thread_about(of, part, plane, circle));
+  return round ? std::optional(circle) : std::nullopt;
 }
 
 double intrusion_into(const Recognition& of, const RimPart& part, const Frame& plane,

@@ -13,8 +13,9 @@ namespace planish::brep {
 std::optional<BorderLoop> narrowest_section(const Recognition& of, const RimPart& part,
                                             const Frame& plane);
 
-/// The narrowest of the cylinders upright to the plane that walls of an opening go all round, as of
-/// a modelled thread: a clockwise circle. Empty where there is none, or walls reach into it.
+/// The narrowest of the cylinders upright to the plane that walls of an opening go all round, or at
+/// least a part of the way round as those of a modelled thread do: a clockwise circle. Empty where
+/// there is none, or walls reach into it.
 std::optional<BorderLoop> round_core(const Recognition& of, const RimPart& part,
                                      const Frame& plane);
 

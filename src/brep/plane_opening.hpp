@@ -22,4 +22,15 @@ bool goes_round(const Recognition& of, const RimPart& part, const LoopRef& ref);
 std::optional<BorderLoop> narrower_cut(const Recognition& of, const PlaneOpening& opening,
                                        const Frame& plane);
 
+/// A feature at an opening whose cut begins at `first`.
+FormedFeature drawn_opening(const char* kind, FormSide side, const PlaneOpening& opening,
+                            const BorderRef& first, std::vector<BorderLoop> outlines);
+/// Where an opening is wider than its cut, on either side or on both: to be machined after cutting.
+std::vector<FormedFeature> widenings(const PlaneOpening& opening, const BorderRef& first,
+                                     const BorderLoop& cut);
+/// The same; of one with a thread, where it is wider than that, and the thread.
+std::vector<FormedFeature> machined_round(const Recognition& of, const PlaneOpening& opening,
+                                          const Frame& plane, const BorderRef& first,
+                                          const BorderLoop& cut);
+
 }  // namespace planish::brep

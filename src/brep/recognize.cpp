@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 #include "body.hpp"
 #include "closed_forms.hpp"
+#include "divided_skin.hpp"
 #include "guarded.hpp"
 #include "model_places.hpp"
 #include "reference_skin.hpp"
@@ -96,10 +97,11 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
                        Along along = Along::reference) {
   auto found = find_skins(model, outlines, reading.thickness, tolerance, reading.start);
   if (!found) return pass_on(found);
-  const Skins skins = without_closed_forms(model, outlines, std::move(*found));
-  const Rim rim = find_rim(model, outlines, skins);
+  Skins skins = without_closed_forms(model, outlines, std::move(*found));
   const Skin reference = reference_skin(model, outlines, skins);
   const Skin skin = along == Along::other ? other_skin(reference) : reference;
+  skins = without_divided(model, outlines, std::move(skins), skin);
+  const Rim rim = find_rim(model, outlines, skins);
   const Groups groups = group_faces(model, outlines, skins, skin);
   auto sheet = assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
   if (!sheet || reading.start != SkinStart::milled) return sheet;

@@ -1,5 +1,7 @@
 #include "reference_skin.hpp"
 
+#include "divided_skin.hpp"
+
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -48,6 +50,10 @@ Skin reference_skin(const SolidModel& model, const std::vector<Outline>& outline
                     const Skins& skins) {
   if (skins.islands_first != skins.islands_second)
     return skins.islands_first < skins.islands_second ? Skin::first : Skin::second;
+  const int pieces_first = divided_pieces(model, outlines, skins, Skin::first);
+  const int pieces_second = divided_pieces(model, outlines, skins, Skin::second);
+  if (pieces_first != pieces_second)
+    return pieces_first < pieces_second ? Skin::first : Skin::second;
   const int first = outward_sharp_edges(model, skins, Skin::first);
   const int second = outward_sharp_edges(model, skins, Skin::second);
   if (first != second) return first < second ? Skin::first : Skin::second;

@@ -79,7 +79,7 @@ std::optional<double> volume_of_silhouettes(const Sheet& sheet, const SheetMap& 
                        std::ranges::all_of(silhouette.skin_loops, [&](int l) {
                          return rim.loops.contains({f, l});
                        });
-    const auto beyond = volume_beyond_silhouette(sheet, map, of, f);
+    const auto beyond = silhouette.over_bend ? 0.0 : volume_beyond_silhouette(sheet, map, of, f);
     if (!alone || !beyond) return {};
     volume += silhouette_area(sheet, map, of, f) * of.skins.thickness + *beyond;
   }
@@ -129,7 +129,7 @@ std::optional<double> rim_volume(const Sheet& sheet, const SheetMap& map, const 
 
 }  // namespace
 
-std::optional<ClosedRim> closed_rim(const Recognition& of, int part) {
+std::optional<ClosedRim> closed_rim(const Recognition& of, const std::set<int>& parts) {
   ClosedRim rim;
   std::vector<LoopRef> open;
   const auto add = [&](int p) {
@@ -137,7 +137,7 @@ std::optional<ClosedRim> closed_rim(const Recognition& of, int part) {
     for (const auto* loops : {&of.rim.parts[p].first, &of.rim.parts[p].second})
       open.insert(open.end(), loops->begin(), loops->end());
   };
-  add(part);
+  std::ranges::for_each(parts, add);
   while (!open.empty()) {
     const LoopRef ref = open.back();
     open.pop_back();
@@ -154,13 +154,33 @@ std::optional<ClosedRim> closed_rim(const Recognition& of, int part) {
   return rim;
 }
 
+namespace {
+
+/// The rim with a part and, where that reaches over bends from what is seen of a flange, with all
+/// that is seen there: what is beyond a cut is measured together.
+std::optional<ClosedRim> rim_with(const Recognition& of, const SheetMap& map, int part) {
+  std::set<int> parts{part};
+  auto rim = closed_rim(of, parts);
+  for (size_t known = 0; rim && known != rim->parts.size();) {
+    known = rim->parts.size();
+    for (const auto& [face, silhouette] : map.silhouettes)
+      if (silhouette.over_bend &&
+          std::ranges::any_of(silhouette.parts, [&](int p) { return rim->parts.contains(p); }))
+        parts.insert(silhouette.parts.begin(), silhouette.parts.end());
+    rim = closed_rim(of, parts);
+  }
+  return rim;
+}
+
+}  // namespace
+
 std::set<int> add_rim_volumes(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                               const std::set<int>& widened, const std::set<int>& far) {
   std::set<int> measured;
   for (const auto* parts : {&widened, &far})
     for (const int p : *parts) {
       if (measured.contains(p)) continue;
-      const auto rim = closed_rim(of, p);
+      const auto rim = rim_with(of, map, p);
       const auto volume = rim ? rim_volume(builder.sheet(), map, of, *rim) : std::nullopt;
       if (volume || parts == &widened) builder.add_form_volume(volume);
       if (volume) measured.insert(rim->parts.begin(), rim->parts.end());

@@ -12,8 +12,8 @@ struct ClosedRim {
   std::set<int> parts;
   std::set<LoopRef> loops;
 };
-/// Empty where an edge has no other side.
-std::optional<ClosedRim> closed_rim(const Recognition& of, int part);
+/// Of all these parts. Empty where an edge has no other side.
+std::optional<ClosedRim> closed_rim(const Recognition& of, const std::set<int>& parts);
 
 /// Adds what chamfered and rounded rims have beyond walls normal to the sheet along what is cut
 /// (negative), each once. `widened`: parts of the rim along which the cut is wider than the

@@ -1,6 +1,7 @@
 #include "silhouette.hpp"
 
 #include "borders.hpp"
+#include "divided_skin.hpp"
 #include "form_volume.hpp"
 #include "plane_opening.hpp"
 #include "projection.hpp"
@@ -63,16 +64,9 @@ Look look_of(const Recognition& of, int f, const Vec3& normal) {
   return leans->most > kUpright ? Look::up : Look::upright;
 }
 
-std::set<int> neighbours(const Recognition& of, int f) {
-  std::set<int> faces;
-  for (const auto& loop : of.model.faces[f].loops)
-    for (const CoEdge& use : loop)
-      faces.insert(face_across(of.model.edges[use.edge], f));
-  return faces;
-}
-
 /// The flange round a plane face of the reference skin: the faces of the rim that lie between the
-/// skins here, reached from the face over each other.
+/// skins here, reached from the face over each other; over walls beside it that go on along a bend,
+/// what lies below the face.
 class Slab {
  public:
   Slab(const Recognition& recognition, int skin_face, const Frame& frame)
@@ -81,9 +75,17 @@ class Slab {
     while (!open.empty()) {
       const int from = open.back();
       open.pop_back();
-      for (const int f : neighbours(of, from))
-        if (f >= 0 && of.rim.part_of[f] >= 0 && lies_here(f) && held_.insert(f).second)
-          open.push_back(f);
+      for (const int f : faces_beside(of.model, from)) {
+        if (f < 0 || of.rim.part_of[f] < 0) continue;
+        if (lies_here(f)) {
+          if (held_.insert(f).second) open.push_back(f);
+        } else if (from == face) {
+          for (const int below : faces_beside(of.model, f))
+            if (below >= 0 && of.rim.part_of[below] >= 0 && lies_below(below) && lies_here(below) &&
+                held_.insert(below).second)
+              open.push_back(below);
+        }
+      }
     }
   }
 
@@ -96,7 +98,7 @@ class Slab {
  private:
   /// Whether a face lies between the skins, and beside no bend or other flange.
   bool lies_here(int f) const {
-    const bool beside_other = std::ranges::any_of(neighbours(of, f), [&](int other) {
+    const bool beside_other = std::ranges::any_of(faces_beside(of.model, f), [&](int other) {
       return other >= 0 && other != face && of.skins.skin_of[other] == of.skin;
     });
     if (beside_other) return false;
@@ -107,6 +109,12 @@ class Slab {
             depth < -slack || depth > of.skins.thickness + slack)
           return false;
     return true;
+  }
+
+  /// Whether a face lies within the extents of the face, seen along its normal.
+  bool lies_below(int f) const {
+    const Box3& box = of.outlines[face].space;
+    return enlarged(box, of.skins.thickness + of.tolerance).contains(of.outlines[f].space);
   }
 
   std::set<int> held_;
@@ -151,7 +159,7 @@ std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
     (slab.holds(f) ? leaning : away).insert(f);
     if (away.contains(f)) continue;
     if (look == Look::both) return std::nullopt;
-    const bool through = spans(of, neighbours(of, f));
+    const bool through = spans(of, faces_beside(of.model, f));
     if (through && !has_draft(of, f, slab.plane.z)) return std::nullopt;
     (look == Look::up ? found.up : found.down).push_back(f);
     stepped |= !through;
@@ -159,7 +167,8 @@ std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
   // A draft alone is cut along the skin, where that is the wider one.
   if (!stepped && found.up.empty()) return std::nullopt;
   for (const int f : leaning)
-    if (std::ranges::any_of(neighbours(of, f), [&](int other) { return away.contains(other); }))
+    if (std::ranges::any_of(faces_beside(of.model, f),
+                            [&](int other) { return away.contains(other); }))
       return std::nullopt;
   return found;
 }
@@ -186,22 +195,27 @@ bool is_covered_otherwise(const Slab& slab, const RimPart& part, const std::vect
   return std::abs(loop_area(opening.mine) - covered - loop_area(cut)) > kOff * perimeter(cut);
 }
 
-/// Whether a part lies along the outlines of both skins, or along neither and only here: an opening
-/// that reaches into a bend on one skin alone has no silhouette on a plane.
-bool is_alike_on_both_skins(const Slab& slab, const RimPart& part, bool outer) {
+/// How a part lies along the outline of a face and along that of the other skin: along both, or
+/// along neither and only here; or inside it here, as in other flanges, and on the other skin alone
+/// over bends.
+enum class OnSkins { alike, over_bend, apart };
+
+OnSkins on_skins(const Slab& slab, const RimPart& part, bool outer) {
   const Recognition& of = slab.of;
   const auto& partners = of.skins.partners[slab.face];
-  if (partners.empty()) return false;
+  if (partners.empty()) return OnSkins::apart;
   const int opposite = *std::ranges::max_element(partners, {},
                                                  [&](int f) { return of.outlines[f].area; });
   bool outer_there = false, elsewhere = false;
   for (const LoopRef& ref : loops_there(of, part)) {
     outer_there |= ref.face == opposite && ref.loop == of.outlines[opposite].outer;
-    elsewhere |= std::ranges::count(partners, ref.face) == 0;
+    elsewhere |= !lies_opposite(of, slab.face, ref.face);
   }
+  if (outer) return outer_there ? OnSkins::alike : OnSkins::apart;
   for (const LoopRef& ref : loops_here(of, part))
-    elsewhere |= ref.face != slab.face;
-  return outer == outer_there && (outer || !elsewhere);
+    if (ref.face != slab.face && !goes_round(of, part, ref)) return OnSkins::apart;
+  if (outer_there && elsewhere && of.skins.sharp.empty()) return OnSkins::over_bend;
+  return outer_there || elsewhere ? OnSkins::apart : OnSkins::alike;
 }
 
 /// Whether an opening needs more than its narrowest section, or an outline than its own edges.
@@ -270,6 +284,7 @@ PlaneRegion region_of(const Slab& slab, int f) {
 /// The parts of the rim that a silhouette accounts for.
 struct Seen {
   std::vector<int> parts;
+  bool over_bend = false;
   Leaning faces;
   std::set<int> loops;  ///< of the skin face
 };
@@ -285,10 +300,10 @@ Seen seen_of(const Slab& slab) {
     // At sharp bends outlines of the skins differ by more than what the rim takes off.
     const bool plain = faces && faces->up.empty() && !of.skins.sharp.empty();
     const bool outer = std::ranges::count(loops, of.outlines[slab.face].outer) > 0;
-    if (!faces || plain || !is_alike_on_both_skins(slab, part, outer) ||
-        !asks(slab, part, loops, faces->up))
-      continue;
+    const OnSkins lies = on_skins(slab, part, outer);
+    if (!faces || plain || lies == OnSkins::apart || !asks(slab, part, loops, faces->up)) continue;
     seen.parts.push_back(p);
+    seen.over_bend |= lies == OnSkins::over_bend;
     std::ranges::copy(faces->up, std::back_inserter(seen.faces.up));
     std::ranges::copy(faces->down, std::back_inserter(seen.faces.down));
     seen.loops.insert(loops.begin(), loops.end());
@@ -338,7 +353,7 @@ std::vector<int> ledges_of(const Recognition& of, int face) {
     for (const int f : part.faces)
       if (const Look look = look_of(of, f, slab.plane.z);
           (look == Look::up || look == Look::both) && slab.holds(f) &&
-          !spans(of, neighbours(of, f)))
+          !spans(of, faces_beside(of.model, f)))
         ledges.push_back(f);
   }
   return ledges;
@@ -360,6 +375,7 @@ std::optional<Silhouette> silhouette_of(const Recognition& of, int face, int lea
   std::ranges::copy_if(seen.loops, std::back_inserter(numbers), [&](int l) { return l != outer; });
   Silhouette silhouette;
   silhouette.parts = seen.parts;
+  silhouette.over_bend = seen.over_bend;
   silhouette.leaning = seen.faces.up;
   std::ranges::copy(seen.faces.down, std::back_inserter(silhouette.leaning));
   silhouette.skin_loops.assign(seen.loops.begin(), seen.loops.end());

@@ -15,6 +15,7 @@ struct Silhouette {
   std::vector<BorderLoop> loops;  ///< in the plane's (u, v), the outer one first
   bool outer_kept = false;        ///< loops[0] is the skin's own outline: no part reaches it
   std::vector<int> parts;         ///< of the rim, that it accounts for
+  bool over_bend = false;         ///< one of these reaches over a bend, on the other skin alone
   std::vector<int> leaning;       ///< faces of those that stand not upright
   std::vector<int> skin_loops;    ///< loops of the skin face that it stands for
   int first_opening = 0;          ///< where its openings begin among the loops of the sheet's face

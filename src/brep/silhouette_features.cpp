@@ -1,6 +1,7 @@
 #include "silhouette_features.hpp"
 
 #include "borders.hpp"
+#include "divided_skin.hpp"
 #include "form_volume.hpp"
 #include "narrowest.hpp"
 #include "projection.hpp"
@@ -42,14 +43,14 @@ std::vector<int> cut_loops(const SeenFace& seen) {
 
 /// What the solid has beyond the plain sheet under the cut, mm³: between the skins, what stands not
 /// upright; and the other skin where it has another outline than the cut. Empty at sharp bends, by
-/// which outlines of the skins differ too.
+/// which outlines of the skins differ too, and where the other skin's goes on over a bend.
 std::optional<double> volume_beyond(const SeenFace& seen, const Frame& plane, double cut_area) {
   const Recognition& of = seen.of;
-  if (!of.skins.sharp.empty()) return {};
+  if (!of.skins.sharp.empty() || seen.silhouette.over_bend) return {};
   double volume = 0.0, there = 0.0;
   for (const int p : seen.silhouette.parts)
     for (const LoopRef& ref : loops_there(of, seen.part(p)))
-      if (std::ranges::count(of.skins.partners[seen.face], ref.face) > 0)
+      if (lies_opposite(of, seen.face, ref.face))
         there += signed_loop_area(seen_through(of, ref, plane));
   for (const int f : seen.silhouette.leaning)
     volume += volume_over(of.model, f, plane);
@@ -66,8 +67,13 @@ bool is_cut(const BorderLoop& outline, const Face& face) {
   });
 }
 
-/// What is machined off at a loop: a recess where a floor is level with the sheet.
-const char* kind_of(const SeenFace& seen, const RimPart& part, bool outer) {
+bool is_outer(const Recognition& of, const LoopRef& ref) {
+  return of.outlines[ref.face].outer == ref.loop;
+}
+
+/// What is machined off at a loop: a recess where a floor is level with the sheet, a groove where a
+/// skin is divided.
+const char* kind_of(const SeenFace& seen, const RimPart& part, const LoopRef& ref) {
   const Recognition& of = seen.of;
   constexpr double kLevel = 1.0 - 1e-6;  // cosine
   const Vec3& normal = std::get<Frame>(of.model.faces[seen.face].surface).z;
@@ -75,26 +81,42 @@ const char* kind_of(const SeenFace& seen, const RimPart& part, bool outer) {
     const auto* plane = std::get_if<Frame>(&of.model.faces[f].surface);
     return plane && std::abs(plane->z.dot(normal)) > kLevel;
   });
-  return level ? "pocket" : outer ? "chamfer" : "countersink";
+  const bool divided = std::ranges::count_if(loops_there(of, part), [&](const LoopRef& one) {
+                         return is_outer(of, one) && lies_opposite(of, seen.face, one.face);
+                       }) > 1;
+  return level || divided ? "pocket" : is_outer(of, ref) ? "chamfer" : "countersink";
 }
 
-void draw_outlines(SheetBuilder& builder, const SeenFace& seen, const RimPart& part) {
+/// The skin's own loops along a part, with those of faces that grooves cut off from it.
+std::vector<LoopRef> loops_on_skin(const SeenFace& seen, const RimPart& part) {
+  const Recognition& of = seen.of;
+  std::vector<LoopRef> loops;
+  std::ranges::copy_if(loops_here(of, part), std::back_inserter(loops),
+                       [&](const LoopRef& ref) { return ref.face == seen.face; });
+  for (const int f : part.faces)
+    if (in_plane_of(of.model, f, seen.face, of.skins.spread))
+      for (int l = 0; l < std::ssize(of.model.faces[f].loops); ++l)
+        loops.push_back({f, l});
+  return loops;
+}
+
+/// Of a part along the skins' loops; those of the other skin that are not drawn yet.
+void draw_outlines(SheetBuilder& builder, const SeenFace& seen, const RimPart& part,
+                   std::set<LoopRef>& drawn) {
   const Recognition& of = seen.of;
   const auto& plane = std::get<Frame>(builder[seen.id()].surface);
-  const auto is_outer = [&](const LoopRef& ref) { return of.outlines[ref.face].outer == ref.loop; };
-  for (const LoopRef& ref : loops_here(of, part)) {
-    if (ref.face != seen.face) continue;
-    BorderLoop own = read_borders(of.model, loop_of(of, ref), plane, 0.0, of.tolerance);
-    if (is_cut(own, builder[seen.id()])) continue;
-    FormedFeature feature = feature_of(kind_of(seen, part, is_outer(ref)), FormSide::up,
-                                       part.faces.front(), seen.id());
-    feature.outlines.push_back(std::move(own));
+  const auto draw = [&](const LoopRef& ref, FormSide side, BorderLoop outline) {
+    if (is_cut(outline, builder[seen.id()])) return;
+    FormedFeature feature = feature_of(kind_of(seen, part, ref), side, part.faces.front(),
+                                       seen.id());
+    feature.outlines.push_back(std::move(outline));
     builder.add_feature(std::move(feature));
-  }
+  };
+  for (const LoopRef& ref : loops_on_skin(seen, part))
+    draw(ref, FormSide::up, read_borders(of.model, loop_of(of, ref), plane, 0.0, of.tolerance));
   for (const LoopRef& ref : loops_there(of, part))
-    if (std::ranges::count(of.skins.partners[seen.face], ref.face) > 0 &&
-        !is_cut(seen_through(of, ref, plane), builder[seen.id()]))
-      add_far_outline(builder, seen.map, of, kind_of(seen, part, is_outer(ref)), part, ref);
+    if (lies_opposite(of, seen.face, ref.face) && drawn.insert(ref).second)
+      draw(ref, FormSide::down, seen_through(of, ref, plane));
 }
 
 /// Openings of the solid beyond those that are seen through. An outline counts none, whether it is
@@ -142,8 +164,9 @@ void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognitio
   builder.add_outline(measured_outline(builder, seen.id(), ledges_of(of, face), of,
                                        std::max(0.0, -beyond.value_or(0.0))));
   const auto drawn_before = builder.sheet().features.size();
+  std::set<LoopRef> far;
   for (const int p : seen.silhouette.parts)
-    draw_outlines(builder, seen, seen.part(p));
+    draw_outlines(builder, seen, seen.part(p), far);
   const bool drawn = builder.sheet().features.size() > drawn_before;
   for (const int l : cut) {
     if (l == 0) continue;
@@ -151,11 +174,12 @@ void add_silhouette(SheetBuilder& builder, const SheetMap& map, const Recognitio
     MeasuredOpening opening{seen.id(), l};
     opening.lacking = loop_area(loop) * of.skins.thickness;
     for (const int p : seen.silhouette.parts)
-      opening.intrusion = std::max(opening.intrusion,
-                                   intrusion_into(of, seen.part(p), plane, loop));
+      if (!seen.silhouette.over_bend)
+        opening.intrusion = std::max(opening.intrusion,
+                                     intrusion_into(of, seen.part(p), plane, loop));
     builder.add_opening(opening);
   }
-  builder.add_form_volume(beyond);
+  if (!seen.silhouette.over_bend) builder.add_form_volume(beyond);
   if (!drawn && std::abs(beyond.value_or(0.0)) > kWiderOutline * of.skins.thickness) {
     FormedFeature groove = feature_of("pocket", FormSide::both,
                                       seen.part(seen.silhouette.parts.front()).faces.front(),

@@ -1,6 +1,7 @@
 #include "skin_outlines.hpp"
 
 #include "borders.hpp"
+#include "divided_skin.hpp"
 #include "form_volume.hpp"
 
 #include <planish/geometry/plane.hpp>
@@ -92,6 +93,16 @@ bool is_slanted(const Recognition& of, const RimPart& part, const Vec3& from) {
       }
   }
   return std::min(up, down) > kDrilled;
+}
+
+bool lies_opposite(const Recognition& of, int face, int other) {
+  const auto& partners = of.skins.partners;
+  if (std::ranges::count(partners[face], other) > 0) return true;
+  const bool beside = std::ranges::any_of(partners[other],
+                                          [&](int f) { return of.skins.skin_of[f] == of.skin; });
+  return !beside && std::ranges::any_of(partners[face], [&](int f) {
+    return in_plane_of(of.model, other, f, of.skins.spread);
+  });
 }
 
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {

@@ -30,6 +30,10 @@ bool is_slanted(const Recognition& of, const RimPart& part, const Vec3& from);
 /// Whether the walls along a skin end before they reach the other one, as what is machined does.
 bool is_machined(const Recognition& of, const RimPart& part, Skin skin);
 
+/// Whether a face of the other skin lies opposite a plane face of the reference skin, or opposite
+/// what grooves cut off from it.
+bool lies_opposite(const Recognition& of, int face, int other);
+
 /// A loop of the other skin as seen on this one: reversed, a thickness below.
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane);
 

@@ -1,6 +1,7 @@
 #include "skins.hpp"
 
 #include "dihedral.hpp"
+#include "divided_skin.hpp"
 #include "model_places.hpp"
 #include "refusals.hpp"
 
@@ -223,6 +224,7 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
     skins.skin_of[f] = skin;
     (skin == Skin::first ? skins.islands_first : skins.islands_second) += 1;
   }
+  add_divided(skins, model, candidates);
   skins.area_first = components.area[first];
   skins.area_second = components.area[second];
   const Measured found = measured(pairs, components, first);

@@ -1,5 +1,6 @@
 #include "wide_cuts.hpp"
 
+#include "contacts.hpp"
 #include "skin_outlines.hpp"
 #include "windows.hpp"
 
@@ -150,15 +151,17 @@ bool is_machined(const Recognition& of, int wall) {
   return !reaches(of, wall, Skin::first) || !reaches(of, wall, Skin::second);
 }
 
-/// Whether a part is an opening at a bend that is machined, or cut across a tangent line. What is
-/// drilled only is a slanted cut.
+/// Whether a part is an opening at a bend that is machined, or cut across a tangent line, or joins
+/// several openings. What is drilled only is a slanted cut, and walls may touch others.
 bool is_measured(const Recognition& of, int p) {
   const RimPart& part = of.rim.parts[p];
-  if (!part.within || part.openings != 1 || part.first.empty() || part.second.empty()) return false;
+  if (!part.within || part.openings < 1 || part.first.empty() || part.second.empty()) return false;
+  if (part.openings > 1 && part.openings > contours_on(of, part, of.skin)) return false;
   const auto bent = [&](const LoopRef& ref) {
     return !std::holds_alternative<Frame>(of.model.faces[ref.face].surface);
   };
-  if (std::ranges::none_of(part.first, bent) && std::ranges::none_of(part.second, bent))
+  if (part.openings == 1 && std::ranges::none_of(part.first, bent) &&
+      std::ranges::none_of(part.second, bent))
     return false;
   return std::ranges::count(of.tangent_openings, p, &TangentOpening::part) > 0 ||
          std::ranges::any_of(part.faces, [&](int wall) { return is_machined(of, wall); });

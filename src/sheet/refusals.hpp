@@ -57,7 +57,9 @@ constexpr Refusal rip_parts{
     code::bad_option, "The rip at {@edge} cuts the sheet into several parts.", "Rip another edge."};
 constexpr Refusal no_rips{code::closed_loop, "No rips along its edges open it."};
 constexpr Refusal rips_overlap{code::closed_loop,
-                               "Rips along its edges leave a pattern that covers itself."};
+                               "Rips along its edges leave a pattern that covers itself.",
+                               "In one piece its walls fold out onto each other: make one of them "
+                               "a part of its own."};
 constexpr Refusal one_rip{code::closed_loop, {}, "Rip {@edge} to open it.", "rip_edges", "{edges}"};
 constexpr Refusal many_rips{code::closed_loop,
                             {},

@@ -171,6 +171,18 @@ TEST(PressedForms, MayEndWithTheirFootOnTheTangentLine) {
                    {120 * (120 + 40 + 3 * std::numbers::pi / 2), 1, 1, 1});
 }
 
+TEST(PressedForms, MayHaveTheirMouthOnTheTangentLine) {
+  const BentBracket of{
+      .thickness = 2, .inside_radius = 2, .first = 120, .second = 40, .width = 120};
+  gp_Trsf turned;  // the first flange along y, its bend at y = 0
+  turned.SetRotation(gp_Ax1(gp_Pnt(60, 60, 0), gp_Dir(0, 0, 1)), -std::numbers::pi / 2);
+  const TopoDS_Shape bracket = BRepBuilderAPI_Transform(bent_bracket(of), turned).Shape();
+  for (const double radius : {5.0, 8.0})
+    for (const double before : {0.0, 1e-4, 1.0})
+      expect_forms(with_tube(bracket, {30, 60, before}, {radius, Ends::round, true}),
+                   {120 * (120 + 40 + 3 * std::numbers::pi / 2), 1, 1, 1});
+}
+
 TEST(PressedForms, MayCoverAPanel) {
   // By themselves they are a third of the skin, and add a tenth to the volume.
   TopoDS_Shape louvres = sheet_of_2(400), beads = louvres;

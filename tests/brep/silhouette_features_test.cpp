@@ -124,6 +124,46 @@ TEST(Silhouettes, PartOneOutlineOfTheSkinIntoTheRimAndAHole) {
   EXPECT_NEAR(made->certificate.explained_ratio.value_or(0.0), 1.0, 1e-9);
 }
 
+TEST(Silhouettes, KeepHolesThatAPocketOnTheOtherSkinJoinsOverABend) {
+  // One of the holes is wider on this skin too, and a third is machined beside them.
+  for (const bool above : {false, true}) {
+    const auto pocket = [&](double x, double y, double to_x, double to_y, bool upper) {
+      return upper ? block({x, y, 1.6}, {to_x, to_y, 3}) : block({x, y, -1}, {to_x, to_y, 0.4});
+    };
+    TopoDS_Shape part = planish::test::bent_bracket({2, 2, 40, 30, 50});
+    for (const TopoDS_Shape& tool :
+         {bore(30, 15, 3, -1, 3), bore(30, 32, 3, -1, 3), bore(12, 15, 3, -1, 3),
+          pocket(24, 10, 40.8, 38, above), pocket(29, 8, 35, 22, !above),
+          pocket(7, 14, 17, 16, !above), pocket(11, 9, 13, 19, above)})
+      part = BRepAlgoAPI_Cut(part, tool).Shape();
+    const auto made = planish::test::unfolded_shape(part);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->flat.openings.size(), 3u);
+    for (const Contour& opening : made->flat.openings)
+      EXPECT_NEAR(-signed_area(opening.loop), 9 * pi, 1e-9) << above;
+    EXPECT_NEAR(made->flat.area, 50 * (40 + 30 + 3 * pi / 2) - 27 * pi, 1e-9);
+    EXPECT_NEAR(made->certificate.explained_ratio.value_or(0.0), 1.0, 1e-9);
+    EXPECT_LT(made->certificate.opening_error.value_or(0.0), 1e-9);
+  }
+}
+
+TEST(Silhouettes, KeepHolesOfBothFlangesThatAPocketJoinsRoundTheBend) {
+  // Drilled into either flange, joined inside, and each in a groove outside.
+  const TopoDS_Shape other = BRepPrimAPI_MakeCylinder(gp_Ax2({41, 15, 14}, {1, 0, 0}), 3, 5);
+  TopoDS_Shape part = planish::test::bent_bracket({2, 2, 40, 30, 50});
+  for (const TopoDS_Shape& tool :
+       {bore(30, 15, 3, -1, 3), other, block({25, 10, 1.6}, {42.4, 20, 18}),
+        block({24, 14, -1}, {36, 16, 0.4}), block({43.6, 8, 10}, {46, 15, 20})})
+    part = BRepAlgoAPI_Cut(part, tool).Shape();
+  const auto made = planish::test::unfolded_shape(part);
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_EQ(made->flat.openings.size(), 2u);
+  for (const Contour& opening : made->flat.openings)
+    EXPECT_NEAR(-signed_area(opening.loop), 9 * pi, 1e-9);
+  EXPECT_NEAR(made->certificate.explained_ratio.value_or(0.0), 1.0, 1e-9);
+  EXPECT_LT(made->certificate.opening_error.value_or(0.0), 1e-9);
+}
+
 TEST(Silhouettes, AreMeasuredToTheDigitsOfTheFile) {
   // Bore and recess meet in a curve that is no line or arc; what is cut is none of it.
   const auto [sheet, flat, certificate] = unfolded(

@@ -9,11 +9,13 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <gp_Ax3.hxx>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -68,6 +70,33 @@ TEST(WideCuts, AreMeasuredAtTheEndsOfABendThatAreMilledOnEitherSkin) {
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_LT(made->flat.area, 50 * (40 + 30 + 3 * std::numbers::pi / 2) - 0.1);
   EXPECT_GT(made->certificate.outline_error.value_or(0), 0.5);
+}
+
+TEST(WideCuts, AreMeasuredWherePocketsOnBothSkinsRunOverABendAndOverHolesOrAnEdge) {
+  // Bores of radius 3 beside the bend, in pockets that both reach 0.8 mm into it.
+  const double blank = 50 * (40 + 30 + 3 * std::numbers::pi / 2);
+  const auto above = [](double x, double y, double to_x, double to_y) {
+    return std::pair{gp_Pnt(x, y, 1.6), gp_Pnt(to_x, to_y, 3.5)};
+  };
+  const auto below = [](double x, double y, double to_x, double to_y) {
+    return std::pair{gp_Pnt(x, y, -1), gp_Pnt(to_x, to_y, 0.4)};
+  };
+  for (const auto& [holes, pockets] :
+       {std::pair{2, std::vector{above(24, 10, 40.8, 38), below(23, 8, 40.7, 20)}},
+        std::pair{1, std::vector{above(24, 10, 40.8, 55), below(23, 8, 40.7, 20)}},
+        std::pair{1, std::vector{above(24, 10, 40.8, 55), below(23, -5, 40.7, 20)}}}) {
+    TopoDS_Shape part = milled_bracket(pockets);
+    for (int i = 0; i < holes; ++i) {
+      const gp_Ax2 axis(gp_Pnt(30, 15 + 17 * i, -1), gp_Dir(0, 0, 1));
+      part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeCylinder(axis, 3, 4).Shape());
+    }
+    const auto made = unfolded_shape(part);
+    ASSERT_TRUE(made) << made.error().message;
+    const double off = blank - holes * 9 * std::numbers::pi - made->flat.area;
+    const double told = std::max(made->certificate.opening_error.value_or(0),
+                                 made->certificate.outline_error.value_or(0));
+    EXPECT_TRUE(std::abs(off) < 1e-6 || told > 0.5) << off << " mm² less, " << told;
+  }
 }
 
 TEST(WideCuts, AreMeasuredWhereAHoleIsMachinedOverAWholeBend) {

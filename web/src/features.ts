@@ -3,6 +3,7 @@ import type { FeatureRow, Shape } from './types.ts';
 /** Kinds of formed features as people say them, and several of them. */
 const names: Record<string, [string, string]> = {
   countersink: ['countersink', 'countersinks'],
+  thread: ['thread', 'threads'],
   'slanted cut': ['slanted cut', 'slanted cuts'],
   pocket: ['pocket', 'pockets'],
   chamfer: ['chamfer', 'chamfers'],

@@ -121,8 +121,8 @@ std::string_view side_name(FormSide side);
 /// rim).
 /// What is cut within them stands in `openings` and `slits`.
 struct FormedFeature {
-  /// "countersink", "slanted cut", "pocket", "chamfer", "contact" (cut edges that touch in the
-  /// solid), or "formed" (emboss, louvre, lance, burr, boss).
+  /// "countersink", "thread", "slanted cut", "pocket", "chamfer", "contact" (cut edges that touch
+  /// in the solid), or "formed" (emboss, louvre, lance, burr, boss).
   std::string kind;
   FormSide side = FormSide::both;
   FaceId face{};                        ///< the face on which `outlines` are given
