@@ -115,7 +115,7 @@ std::optional<double> least_height(const Snapshot& now, int strip) {
   const StripBase base = base_of(now, strip);
   double height = 0.5 * now.design->sheet.thickness;
   for (std::size_t side = 0; side < 2; ++side) {
-    height = std::min(height, base.facet.point({base.start[side], base.sides[side]}).y());
+    height = std::min(height, base.facet.point(base.sides[side].place(base.start[side]).at).y());
     if (const PanelFacet* far = far_facet_of(now, strip))
       height = std::min(height, far->frame.point(far->corners[1 + side]).y());
   }
