@@ -249,6 +249,20 @@ constexpr Refusal material_without_modulus{
     code::invalid_input,
     "The material file states no Young's modulus, and its curve has no straight beginning.",
     "Add young, in N/mm²."};
+constexpr Refusal neither_strips_nor_slits{
+    code::invalid_input, "{@field} has no strips, and the file has no slits.",
+    "Add strips to the sheet, or slits as curves to the file."};
+constexpr Refusal strips_and_slits{code::invalid_input,
+                                   "{@field} has strips, but slits as curves are given too.",
+                                   "Leave one of them out: strips lie between slits."};
+constexpr Refusal outline_of_strips{code::invalid_input,
+                                    "{@field} is given, but only a sheet with slits as curves has "
+                                    "one; other sheets are rectangles.",
+                                    "Leave it out, or give slits in place of the strips."};
+constexpr Refusal width_or_outline{code::invalid_input,
+                                   "{@field} must have a width, or the file an outline, but not "
+                                   "both.",
+                                   "Give one of them."};
 constexpr Refusal smooth_of_energy{
     code::invalid_input,
     "{@field} is given, but strips of least bending energy are not weighed by it.",

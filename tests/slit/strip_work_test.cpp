@@ -39,8 +39,8 @@ std::vector<Vec3> moving_ends(const FoldedStrip& strip) {
   return ends;
 }
 
-/// The radius of the tightest arc that turns by a fold on the halves of both its quads. The panel is
-/// not bent, and the quad at the symmetry plane belongs to the last ridge whole.
+/// The radius of the tightest arc that turns by a fold on the halves of both its quads. The panel
+/// is not bent, and the quad at the symmetry plane belongs to the last ridge whole.
 double tightest_of(const FoldedStrip& strip) {
   double radius = std::numeric_limits<double>::infinity();
   const std::size_t quads = strip.quads.size();
