@@ -6,6 +6,7 @@
 
 #include "second_jet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -75,19 +76,40 @@ Eigen::Matrix3d of_ridge(const StripParameters& p, const StripFold& fold, int ri
   return all;
 }
 
+std::vector<Behind> behind_ridges(int quads, const std::vector<WeighedVector>& sum) {
+  std::vector<Behind> behind(quads);
+  for (const WeighedVector& one : sum) {
+    if (one.ridge < 1) continue;
+    Behind& last = behind[std::min(one.ridge, quads) - 1];
+    if (one.is_point) last.force += one.weight;
+    last.moment += one.at * one.weight.transpose();
+  }
+  for (int ridge = quads - 2; ridge >= 0; --ridge) {
+    behind[ridge].force += behind[ridge + 1].force;
+    behind[ridge].moment += behind[ridge + 1].moment;
+  }
+  return behind;
+}
+
+/// The same as vectors: one point and three directions.
+std::vector<WeighedVector> as_vectors(const Behind& behind, const Vec3& at, int ridge) {
+  const Eigen::Matrix3d about = behind.about(at);
+  std::vector<WeighedVector> sum{{ridge + 1, true, at, behind.force}};
+  for (int axis = 0; axis < 3; ++axis)
+    sum.push_back({ridge + 1, false, Vec3::Unit(axis), about.row(axis).transpose()});
+  return sum;
+}
+
 /// The earlier of two turns carries along what the later one does.
 Eigen::MatrixXd of_different_ridges(const std::vector<Twist>& all,
-                                    const std::vector<WeighedVector>& sum) {
+                                    const std::vector<Behind>& behind) {
   const auto count = static_cast<Eigen::Index>(all.size());
   const auto twist = [&](Eigen::Index q) -> const Twist& { return all[q]; };
-  Eigen::Matrix3Xd carried = Eigen::Matrix3Xd::Zero(3, count);
-  for (Eigen::Index q = 0; q < count; ++q)
-    for (const WeighedVector& one : sum) {
-      if (one.ridge <= twist(q).ridge) continue;
-      const Vec3 moved = one.is_point ? twist(q).velocity(one.at)
-                                      : Vec3(twist(q).axis.cross(one.at));
-      carried.col(q) += moved.cross(one.weight);
-    }
+  Eigen::Matrix3Xd carried(3, count);
+  for (Eigen::Index q = 0; q < count; ++q) {
+    const Eigen::Matrix3d about = behind[twist(q).ridge].about(twist(q).pole);
+    carried.col(q) = about * twist(q).axis - about.trace() * twist(q).axis;
+  }
   Eigen::MatrixXd second(count, count);
   for (Eigen::Index a = 0; a < count; ++a)
     for (Eigen::Index b = 0; b <= a; ++b) {
@@ -125,8 +147,7 @@ Numbers numbers_of(const StripBase& base, int ridge) {
   return {{ridge, abscissa_index(base.quads, ridge, 0), abscissa_index(base.quads, ridge, 1)}, 3};
 }
 
-}  // namespace
-
+/// The part that belongs to one ridge's own numbers.
 void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripParameters& p,
                   const StripFold& fold, int ridge, const std::vector<WeighedVector>& sum) {
   const Eigen::Matrix3d own = of_ridge(p, fold, ridge, sum);
@@ -137,12 +158,22 @@ void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripPar
                                              (j ? base.unit() : 1.0);
 }
 
+}  // namespace
+
+Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
+                                   const StripFold& fold, const std::vector<Twist>& twists,
+                                   const std::vector<Behind>& behind) {
+  Eigen::MatrixXd second = of_different_ridges(twists, behind);
+  for (int ridge = 0; ridge < base.quads; ++ridge)
+    set_of_ridge(second, base, p, fold, ridge,
+                 as_vectors(behind[ridge], fold.end(0, ridge), ridge));
+  return second;
+}
+
 Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
                                    const StripFold& fold, const std::vector<WeighedVector>& sum) {
   const std::vector<Twist> all = twists(base, fold);
-  Eigen::MatrixXd second = of_different_ridges(all, sum);
-  for (int ridge = 0; ridge < base.quads; ++ridge)
-    set_of_ridge(second, base, p, fold, ridge, sum);
+  Eigen::MatrixXd second = second_derivatives(base, p, fold, all, behind_ridges(base.quads, sum));
   for (const WeighedVector& one : sum)
     if (one.side >= 0 && one.ridge < base.quads) add_sliding(second, base, fold, all, one);
   return second;

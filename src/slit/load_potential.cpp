@@ -65,19 +65,12 @@ double most_work(const StripBase& base, const StripLoad& load) {
   return force * (base.unit() + base.width());
 }
 
-/// What acts behind a ridge: the force, and places times forces, Σ x fᵀ.
-struct Behind {
-  Vec3 force = Vec3::Zero();
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-
-  Eigen::Matrix3d about(const Vec3& pole) const { return moment - pole * force.transpose(); }
-};
-
 /// Twice the axis of what is skew in Σ x fᵀ: Σ x × f.
 Vec3 turning(const Eigen::Matrix3d& moment) {
   return {moment(1, 2) - moment(2, 1), moment(2, 0) - moment(0, 2), moment(0, 1) - moment(1, 0)};
 }
 
+/// Less the forces, as what they do is less potential.
 std::vector<Behind> behind_ridges(const StripBase& base, const StripFold& fold,
                                   const EndForces& forces) {
   std::vector<Behind> behind(base.quads);
@@ -85,8 +78,8 @@ std::vector<Behind> behind_ridges(const StripBase& base, const StripFold& fold,
   for (int ridge = base.quads - 1; ridge >= 0; --ridge) {
     for (int side = 0; side < 2; ++side) {
       const Vec3& force = forces[side][ridge + 1];
-      sum.force += force;
-      sum.moment += fold.end(side, ridge + 1) * force.transpose();
+      sum.force -= force;
+      sum.moment -= fold.end(side, ridge + 1) * force.transpose();
     }
     behind[ridge] = sum;
   }
@@ -104,13 +97,13 @@ class Work {
         twists_(twists(base_, fold_)),
         forces_(end_forces(base_, fold_, load_)),
         behind_(behind_ridges(base_, fold_, forces_)),
-        all_{load_potential(problem, p), Eigen::VectorXd::Zero(p.size()),
-             Eigen::MatrixXd::Zero(p.size(), p.size())} {}
+        all_{load_potential(problem, p), Eigen::VectorXd(p.size()), {}} {}
 
   SecondOrder derivatives() {
-    add_turns();
-    for (int ridge = 0; ridge < base_.quads; ++ridge)
-      add_own(ridge);
+    all_.hessian = second_derivatives(base_, p_, fold_, twists_, behind_);
+    for (std::size_t q = 0; q < twists_.size(); ++q)
+      all_.gradient[static_cast<Eigen::Index>(q)] = twists_[q].axis.dot(
+          turning(behind_[twists_[q].ridge].about(twists_[q].pole)));
     for (int ridge = 1; ridge < base_.quads; ++ridge)
       for (int side = 0; side < 2; ++side)
         add_sliding(ridge, side);
@@ -119,35 +112,6 @@ class Work {
   }
 
  private:
-  /// Turns about ridges, and by ends of ridges that slide: what lies behind does work, and a turn
-  /// before carries along what it does.
-  void add_turns() {
-    const auto count = static_cast<Eigen::Index>(twists_.size());
-    Eigen::Matrix3Xd carried(3, count);
-    for (Eigen::Index q = 0; q < count; ++q) {
-      const Twist& twist = twists_[q];
-      const Eigen::Matrix3d about = behind_[twist.ridge].about(twist.pole);
-      all_.gradient[q] = -twist.axis.dot(turning(about));
-      carried.col(q) = about.trace() * twist.axis - about * twist.axis;
-    }
-    for (Eigen::Index a = 0; a < count; ++a)
-      for (Eigen::Index b = 0; b <= a; ++b) {
-        const bool a_first = twists_[a].ridge < twists_[b].ridge;
-        all_.hessian(a, b) = all_.hessian(b, a) = a_first ? twists_[a].axis.dot(carried.col(b))
-                                                          : twists_[b].axis.dot(carried.col(a));
-      }
-  }
-
-  /// All that lies behind a ridge is as one force and three directions.
-  void add_own(int ridge) {
-    const Vec3& at = fold_.end(0, ridge);
-    const Eigen::Matrix3d about = behind_[ridge].about(at);
-    std::vector<WeighedVector> sum{{ridge + 1, true, at, -behind_[ridge].force}};
-    for (int axis = 0; axis < 3; ++axis)
-      sum.push_back({ridge + 1, false, Vec3::Unit(axis), -about.row(axis).transpose()});
-    set_of_ridge(all_.hessian, base_, p_, fold_, ridge, sum);
-  }
-
   void add_sliding(int ridge, int side) {
     const int own = abscissa_index(base_.quads, ridge, side);
     const EdgePlace& place = fold_.flat[side][ridge];

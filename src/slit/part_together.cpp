@@ -107,7 +107,9 @@ class Group {
       if (round > 0) {
         const Eigen::VectorXd values = contact_values(system, now.shapes);
         const double violated = values.size() > 0 ? std::max(0.0, values.maxCoeff()) : 0.0;
-        if ((!from_before && !coupling()) || violated > kLessViolated * before)
+        // While gaps are on their way, what is violated grows with what is asked for.
+        const bool is_under_way = coupling() && coupling()->gap && round < kRoundsOfGap;
+        if (!is_under_way && ((!from_before && !coupling()) || violated > kLessViolated * before))
           system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
         before = violated;
         raise_multipliers(system, now.shapes, values);

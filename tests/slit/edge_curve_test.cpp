@@ -70,14 +70,15 @@ TEST(EdgeCurve, IsMetByARidgeOnItsChain) {
   const std::vector<Vec2> chain = arc(12);
   const EdgeCurve edge(chain, 200.0, 560.0);
   for (double s = 200.0; s <= 560.0; s += 7.3) {
-    const Vec2 near = edge.place(s).at, from = near + Vec2(-15.0, -40.0);
+    const EdgePlace place = edge.place(s);
+    const Vec2 near = place.at,
+               from = near - 20.0 * place.first - 40.0 * perpendicular(place.first);
     const EdgeCurve::Crossing met = edge.on_chain(from, near, s);
     EXPECT_LT(std::abs(planish::cross(near - from, met.at - from)) / (near - from).norm(), 1e-10);
     EXPECT_LT(distance(met.at, {chain[met.line], chain[met.line + 1]}), 1e-10);
-    // Lines of 30 mm on 300 mm: their sagitta, on the slope of the ridge.
-    const Vec2 along = (chain[met.line + 1] - chain[met.line]).normalized();
-    const double sine = planish::cross(along, (near - from).normalized());
-    EXPECT_LT((met.at - near).norm(), 30.0 * 30.0 / (8.0 * 300.0) / std::abs(sine));
+    // Lines of 30 mm on 300 mm: their sagitta, on the slope of the ridge to a line beside.
+    const double slope = std::sin(std::atan2(40.0, 20.0) - 30.0 / 300.0);
+    EXPECT_LT((met.at - near).norm(), 30.0 * 30.0 / (8.0 * 300.0) / slope);
   }
 }
 
