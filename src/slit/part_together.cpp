@@ -15,6 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -150,6 +151,30 @@ class Group {
   FoldedStrip folded(const Shapes& shapes, int member) const {
     return folded_strip(system_.strips[member].base, shapes[member]);
   }
+
+  /// All strips as folded, once for their many pairs.
+  struct Folded {
+    std::vector<FoldedStrip> strips;
+    std::vector<Eigen::AlignedBox3d> boxes;
+
+    bool may_cross(const StripPair& pair) const {
+      return boxes[pair.left].intersects(boxes[pair.right]);
+    }
+    bool cross(const StripPair& pair, double within = 0.0) const {
+      return may_cross(pair) && slit_detail::cross(strips[pair.left], strips[pair.right], within);
+    }
+  };
+  Folded all_folded(const Shapes& shapes) const {
+    Folded all;
+    for (int member = 0; member < system_.count(); ++member) {
+      all.strips.push_back(folded(shapes, member));
+      Eigen::AlignedBox3d& box = all.boxes.emplace_back();
+      for (const SlitRidge& ridge : all.strips.back().ridges)
+        for (const Vec3& end : ridge.folded)
+          box.extend(end);
+    }
+    return all;
+  }
   Pressing pressing_of(StripSystem system, const Shapes& shapes) const {
     raise_contacts(system, contact_values(system, shapes));
     std::erase_if(system.contacts, [](const Contact& known) { return known.multiplier == 0.0; });
@@ -167,17 +192,18 @@ class Group {
   double thickness() const { return now_.design->sheet.thickness; }
 
   std::vector<StripPair> pairs_of(Choice choice) const {
+    const Folded all = all_folded(shapes_);
     std::vector<StripPair> pairs;
     for (int left = 0; left < system_.count(); ++left)
       for (int right = left + 1; right < system_.count(); ++right)
-        if (moves(left) || moves(right)) pairs.push_back(pair_of(choice, left, right));
+        if (moves(left) || moves(right)) pairs.push_back(pair_of(choice, all, left, right));
     return pairs;
   }
 
-  StripPair pair_of(Choice choice, int left, int right) const {
-    const FoldedStrip shape = folded(shapes_, left);
+  StripPair pair_of(Choice choice, const Folded& all, int left, int right) const {
+    const FoldedStrip& shape = all.strips[left];
     if (choice == Choice::nearest)
-      return nearest_pair(left, right, shape, folded(shapes_, right), thickness());
+      return nearest_pair(left, right, shape, all.strips[right], thickness());
     return slit_detail::pair_of(left, right, shape,
                                 choice == Choice::left ? OnTop::left : OnTop::right);
   }
@@ -189,10 +215,11 @@ class Group {
   /// How many pairs need the same space.
   int run_together(const std::vector<StripPair>& pairs, const Shapes& shapes) const {
     const double pressed = kPressed * thickness();
+    const Folded all = all_folded(shapes);
     return static_cast<int>(std::ranges::count_if(pairs, [&](const StripPair& pair) {
-      const FoldedStrip left = folded(shapes, pair.left), right = folded(shapes, pair.right);
+      const FoldedStrip &left = all.strips[pair.left], &right = all.strips[pair.right];
       return (is_beside(pair) && missing(pair, left, right, thickness()).most > pressed) ||
-             cross(left, right, pressed);
+             all.cross(pair, pressed);
     }));
   }
 
@@ -238,20 +265,21 @@ class Group {
   /// `share`: of the way from gaps as they were to those asked for.
   void take_limits(StripSystem& system, const std::vector<StripPair>& pairs, const Shapes& shapes,
                    double share) const {
-    const std::vector<Contact> before = std::exchange(system.contacts, {});
+    std::map<std::pair<int, int>, std::vector<Contact>> before;
+    for (Contact& contact : std::exchange(system.contacts, {}))
+      before[std::minmax(contact.here.strip, contact.there.strip)].push_back(std::move(contact));
+    const Folded now = all_folded(shapes), at_start = all_folded(shapes_);
     for (const StripPair& pair : pairs) {
-      const FoldedStrip left = folded(shapes, pair.left), right = folded(shapes, pair.right);
-      std::vector<Contact> known;
-      std::ranges::copy_if(before, std::back_inserter(known), [&](const Contact& contact) {
-        return std::minmax(contact.here.strip, contact.there.strip) ==
-               std::minmax(pair.left, pair.right);
-      });
+      const FoldedStrip &left = now.strips[pair.left], &right = now.strips[pair.right];
+      const auto found = before.find({pair.left, pair.right});
+      const std::vector<Contact> known = found == before.end() ? std::vector<Contact>()
+                                                               : std::move(found->second);
       // Strips that are not beside each other have nothing to do with each other until they meet.
-      if (!is_beside(pair) && known.empty() && !cross(left, right)) continue;
+      if (!is_beside(pair) && known.empty() && !now.cross(pair)) continue;
       std::vector<Contact> all = contacts_of(pair, left, right, thickness());
       if (coupling() && coupling()->gap && is_beside(pair)) {
-        const double at_first = gap_between(folded(shapes_, pair.left),
-                                            folded(shapes_, pair.right));
+        const double at_first = gap_between(at_start.strips[pair.left],
+                                            at_start.strips[pair.right]);
         std::ranges::move(kept_gap(pair.left, pair.right, left, right,
                                    on_the_way(*coupling()->gap, at_first, share)),
                           std::back_inserter(all));
@@ -267,7 +295,7 @@ class Group {
       problem.penalty = system.penalty;
       if (moves(member))
         problem.inequalities = with_broken(problem, shapes[member],
-                                           planes_of(member)(folded(shapes, member)));
+                                           planes_of(member)(now.strips[member]));
     }
   }
 
