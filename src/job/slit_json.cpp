@@ -2,12 +2,12 @@
 #include "makers.hpp"
 #include "refusals.hpp"
 #include "slit_loads_json.hpp"
+#include "slit_sheet_json.hpp"
 
 #include <planish/job/slit_json.hpp>
 #include <planish/schema/json_reading.hpp>
 #include <planish/schema/text_file.hpp>
 #include <planish/slit/session.hpp>
-#include <planish/slit/slit_curves.hpp>
 
 #include <fmt/format.h>
 
@@ -21,11 +21,9 @@ constexpr auto kSlitsFormat = "planish/slits";
 constexpr int kSlitsVersion = 1;
 
 // What the library takes.
-constexpr int kMostStrips = 10000, kFewestRidges = 3, kMostRidges = 1000;
+constexpr int kFewestRidges = 3, kMostRidges = 1000;
 constexpr std::size_t kMostPoles = 64;
-constexpr double kLargest = 1e7;    // mm
-constexpr int kMostPoints = 10000;  // of a chain
-constexpr double kChord = 0.02;     // mm, within which curves are cut as lines
+constexpr double kLargest = 1e7;  // mm
 constexpr schema::Range kLength{"a length above 0 and at most 1e7 mm", 0.0, kLargest, false};
 constexpr schema::Range kGap{"a length from 0 to 1e7 mm", 0.0, kLargest};
 constexpr schema::Range kCoordinate{"a length from -1e7 to 1e7 mm", -kLargest, kLargest};
@@ -95,51 +93,6 @@ Schema mould_schema() {
       .said("on which the sheet is laid");
 }
 
-Schema strip_schema() {
-  return object(
-      {required("width", length(kLength)),
-       optional("gap", length(kGap).defaulting(0).said(
-                           "to the strip before it, or to the sheet's left edge")),
-       optional("left_start", length(kLength).said("where its left slit begins")),
-       optional("right_start", length(kLength).said("where its right slit begins")),
-       optional("end", length(kLength).said(
-                           "where it ends, along; panel_height + half_length if left out"))});
-}
-
-/// A slit, or a part of the outline.
-Schema edge_schema() {
-  return by_key("points",
-                object({required("points", list(tuple(2, length(kCoordinate), "[along, across]"))
-                                               .of_length(2, kMostPoints, "2 to 10000 points")
-                                               .said("joined by lines"))}),
-                object({required("bezier", poles_schema())}));
-}
-
-/// A number of strips of equal width, or a list of strips; without either, strips lie between
-/// slits.
-Schema slit_sheet_schema() {
-  const auto with = [](std::vector<Field> strips) {
-    strips.push_back(
-        required("panel_height", length(kLength).said("of the uncut part of the sheet")));
-    strips.push_back(required("half_length",
-                              length(kLength).said("of the strips, from the panel to the symmetry "
-                                                   "plane, the free end or the second panel")));
-    strips.push_back(optional("margin", length(kGap).defaulting(0).said(
-                                            "between the last strip and the sheet's right edge")));
-    return object(std::move(strips));
-  };
-  return by_key(
-      "strip_width",
-      with({required("strips", whole(1, kMostStrips).said("how many")),
-            required("strip_width", length(kLength).said("of each"))}),
-      by_key("strips",
-             with({required(
-                 "strips",
-                 list(strip_schema()).of_length(1, kMostStrips, "a list of 1 to 10000 strips"))}),
-             with({optional("width", length(kLength).said("across; that of the outline if there is "
-                                                          "one"))})));
-}
-
 Schema anchor_schema() {
   return object(
       {required("strip", whole()), required("ridge", whole()),
@@ -173,14 +126,6 @@ Schema make_slits_schema() {
   const auto add = [&](Field field) { fields.push_back(std::move(field)); };
   add(optional("units", units()));
   add(required("sheet", slit_sheet_schema()));
-  add(optional("slits", list(edge_schema())
-                            .of_length(1, kMostStrips - 1, "a list of 1 to 9999 slits")
-                            .said("curves between the strips, in place of strips of the sheet; "
-                                  "each runs to where the strips end")));
-  add(optional("outline", list(edge_schema())
-                              .of_length(1, kMostStrips, "a list of curves and chains")
-                              .said("of a sheet with slits that are curves, in turn; lines join "
-                                    "them")));
   add(required("thickness", length(kLength).said("of the sheet")));
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
   add(optional("min_inside_radius",
@@ -198,8 +143,9 @@ Schema make_slits_schema() {
                                 .defaulting("energy")
                                 .said("what a strip's shape has least of: bending energy, or "
                                       "changes of its folds")));
-  for (Field& field : load_fields())
-    add(std::move(field));
+  for (std::vector<Field> some : {slit_curve_fields(), load_fields()})
+    for (Field& field : some)
+      add(std::move(field));
   add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));
@@ -221,61 +167,6 @@ BezierCurve curve_at(const JsonPlace& place) {
   for (const JsonPlace& pole : place["bezier"].items())
     curve.poles.push_back(pole.plane_point());
   return curve;
-}
-
-SlitStrip strip_at(const JsonPlace& place) {
-  SlitStrip strip;
-  strip.width = place["width"].length();
-  strip.gap = place["gap"].length();
-  strip.left_start = place["left_start"].maybe_length();
-  strip.right_start = place["right_start"].maybe_length();
-  strip.end = place["end"].maybe_length();
-  return strip;
-}
-
-std::vector<SlitStrip> strips_at(const JsonPlace& sheet) {
-  if (!sheet["strips"].is_list())
-    return equal_strips(sheet["strips"].whole(), sheet["strip_width"].length());
-  return mapped(sheet["strips"].items(), [&](const JsonPlace& strip) { return strip_at(strip); });
-}
-
-std::vector<Vec2> edge_at(const JsonPlace& place) {
-  if (place.json().contains("bezier")) return chain_on(curve_at(place), kChord);
-  return mapped(place["points"].items(),
-                [](const JsonPlace& point) { return point.plane_point(); });
-}
-
-CurvedSlits slits_at(const JsonPlace& document) {
-  CurvedSlits curves;
-  for (const JsonPlace& slit : document["slits"].items())
-    curves.slits.push_back(edge_at(slit));
-  for (const JsonPlace& part : document["outline"].items())
-    for (const Vec2& corner : edge_at(part))
-      curves.outline.push_back(corner);
-  if (!curves.slits.empty()) curves.width = document["sheet"]["width"].maybe_length().value_or(0.0);
-  return curves;
-}
-
-/// Strips between curves are found when the whole file is read.
-SlitSheet sheet_at(const JsonPlace& document) {
-  const JsonPlace place = document["sheet"];
-  SlitSheet sheet;
-  sheet.panel_height = place["panel_height"].length();
-  sheet.half_length = place["half_length"].length();
-  const bool is_cut = document["slits"].given(),
-             has_strips = place.given() && place.json().contains("strips");
-  if (is_cut == has_strips) {
-    place.mistake(has_strips ? refuse::strips_and_slits : refuse::neither_strips_nor_slits);
-  } else if (has_strips) {
-    sheet.strips = strips_at(place);
-    sheet.margin = place["margin"].length();
-    if (document["outline"].given()) document["outline"].mistake(refuse::outline_of_strips);
-  } else {
-    sheet.strips.resize(document["slits"].items().size() + 1);
-    if (place["width"].given() == document["outline"].given())
-      place.mistake(refuse::width_or_outline);
-  }
-  return sheet;
 }
 
 SlitAnchor anchor_at(const JsonPlace& place) {
@@ -351,7 +242,7 @@ MouldOptions mould_at(const JsonPlace& place) {
 
 SlitDesign design_at(const JsonPlace& place) {
   SlitDesign design;
-  design.sheet = sheet_at(place);
+  design.sheet = slit_sheet_at(place);
   design.sheet.thickness = place["thickness"].length();
   design.sheet.symmetric = place["symmetric"].yes();
   design.sheet.min_inside_radius = place["min_inside_radius"].length();
@@ -416,7 +307,7 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
   const JsonPlace place(reading);
   SlitFile file = file_at(place);
   const std::string material = take_loads(place, file.design);
-  const CurvedSlits curves = slits_at(place);
+  const CurvedSlits curves = slit_curves_at(place);
   std::vector<ScanPlace> scans = scans_at(place["scan"]);
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());

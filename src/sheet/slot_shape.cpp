@@ -207,6 +207,21 @@ Loop closed_slot(const Slot& slot) {
   return chain.curves();
 }
 
+namespace {
+
+/// The banks of an open slot, from where they leave the contour.
+std::array<Loop, 2> open_banks(const Slot& slot, const Vec2& along, const MouthCorner& in,
+                               const MouthCorner& out) {
+  if (!slot.curves.empty()) {
+    const auto [left, right] = banks_of(slot);
+    return {ahead_of(left, along, in.on_bank), ahead_of(right, along, out.on_bank)};
+  }
+  const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
+  return {Loop{Segment{in.on_bank, left}}, Loop{Segment{out.on_bank, right}}};
+}
+
+}  // namespace
+
 Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double tolerance) {
   const std::size_t count = contour.loop.size(), next = static_cast<std::size_t>(slot.opens_at->at),
                     before = (next + count - 1) % count;
@@ -219,14 +234,7 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
   const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
   const MouthCorner in = mouth_corner(slot, along, perpendicular(along), from),
                     out = mouth_corner(slot, along, -perpendicular(along), to);
-  std::array<Loop, 2> banks;
-  if (slot.curves.empty()) {
-    const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
-    banks = {Loop{Segment{in.on_bank, left}}, Loop{Segment{out.on_bank, right}}};
-  } else {
-    const auto [left, right] = banks_of(slot);
-    banks = {ahead_of(left, along, in.on_bank), ahead_of(right, along, out.on_bank)};
-  }
+  const std::array<Loop, 2> banks = open_banks(slot, along, in, out);
   const auto goes_on = [&](const Loop& bank, const Vec2& from_bank) {
     return !bank.empty() && along.dot(end_of(bank.front()) - from_bank) > 0.0;
   };

@@ -5,6 +5,7 @@
 #include "edge_curve.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
 
 #include <algorithm>
@@ -69,7 +70,8 @@ EdgeCurve::Crossing EdgeCurve::on_chain(const Vec2& from, const Vec2& near, doub
     const Vec2 at = chain_[line] + share * side;
     const double off = std::abs(planish::cross(way, at - from)) / way.norm();
     // First those that the line meets, then the nearest of them.
-    const double missed = (off > 1e-9 * way.norm() ? way.norm() : 0.0) + (at - near).norm();
+    const double missed = (off > tolerance::kComputed * way.norm() ? way.norm() : 0.0) +
+                          (at - near).norm();
     if (missed < least) least = missed, nearest = {at, line};
   }
   return nearest;

@@ -6,6 +6,7 @@
 #include "contacts.hpp"
 #include "coupling.hpp"
 #include "crossing.hpp"
+#include "folded_strips.hpp"
 #include "newton.hpp"
 #include "strip_limits.hpp"
 #include "strip_start.hpp"
@@ -94,11 +95,8 @@ class Group {
     best.gap_missed = missed_gap(shapes_);
     best.problems = system_.strips;
     StripSystem system = system_;
-    system.penalty = kFirstPenalty;
-    if (from_before) {
-      system.penalty = pressing_.penalty;
-      system.contacts = pressing_.contacts;
-    }
+    system.penalty = from_before ? pressing_.penalty : kFirstPenalty;
+    if (from_before) system.contacts = pressing_.contacts;
     const std::vector<StripPair> pairs = pairs_of(choice);
     const DescentOptions of_round{kStepsOfRound, std::max(options.function_tolerance, kFine),
                                   options.stop};
@@ -152,29 +150,6 @@ class Group {
     return folded_strip(system_.strips[member].base, shapes[member]);
   }
 
-  /// All strips as folded, once for their many pairs.
-  struct Folded {
-    std::vector<FoldedStrip> strips;
-    std::vector<Eigen::AlignedBox3d> boxes;
-
-    bool may_cross(const StripPair& pair) const {
-      return boxes[pair.left].intersects(boxes[pair.right]);
-    }
-    bool cross(const StripPair& pair, double within = 0.0) const {
-      return may_cross(pair) && slit_detail::cross(strips[pair.left], strips[pair.right], within);
-    }
-  };
-  Folded all_folded(const Shapes& shapes) const {
-    Folded all;
-    for (int member = 0; member < system_.count(); ++member) {
-      all.strips.push_back(folded(shapes, member));
-      Eigen::AlignedBox3d& box = all.boxes.emplace_back();
-      for (const SlitRidge& ridge : all.strips.back().ridges)
-        for (const Vec3& end : ridge.folded)
-          box.extend(end);
-    }
-    return all;
-  }
   Pressing pressing_of(StripSystem system, const Shapes& shapes) const {
     raise_contacts(system, contact_values(system, shapes));
     std::erase_if(system.contacts, [](const Contact& known) { return known.multiplier == 0.0; });
@@ -192,7 +167,7 @@ class Group {
   double thickness() const { return now_.design->sheet.thickness; }
 
   std::vector<StripPair> pairs_of(Choice choice) const {
-    const Folded all = all_folded(shapes_);
+    const FoldedStrips all = folded_strips(system_, shapes_);
     std::vector<StripPair> pairs;
     for (int left = 0; left < system_.count(); ++left)
       for (int right = left + 1; right < system_.count(); ++right)
@@ -200,7 +175,7 @@ class Group {
     return pairs;
   }
 
-  StripPair pair_of(Choice choice, const Folded& all, int left, int right) const {
+  StripPair pair_of(Choice choice, const FoldedStrips& all, int left, int right) const {
     const FoldedStrip& shape = all.strips[left];
     if (choice == Choice::nearest)
       return nearest_pair(left, right, shape, all.strips[right], thickness());
@@ -215,11 +190,11 @@ class Group {
   /// How many pairs need the same space.
   int run_together(const std::vector<StripPair>& pairs, const Shapes& shapes) const {
     const double pressed = kPressed * thickness();
-    const Folded all = all_folded(shapes);
+    const FoldedStrips all = folded_strips(system_, shapes);
     return static_cast<int>(std::ranges::count_if(pairs, [&](const StripPair& pair) {
       const FoldedStrip &left = all.strips[pair.left], &right = all.strips[pair.right];
       return (is_beside(pair) && missing(pair, left, right, thickness()).most > pressed) ||
-             all.cross(pair, pressed);
+             all.cross(pair.left, pair.right, pressed);
     }));
   }
 
@@ -268,14 +243,13 @@ class Group {
     std::map<std::pair<int, int>, std::vector<Contact>> before;
     for (Contact& contact : std::exchange(system.contacts, {}))
       before[std::minmax(contact.here.strip, contact.there.strip)].push_back(std::move(contact));
-    const Folded now = all_folded(shapes), at_start = all_folded(shapes_);
+    const FoldedStrips now = folded_strips(system_, shapes),
+                       at_start = folded_strips(system_, shapes_);
     for (const StripPair& pair : pairs) {
       const FoldedStrip &left = now.strips[pair.left], &right = now.strips[pair.right];
-      const auto found = before.find({pair.left, pair.right});
-      const std::vector<Contact> known = found == before.end() ? std::vector<Contact>()
-                                                               : std::move(found->second);
+      const std::vector<Contact>& known = before[{pair.left, pair.right}];
       // Strips that are not beside each other have nothing to do with each other until they meet.
-      if (!is_beside(pair) && known.empty() && !now.cross(pair)) continue;
+      if (!is_beside(pair) && known.empty() && !now.cross(pair.left, pair.right)) continue;
       std::vector<Contact> all = contacts_of(pair, left, right, thickness());
       if (coupling() && coupling()->gap && is_beside(pair)) {
         const double at_first = gap_between(at_start.strips[pair.left],
