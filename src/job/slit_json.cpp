@@ -143,9 +143,8 @@ Schema make_slits_schema() {
                                 .defaulting("energy")
                                 .said("what a strip's shape has least of: bending energy, or "
                                       "changes of its folds")));
-  for (std::vector<Field> some : {slit_curve_fields(), load_fields()})
-    for (Field& field : some)
-      add(std::move(field));
+  for (const auto& some : {slit_curve_fields(), load_fields()})
+    fields.insert(fields.end(), some.begin(), some.end());
   add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));

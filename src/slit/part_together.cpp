@@ -146,10 +146,6 @@ class Group {
   /// Only the strips of the whole sheet are coupled.
   const std::optional<SlitCoupling>& coupling() const { return now_.design->coupling; }
 
-  FoldedStrip folded(const Shapes& shapes, int member) const {
-    return folded_strip(system_.strips[member].base, shapes[member]);
-  }
-
   Pressing pressing_of(StripSystem system, const Shapes& shapes) const {
     raise_contacts(system, contact_values(system, shapes));
     std::erase_if(system.contacts, [](const Contact& known) { return known.multiplier == 0.0; });
@@ -199,11 +195,12 @@ class Group {
   }
 
   bool holds_all(const StripSystem& system, const Shapes& shapes) const {
+    const FoldedStrips all = folded_strips(system, shapes);
     for (int member = 0; member < system.count(); ++member) {
       const StripProblem& problem = system.strips[member];
       if (moves(member) &&
           (is_too_tight(problem, shapes[member]) || !firm_ones_hold(problem, shapes[member]) ||
-           !planes_of(member)(folded(shapes, member)).empty()))
+           !planes_of(member)(all.strips[member]).empty()))
         return false;
     }
     return true;
@@ -213,10 +210,8 @@ class Group {
   double missed_gap(const Shapes& shapes) const {
     constexpr double kSeen = 1e-6;
     if (!coupling() || !coupling()->gap) return 0.0;
-    std::vector<FoldedStrip> strips;
-    for (int member = 0; member < system_.count(); ++member)
-      strips.push_back(folded(shapes, member));
-    const double missed = gap_missed(strips, *coupling()->gap) / system_.unit();
+    const double missed = gap_missed(folded_strips(system_, shapes).strips, *coupling()->gap) /
+                          system_.unit();
     return missed > kSeen ? missed : 0.0;
   }
 

@@ -8,16 +8,21 @@ namespace planish::test {
 namespace {
 
 TEST(FoldedStrips, AreThoseOfTheSystemAndCrossWhereTheyDo) {
+  // Flat ones: the second is the first turned about its middle line and moved along it, so that
+  // they go through each other; the third is far away.
   StripSystem system;
-  Shapes shapes;
-  for (const double across : {0.0, 30.0, 500.0}) {
+  for (int strip = 0; strip < 3; ++strip) {
     StripProblem problem = bare_problem(5);
-    problem.base.facet.origin += across * problem.base.facet.y;
-    shapes.push_back(random_parameters(problem.base, 3, 0.4));
-    shapes.back()[0] += across == 30.0 ? 0.5 : 0.0;  // leans through the first
+    const Frame first = problem.base.facet;
+    if (strip == 1) {
+      problem.base.facet = frame_from_axes(first.origin, -first.y, first.x);
+      problem.base.facet.origin += 57.5 * first.y - 57.5 * problem.base.facet.y + 13.0 * first.x;
+    }
+    if (strip == 2) problem.base.facet.origin += 500.0 * first.y;
     system.strips.push_back(std::move(problem));
     system.held.push_back(false);
   }
+  const Shapes shapes(3, flat_parameters(system.strips[0].base));
   const FoldedStrips all = folded_strips(system, shapes);
   ASSERT_EQ(all.strips.size(), 3u);
   for (int strip = 0; strip < 3; ++strip) {
