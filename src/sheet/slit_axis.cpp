@@ -50,8 +50,8 @@ void add_smooth(Loop& to, const Chain& chain, double tolerance) {
   }
   const std::vector<Vec2> tangents = tangents_of(chain);
   const auto at = [&](double t) -> CurveSample {
-    const auto i = std::min(static_cast<std::size_t>(std::max(t, 0.0)), chain.size() - 2);
-    const double s = t - static_cast<double>(i), r = 1.0 - s;
+    const int i = std::clamp(static_cast<int>(t), 0, static_cast<int>(chain.size()) - 2);
+    const double s = t - i, r = 1.0 - s;
     const double third = (chain[i + 1] - chain[i]).norm() / 3.0;
     const Vec2 a = chain[i], d = chain[i + 1], b = a + third * tangents[i],
                c = d - third * tangents[i + 1];
