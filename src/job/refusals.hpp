@@ -9,6 +9,9 @@
 /// The sentences with which `job` refuses.
 namespace planish::refuse {
 
+constexpr Refusal aligned_without_strips{
+    code::invalid_input, "{field} goes with scans that name their strips.",
+    "Give each scan its strip, or place it where the sheet is and leave align_scan out."};
 constexpr Refusal overlap_too_large{code::overlap,
                                     "{@part} overlap by {area}, {depth} deep, which is more than a "
                                     "relief may cut away ({most_area} and {most_depth})."};
@@ -249,6 +252,20 @@ constexpr Refusal material_without_modulus{
     code::invalid_input,
     "The material file states no Young's modulus, and its curve has no straight beginning.",
     "Add young, in N/mm²."};
+constexpr Refusal neither_strips_nor_slits{
+    code::invalid_input, "{@field} has no strips, and the file has no slits.",
+    "Add strips to the sheet, or slits as curves to the file."};
+constexpr Refusal strips_and_slits{code::invalid_input,
+                                   "{@field} has strips, but slits as curves are given too.",
+                                   "Leave one of them out: strips lie between slits."};
+constexpr Refusal outline_of_strips{code::invalid_input,
+                                    "{@field} is given, but only a sheet with slits as curves has "
+                                    "one; other sheets are rectangles.",
+                                    "Leave it out, or give slits in place of the strips."};
+constexpr Refusal width_or_outline{code::invalid_input,
+                                   "{@field} must have a width, or the file an outline, but not "
+                                   "both.",
+                                   "Give one of them."};
 constexpr Refusal smooth_of_energy{
     code::invalid_input,
     "{@field} is given, but strips of least bending energy are not weighed by it.",

@@ -87,7 +87,7 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   json["perimeter"] = number_json(units.length(flat.perimeter));
   json["size"] = point_json(report.size, units);
   json["openings"] = flat.openings.size();
-  json["slits"] = flat.slits.size();
+  json["slits"] = slit_count(flat);
   json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();

@@ -49,7 +49,7 @@ std::string blank_line(const Report& report, const Units& units) {
       units.area_text(flat.area), unit, units.length_text(outer_cutting_length(flat)), unit);
   std::vector<std::string> within;
   if (!flat.openings.empty()) within.push_back(counted(flat.openings.size(), "opening"));
-  if (!flat.slits.empty()) within.push_back(counted(flat.slits.size(), "slit"));
+  if (!flat.slits.empty()) within.push_back(counted(slit_count(flat), "slit"));
   if (!within.empty())
     text += fmt::format(" + {} {} in {}", units.length_text(inner_cutting_length(flat)), unit,
                         listed(within));

@@ -1,6 +1,8 @@
+#include "folded.hpp"
 #include "makers.hpp"
 #include "refusals.hpp"
 #include "slit_loads_json.hpp"
+#include "slit_sheet_json.hpp"
 
 #include <planish/job/slit_json.hpp>
 #include <planish/schema/json_reading.hpp>
@@ -19,7 +21,7 @@ constexpr auto kSlitsFormat = "planish/slits";
 constexpr int kSlitsVersion = 1;
 
 // What the library takes.
-constexpr int kMostStrips = 10000, kFewestRidges = 3, kMostRidges = 1000;
+constexpr int kFewestRidges = 3, kMostRidges = 1000;
 constexpr std::size_t kMostPoles = 64;
 constexpr double kLargest = 1e7;  // mm
 constexpr schema::Range kLength{"a length above 0 and at most 1e7 mm", 0.0, kLargest, false};
@@ -91,38 +93,6 @@ Schema mould_schema() {
       .said("on which the sheet is laid");
 }
 
-Schema strip_schema() {
-  return object(
-      {required("width", length(kLength)),
-       optional("gap", length(kGap).defaulting(0).said(
-                           "to the strip before it, or to the sheet's left edge")),
-       optional("left_start", length(kLength).said("where its left slit begins")),
-       optional("right_start", length(kLength).said("where its right slit begins")),
-       optional("end", length(kLength).said(
-                           "where it ends, along; panel_height + half_length if left out"))});
-}
-
-/// A number of strips of equal width, or a list of strips.
-Schema slit_sheet_schema() {
-  const auto with = [](std::vector<Field> strips) {
-    strips.push_back(
-        required("panel_height", length(kLength).said("of the uncut part of the sheet")));
-    strips.push_back(required("half_length",
-                              length(kLength).said("of the strips, from the panel to the symmetry "
-                                                   "plane, the free end or the second panel")));
-    strips.push_back(optional("margin", length(kGap).defaulting(0).said(
-                                            "between the last strip and the sheet's right edge")));
-    return object(std::move(strips));
-  };
-  return by_key(
-      "strip_width",
-      with({required("strips", whole(1, kMostStrips).said("how many")),
-            required("strip_width", length(kLength).said("of each"))}),
-      with({required(
-          "strips",
-          list(strip_schema()).of_length(1, kMostStrips, "a list of 1 to 10000 strips"))}));
-}
-
 Schema anchor_schema() {
   return object(
       {required("strip", whole()), required("ridge", whole()),
@@ -173,8 +143,8 @@ Schema make_slits_schema() {
                                 .defaulting("energy")
                                 .said("what a strip's shape has least of: bending energy, or "
                                       "changes of its folds")));
-  for (Field& field : load_fields())
-    add(std::move(field));
+  for (const auto& some : {slit_curve_fields(), load_fields()})
+    fields.insert(fields.end(), some.begin(), some.end());
   add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));
@@ -196,31 +166,6 @@ BezierCurve curve_at(const JsonPlace& place) {
   for (const JsonPlace& pole : place["bezier"].items())
     curve.poles.push_back(pole.plane_point());
   return curve;
-}
-
-SlitStrip strip_at(const JsonPlace& place) {
-  SlitStrip strip;
-  strip.width = place["width"].length();
-  strip.gap = place["gap"].length();
-  strip.left_start = place["left_start"].maybe_length();
-  strip.right_start = place["right_start"].maybe_length();
-  strip.end = place["end"].maybe_length();
-  return strip;
-}
-
-std::vector<SlitStrip> strips_at(const JsonPlace& sheet) {
-  if (!sheet["strips"].is_list())
-    return equal_strips(sheet["strips"].whole(), sheet["strip_width"].length());
-  return mapped(sheet["strips"].items(), [&](const JsonPlace& strip) { return strip_at(strip); });
-}
-
-SlitSheet sheet_at(const JsonPlace& place) {
-  SlitSheet sheet;
-  sheet.strips = strips_at(place);
-  sheet.panel_height = place["panel_height"].length();
-  sheet.half_length = place["half_length"].length();
-  sheet.margin = place["margin"].length();
-  return sheet;
 }
 
 SlitAnchor anchor_at(const JsonPlace& place) {
@@ -297,7 +242,7 @@ MouldOptions mould_at(const JsonPlace& place) {
 
 SlitDesign design_at(const JsonPlace& place) {
   SlitDesign design;
-  design.sheet = sheet_at(place["sheet"]);
+  design.sheet = slit_sheet_at(place);
   design.sheet.thickness = place["thickness"].length();
   design.sheet.symmetric = place["symmetric"].yes();
   design.sheet.min_inside_radius = place["min_inside_radius"].length();
@@ -334,6 +279,8 @@ SlitFile file_at(const JsonPlace& place) {
   file.design = design_at(place);
   file.subdivisions = place["subdivisions"].whole();
   file.align_scans = place["align_scan"].yes();
+  if (file.align_scans && has_cloud(file.design))
+    place["align_scan"].mistake(refuse::aligned_without_strips);
   file.kerf = place["kerf"].length();
   file.mould = mould_at(place["mould"]);
   file.stop_hole = place["stop_hole"].length();
@@ -362,9 +309,15 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
   const JsonPlace place(reading);
   SlitFile file = file_at(place);
   const std::string material = take_loads(place, file.design);
+  const CurvedSlits curves = slit_curves_at(place);
   std::vector<ScanPlace> scans = scans_at(place["scan"]);
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());
+  if (!curves.slits.empty()) {
+    auto strips = strips_between(file.design.sheet, curves);
+    if (!strips) return tl::unexpected(placed(strips.error(), name));
+    file.design.sheet.strips = std::move(*strips);
+  }
   if (auto read = take_material(material, folder, file.design); !read) return pass_on(read);
   for (ScanPlace& scan : scans) {
     if (scan.file.empty() || !folder) {

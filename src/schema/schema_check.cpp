@@ -187,7 +187,7 @@ class Check {
 
 const Schema* branch_for(const Schema& schema, const Json& value) {
   if (schema.kind == Kind::by_key)
-    return &schema.parts[value.is_object() && value.contains(schema.key) ? 0 : 1];
+    return branch_for(schema.parts[value.is_object() && value.contains(schema.key) ? 0 : 1], value);
   if (schema.kind != Kind::any_of) return &schema;
   for (const Schema& part : schema.parts)
     if (is_of_type(part, value)) return branch_for(part, value);

@@ -1,4 +1,5 @@
 #include <planish/base/text.hpp>
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/pattern_facts.hpp>
 
@@ -24,6 +25,14 @@ double outer_cutting_length(const FlatPattern& flat) { return length(flat.outer.
 double inner_cutting_length(const FlatPattern& flat) {
   return sum_of(flat.openings, [&](const Contour& opening) { return length(opening.loop); }) +
          length(flat.slits);
+}
+
+int slit_count(const FlatPattern& flat) {
+  constexpr double kSame = tolerance::kWrittenDigits;  // mm
+  int count = 0;
+  for (std::size_t i = 0; i < flat.slits.size(); ++i)
+    if (i == 0 || (end_of(flat.slits[i - 1]) - start_of(flat.slits[i])).norm() > kSame) ++count;
+  return count;
 }
 
 std::optional<Segment> longest_line(const FlatBend& bend) {

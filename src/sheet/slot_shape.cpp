@@ -6,6 +6,7 @@
 #include "slot_shape.hpp"
 
 #include "refusals.hpp"
+#include "slit_axis.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
@@ -41,6 +42,14 @@ class Chain {
     if (sweep >= 0.0) sweep -= 2.0 * pi;
     curves_.push_back(Arc{center, radius.norm(), angle_of(from), sweep});
     at_ = to;
+  }
+  /// Along curves that begin where it is, or nearly so.
+  void run_along(const Loop& curves) {
+    if (curves.empty()) return;
+    constexpr double kMeets = tolerance::kComputed;  // mm: a root was found on them
+    if ((start_of(curves.front()) - at_).norm() > kMeets) line_to(start_of(curves.front()));
+    curves_.insert(curves_.end(), curves.begin(), curves.end());
+    at_ = end_of(curves.back());
   }
   const Loop& curves() const { return curves_; }
 
@@ -96,12 +105,11 @@ std::optional<Stretch> inside_disc(const Segment& line, const Vec2& center, doub
   return Stretch{(-half_b - root) / a, (-half_b + root) / a};
 }
 
-std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
-  const Vec2 axis = slot.axis.b - slot.axis.a, along = axis.normalized(),
-             across = perpendicular(along);
+std::optional<Stretch> inside_band(const Segment& line, const Segment& chord, double half_width) {
+  const Vec2 axis = chord.b - chord.a, along = axis.normalized(), across = perpendicular(along);
   Stretch range{0.0, 1.0};
   const auto clip = [&](const Vec2& direction, double low, double high) {
-    const double at = direction.dot(line.a - slot.axis.a), speed = direction.dot(line.b - line.a);
+    const double at = direction.dot(line.a - chord.a), speed = direction.dot(line.b - line.a);
     if (speed == 0.0) {
       if (at <= low || at >= high) range.second = -1.0;
       return;
@@ -110,7 +118,7 @@ std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
     range = {std::max(range.first, enter), std::min(range.second, leave)};
   };
   clip(along, 0.0, axis.norm());
-  clip(across, -slot.half_width, slot.half_width);
+  clip(across, -half_width, half_width);
   return range.first < range.second ? std::optional(range) : std::nullopt;
 }
 
@@ -124,7 +132,69 @@ std::vector<Vec2> chain_of(const Curve2& curve) {
   return points;
 }
 
+std::vector<Segment> Slot::chords() const {
+  std::vector<Segment> chords;
+  for (const Curve2& curve : whole_axis()) {
+    const std::vector<Vec2> points = chain_of(curve);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      chords.push_back({points[i], points[i + 1]});
+  }
+  return chords;
+}
+
+namespace {
+
+Loop turned_round(Loop curves) {
+  std::ranges::reverse(curves);
+  for (Curve2& curve : curves)
+    curve = reversed(curve);
+  return curves;
+}
+
+/// The banks of a slot whose axis is a curve, left and right, in its direction, without what lies
+/// in holes at its ends.
+std::array<Loop, 2> banks_of(const Slot& slot) {
+  std::array<Loop, 2> banks{beside(slot.curves, slot.half_width),
+                            beside(slot.curves, -slot.half_width)};
+  for (Loop& bank : banks) {
+    if (!(slot.hole > slot.half_width)) continue;
+    bank = without_end(std::move(bank), slot.axis.b, slot.hole);
+    if (!slot.opens_at) bank = without_start(std::move(bank), slot.axis.a, slot.hole);
+  }
+  return banks;
+}
+
+Loop closed_curve(const Slot& slot) {
+  const auto [left, right] = banks_of(slot);
+  const Loop back = turned_round(right);
+  Chain chain(start_of(left.front()));
+  chain.run_along(left);
+  chain.arc_to(slot.axis.b, start_of(back.front()));
+  chain.run_along(back);
+  chain.arc_to(slot.axis.a, start_of(left.front()));
+  return chain.curves();
+}
+
+/// Curves from the first place that is farther along than a point.
+Loop ahead_of(Loop curves, const Vec2& along, const Vec2& point) {
+  const auto is_ahead = [&](const Vec2& p) { return along.dot(p - point) > 0.0; };
+  while (!curves.empty() && !is_ahead(end_of(curves.front())))
+    curves.erase(curves.begin());
+  if (curves.empty() || is_ahead(start_of(curves.front()))) return curves;
+  double low = 0.0, high = 1.0;
+  constexpr int kBisections = 60;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (is_ahead(point_at(curves.front(), middle)) ? high : low) = middle;
+  }
+  curves.front() = trimmed(curves.front(), high, 1.0);
+  return curves;
+}
+
+}  // namespace
+
 Loop closed_slot(const Slot& slot) {
+  if (!slot.curves.empty()) return closed_curve(slot);
   const Vec2 along = (slot.axis.b - slot.axis.a).normalized();
   const auto [far_left, far_right] = banks_at_end(slot, slot.axis.b, along);
   const auto [near_right, near_left] = banks_at_end(slot, slot.axis.a,
@@ -137,6 +207,21 @@ Loop closed_slot(const Slot& slot) {
   return chain.curves();
 }
 
+namespace {
+
+/// The banks of an open slot, from where they leave the contour.
+std::array<Loop, 2> open_banks(const Slot& slot, const Vec2& along, const MouthCorner& in,
+                               const MouthCorner& out) {
+  if (!slot.curves.empty()) {
+    const auto [left, right] = banks_of(slot);
+    return {ahead_of(left, along, in.on_bank), ahead_of(right, along, out.on_bank)};
+  }
+  const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
+  return {Loop{Segment{in.on_bank, left}}, Loop{Segment{out.on_bank, right}}};
+}
+
+}  // namespace
+
 Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double tolerance) {
   const std::size_t count = contour.loop.size(), next = static_cast<std::size_t>(slot.opens_at->at),
                     before = (next + count - 1) % count;
@@ -144,13 +229,16 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
              *going = std::get_if<Segment>(&contour.loop[next]);
   if (coming == nullptr || going == nullptr || before == next)
     return fail(refuse::slit_meets_curve, {{"at", place::point(slot.axis.a)}});
-  const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();
+  const Vec2 mouth = slot.axis.a,
+             along = derivative_at(slot.whole_axis().front(), 0.0).normalized();
   const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
   const MouthCorner in = mouth_corner(slot, along, perpendicular(along), from),
                     out = mouth_corner(slot, along, -perpendicular(along), to);
-  const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
-  const bool long_enough = along.dot(left - in.on_bank) > 0.0 &&
-                           along.dot(right - out.on_bank) > 0.0;
+  const std::array<Loop, 2> banks = open_banks(slot, along, in, out);
+  const auto goes_on = [&](const Loop& bank, const Vec2& from_bank) {
+    return !bank.empty() && along.dot(end_of(bank.front()) - from_bank) > 0.0;
+  };
+  const bool long_enough = goes_on(banks[0], in.on_bank) && goes_on(banks[1], out.on_bank);
   if ((coming->a - mouth).norm() <= in.along_line + tolerance ||
       (going->b - mouth).norm() <= out.along_line + tolerance || !long_enough)
     return no_room(slot);
@@ -158,8 +246,10 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
   const Vec2 leaves = mouth + in.along_line * from, returns = mouth + out.along_line * to;
   Chain chain(leaves);
   if (in.round) chain.arc_to(mouth, in.on_bank);
-  chain.line_to(left);
-  chain.arc_to(slot.axis.b, right);
+  const Loop back = turned_round(banks[1]);
+  chain.run_along(banks[0]);
+  chain.arc_to(slot.axis.b, start_of(back.front()));
+  chain.run_along(back);
   chain.line_to(out.round ? out.on_bank : returns);
   if (out.round) chain.arc_to(mouth, returns);
 
@@ -179,10 +269,11 @@ std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots
     if (range && range->second > 0.0 && range->first < 1.0) cuts.push_back(*range);
   };
   for (const Slot& slot : slots) {
-    if (slot.half_width > 0.0) {
-      cut(inside_band(line, slot));
-      cut(inside_disc(line, slot.axis.a, slot.half_width));
-    }
+    if (slot.half_width > 0.0)
+      for (const Segment& chord : slot.chords()) {
+        cut(inside_band(line, chord, slot.half_width));
+        cut(inside_disc(line, chord.a, slot.half_width));
+      }
     if (slot.end_radius() > 0.0)
       for (const Vec2& hole : slot.holes())
         cut(inside_disc(line, hole, slot.end_radius()));

@@ -6,15 +6,18 @@
 #include "contour.hpp"
 #include "measure.hpp"
 #include "refusals.hpp"
+#include "slit_axis.hpp"
 #include "slot_shape.hpp"
 #include "spurs.hpp"
 #include "trim_bend.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/sheet/slots.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 // Slits cut as lines or slots. Stretches of contours whose two banks coincide are taken out as
@@ -90,17 +93,18 @@ std::vector<Corner> corners_at(const FlatPattern& pattern, const Vec2& p, double
 Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const std::vector<Segment>& slits,
                                    const SlotOptions& options) {
   std::vector<Slot> slots;
-  for (const Segment& slit : slits) {
-    const auto a = corners_at(pattern, slit.a, options.tolerance),
-               b = corners_at(pattern, slit.b, options.tolerance);
+  for (std::vector<Vec2> chain : chains_of(slits, options.tolerance)) {
+    const auto a = corners_at(pattern, chain.front(), options.tolerance),
+               b = corners_at(pattern, chain.back(), options.tolerance);
     if (a.size() + b.size() > 1)
       return fail(refuse::slit_opens_twice,
-                  {{"from", place::point(slit.a)}, {"to", place::point(slit.b)}});
-    Slot slot{slit, 0.5 * options.kerf, 0.5 * options.stop_hole, std::nullopt};
-    if (!b.empty()) slot.axis = {slit.b, slit.a};
+                  {{"from", place::point(chain.front())}, {"to", place::point(chain.back())}});
+    if (!b.empty()) std::ranges::reverse(chain);
+    Slot slot{{chain.front(), chain.back()}, 0.5 * options.kerf, 0.5 * options.stop_hole, {}, {}};
+    if (chain.size() > 2) slot.curves = curves_through(chain, options.curve_tolerance);
     if (!a.empty()) slot.opens_at = a.front();
     if (!b.empty()) slot.opens_at = b.front();
-    slots.push_back(slot);
+    slots.push_back(std::move(slot));
   }
   return slots;
 }
@@ -113,28 +117,70 @@ tl::unexpected<Error> too_wide(const Slot& slot, double room) {
                {"room", room, unit::mm}});
 }
 
+/// Of two sets of chords, as far as it is below `enough`; else that.
+double room_between(const std::vector<Segment>& a, const std::vector<Segment>& b, double enough) {
+  double room = enough;
+  const auto box_of = [](const Segment& line) {
+    return Box2{line.a.cwiseMin(line.b), line.a.cwiseMax(line.b)};
+  };
+  for (const Segment& one : a) {
+    Box2 near = box_of(one);
+    near.lo.array() -= enough;
+    near.hi.array() += enough;
+    for (const Segment& other : b) {
+      const Box2 box = box_of(other);
+      if ((box.lo.array() > near.hi.array()).any() || (box.hi.array() < near.lo.array()).any())
+        continue;
+      room = std::min(room, distance(one, other));
+    }
+  }
+  return room;
+}
+
+double room_between(const Vec2& hole, const std::vector<Segment>& chords) {
+  double room = std::numeric_limits<double>::infinity();
+  for (const Segment& chord : chords)
+    room = std::min(room, distance(hole, chord));
+  return room;
+}
+
 Result<void> check_room_between(const std::vector<Slot>& slots) {
+  const auto chords = mapped(slots, [](const Slot& slot) { return slot.chords(); });
   for (std::size_t i = 0; i < slots.size(); ++i)
     for (std::size_t j = i + 1; j < slots.size(); ++j) {
       const Slot &a = slots[i], &b = slots[j];
-      const double room = distance(a.axis, b.axis);
-      if (!(room > a.half_width + b.half_width)) return too_wide(a, room);
+      const double wide = a.half_width + b.half_width, enough = 2.0 * wide + tolerance::kTiniest;
+      const double room = room_between(chords[i], chords[j], enough);
+      if (!(room > wide)) return too_wide(a, room);
       for (const Vec2& hole : a.holes()) {
-        if (const double beside = distance(hole, b.axis); !(beside > a.hole + b.half_width))
-          return too_wide(a, beside);
+        if (a.hole == 0.0 && b.half_width == 0.0) continue;
+        if (const double by = room_between(hole, chords[j]); !(by > a.hole + b.half_width))
+          return too_wide(a, by);
         for (const Vec2& other : b.holes())
           if (!((hole - other).norm() > a.hole + b.hole)) return too_wide(a, (hole - other).norm());
       }
-      for (const Vec2& hole : b.holes())
-        if (const double beside = distance(hole, a.axis); !(beside > b.hole + a.half_width))
-          return too_wide(b, beside);
+      for (const Vec2& hole : b.holes()) {
+        if (b.hole == 0.0 && a.half_width == 0.0) continue;
+        if (const double by = room_between(hole, chords[i]); !(by > b.hole + a.half_width))
+          return too_wide(b, by);
+      }
     }
+  return {};
+}
+
+/// A bank needs arcs wider than half the kerf.
+Result<void> check_curves(const std::vector<Slot>& slots) {
+  for (const Slot& slot : slots)
+    for (const Curve2& curve : slot.curves)
+      if (const auto* arc = std::get_if<Arc>(&curve); arc && !(arc->radius > slot.half_width))
+        return too_wide(slot, arc->radius);
   return {};
 }
 
 /// Where the slot opens, its neighbours on the contour are cut to fit and need no check.
 Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot) {
   const auto contours = contours_of(pattern);
+  const std::vector<Segment> chords = slot.chords();
   for (std::size_t c = 0; c < contours.size(); ++c) {
     const Loop& loop = contours[c]->loop;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -144,7 +190,8 @@ Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot
       const std::vector<Vec2> points = chain_of(loop[i]);
       for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         const Segment piece{points[k], points[k + 1]};
-        if (const double room = distance(slot.axis, piece);
+        const double enough = 2.0 * slot.half_width + tolerance::kTiniest;
+        if (const double room = room_between(chords, {piece}, enough);
             !opens_here && !(room > slot.half_width))
           return too_wide(slot, room);
         for (const Vec2& hole : slot.holes())
@@ -179,16 +226,16 @@ void add_closed_slots(FlatPattern& pattern, const std::vector<Slot>& slots) {
     }
 }
 
-/// Lines from hole to hole, and the holes.
+/// Lines and arcs from hole to hole, and the holes.
 Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) {
   for (const Slot& slot : slots) {
-    const Vec2 along = (slot.axis.b - slot.axis.a).normalized();
-    const double room = (slot.axis.b - slot.axis.a).norm() -
-                        slot.hole * static_cast<double>(slot.holes().size());
-    if (!(room > 0.0)) return too_wide(slot, room);
-    pattern.slits.push_back(
-        Segment{slot.opens_at ? slot.axis.a : Vec2(slot.axis.a + slot.hole * along),
-                slot.axis.b - slot.hole * along});
+    Loop curves = slot.whole_axis();
+    if (slot.hole > 0.0) curves = without_end(std::move(curves), slot.axis.b, slot.hole);
+    if (slot.hole > 0.0 && !slot.opens_at)
+      curves = without_start(std::move(curves), slot.axis.a, slot.hole);
+    const bool overlap = !slot.opens_at && !((slot.axis.b - slot.axis.a).norm() > 2.0 * slot.hole);
+    if (curves.empty() || overlap) return too_wide(slot, length(curves));
+    pattern.slits.insert(pattern.slits.end(), curves.begin(), curves.end());
     if (slot.hole > 0.0)
       for (const Vec2& hole : slot.holes())
         pattern.openings.push_back({{Arc{hole, slot.hole, 0.0, -2.0 * std::numbers::pi}}, {{}}});
@@ -212,6 +259,7 @@ Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
   for (const Slot& slot : *slots)
     if (auto room = check_room_to_contours(pattern, slot); !room) return pass_on(room);
   if (options.kerf > 0.0) {
+    if (auto wide = check_curves(*slots); !wide) return pass_on(wide);
     if (auto opened = open_slots(pattern, *slots, options.tolerance); !opened)
       return pass_on(opened);
     add_closed_slots(pattern, *slots);

@@ -99,6 +99,11 @@ class Path {
 
 /// Both as one segment if they are collinear and touch.
 std::optional<Segment> joined(const Segment& a, const Segment& b, double tolerance) {
+  const auto apart = [&](int axis) {
+    return std::min(a.a[axis], a.b[axis]) > std::max(b.a[axis], b.b[axis]) + tolerance ||
+           std::min(b.a[axis], b.b[axis]) > std::max(a.a[axis], a.b[axis]) + tolerance;
+  };
+  if (apart(0) || apart(1)) return std::nullopt;
   const Segment& longer = length(a) < length(b) ? b : a;
   const Segment& other = length(a) < length(b) ? a : b;
   if (distance_to_line(other.a, longer) > tolerance ||

@@ -2,10 +2,12 @@
 // middles of its two quads, whose distance from the ridge goes linearly from one end to the other.
 // At a clamped end a ridge has half of one quad; where the last quad is held in its direction it
 // belongs to the last ridge whole, as there is no other to bend the rest. What must hold: the
-// shares of all quads add up, so that the energy is that of the whole strip. Derivatives are
-// automatic, of second order.
+// shares of all quads add up, so that the energy is that of the whole strip. Squares of lengths and
+// areas are polynomials of the ridges' ends, so that only the logarithmic mean of two of them needs
+// automatic derivatives.
 #include "bend_energy.hpp"
 
+#include "bent_fold.hpp"
 #include "end_curvature.hpp"
 #include "second_jet.hpp"
 
@@ -16,9 +18,6 @@
 
 namespace planish::slit_detail {
 namespace {
-
-constexpr int kOfFold = 7;  // its angle, and both ends of the ridge before, of its own, of the next
-using Second = SecondJet<kOfFold>;
 
 /// 1 / the logarithmic mean: ln(b/a)/(b − a).
 template <typename T>
@@ -37,105 +36,57 @@ T inverse_log_mean(const T& a, const T& b) {
   return series / sum;
 }
 
-/// The shares of the quads before and behind a ridge that are bent with it.
-struct Shares {
-  double before = 0.5, after = 0.5;
-};
-
-/// How long a ridge is, and how far the material that is bent with it goes at its ends, at right
-/// angles to it.
-template <typename T>
-struct Bent {
-  T length, left, right;
-};
-/// `places`: abscissae of left and right ends in turn.
-template <typename T>
-Bent<T> bent_with(const std::array<T, 6>& places, double width, const Shares& shares) {
-  using std::sqrt;
-  const T skew = places[3] - places[2], length = sqrt(skew * skew + constant<T>(width * width));
-  const auto apart = [&](std::size_t side) {
-    return (constant<T>(shares.before) * (places[2 + side] - places[side]) +
-            constant<T>(shares.after) * (places[4 + side] - places[2 + side])) *
-           constant<T>(width) / length;
-  };
-  return {length, apart(0), apart(1)};
-}
-
-/// ½ θ² ℓ ln(h_R/h_L)/(h_R − h_L).
-template <typename T>
-T energy_of_fold(const T& angle, const std::array<T, 6>& places, double width,
-                 const Shares& shares) {
-  const Bent<T> bent = bent_with(places, width, shares);
-  return constant<T>(0.5) * angle * angle * bent.length * inverse_log_mean(bent.left, bent.right);
-}
-
-bool is_held_in_direction(const StripProblem& problem) {
-  if (problem.far_facet) return false;
-  return std::ranges::any_of(problem.ends, [](const EndCondition& end) {
-    return end.of == EndCondition::Of::along || end.of == EndCondition::Of::normal;
-  });
-}
-
-/// A fold with all that its energy depends on. Before the first ridge and behind the last there is
-/// nothing: the abscissae there do not count.
-struct Fold {
-  int ridge = 0;
-  std::array<double, 6> places{};
-  Shares shares;
-};
-
-Fold fold_at(const StripProblem& problem, const StripParameters& p, int ridge) {
-  const StripBase& base = problem.base;
-  Fold fold{ridge, {}, {}};
-  for (int near = 0; near < 3; ++near)
-    for (int side = 0; side < 2; ++side) {
-      const int at = std::clamp(ridge - 1 + near, 0, base.quads);
-      fold.places[2 * near + side] = abscissa(base, p, at, side);
-    }
-  if (ridge == 0) fold.shares.before = 0.0;
-  if (ridge == base.quads) fold.shares.after = 0.0;
-  if (ridge + 1 == base.quads && is_held_in_direction(problem)) fold.shares.after = 1.0;
-  return fold;
-}
-
-double energy_of(const Fold& fold, double angle, double width) {
-  return energy_of_fold<double>(angle, fold.places, width, fold.shares);
+/// ½ θ² ℓ ln(h_R/h_L)/(h_R − h_L), with ℓ h in place of h.
+double energy_of(const BentFold& fold, double angle) {
+  return 0.5 * angle * angle * fold.along().squaredNorm() *
+         inverse_log_mean(fold.swept(0), fold.swept(1));
 }
 
 /// The energy of a fold with derivatives by its seven numbers.
-Second derivatives_of(const Fold& fold, double angle, double width) {
-  std::array<Second, 6> places;
-  for (int i = 0; i < 6; ++i)
-    places[i] = variable<kOfFold>(fold.places[i], i + 1);
-  return energy_of_fold<Second>(variable<kOfFold>(angle, 0), places, width, fold.shares);
+struct FoldEnergy {
+  double value = 0.0;
+  OfFold gradient;
+  TwiceOfFold hessian;
+};
+
+FoldEnergy derivatives_of(const BentFold& fold, double angle) {
+  using Number = SecondJet<2>;
+  const OfPlaces square = fold.square_of_length();
+  const std::array<OfPlaces, 2> swept{fold.swept_by(0), fold.swept_by(1)};
+  const Number mean = inverse_log_mean(variable<2>(swept[0].value, 0),
+                                       variable<2>(swept[1].value, 1));
+  // ½ θ² q m(a, b), by the chain rule; first all but the half square of the angle.
+  OfFold of_mean = OfFold::Zero();
+  TwiceOfFold twice_of_mean = TwiceOfFold::Zero();
+  for (int i = 0; i < 2; ++i) {
+    of_mean += mean.a.v[i] * swept[i].gradient;
+    twice_of_mean += mean.a.v[i] * swept[i].hessian;
+    for (int j = 0; j < 2; ++j)
+      twice_of_mean += mean.v[i].v[j] * swept[i].gradient * swept[j].gradient.transpose();
+  }
+  const double m = mean.a.a, q = square.value;
+  const OfFold slope = m * square.gradient + q * of_mean;
+  const TwiceOfFold mixed = square.gradient * of_mean.transpose();
+  FoldEnergy energy{
+      0.5 * angle * angle * q * m, 0.5 * angle * angle * slope,
+      0.5 * angle * angle * (m * square.hessian + q * twice_of_mean + mixed + mixed.transpose())};
+  energy.gradient[0] = angle * q * m;
+  energy.hessian(0, 0) = q * m;
+  energy.hessian.row(0).tail<6>() = angle * slope.tail<6>().transpose();
+  energy.hessian.col(0).tail<6>() = angle * slope.tail<6>();
+  return energy;
 }
 
-/// Where the seven numbers stand among the parameters (−1: fixed), and their units.
-std::array<int, kOfFold> numbers_of(const StripBase& base, int ridge) {
-  std::array<int, kOfFold> numbers{};
-  numbers[0] = ridge < base.quads ? ridge : -1;
-  for (int near = 0; near < 3; ++near)
-    for (int side = 0; side < 2; ++side) {
-      const int at = ridge - 1 + near;
-      numbers[1 + 2 * near + side] = at > 0 && at < base.quads
-                                         ? abscissa_index(base.quads, at, side)
-                                         : -1;
-    }
-  return numbers;
-}
-
-void add(SecondOrder& to, const StripBase& base, int ridge, const Second& energy) {
-  const auto numbers = numbers_of(base, ridge);
-  const auto unit = [&](std::size_t i) { return i == 0 ? 1.0 : base.unit(); };
-  to.value += energy.a.a;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
+void add(SecondOrder& to, const StripBase& base, int ridge, const FoldEnergy& energy) {
+  const auto numbers = numbers_of_fold(base, ridge);
+  const auto unit = [&](int i) { return i == 0 ? 1.0 : base.unit(); };
+  to.value += energy.value;
+  for (int i = 0; i < kOfFold; ++i) {
     if (numbers[i] < 0) continue;
-    const auto row = static_cast<Eigen::Index>(i);
-    to.gradient[numbers[i]] += unit(i) * energy.a.v[row];
-    for (std::size_t j = 0; j < numbers.size(); ++j)
+    to.gradient[numbers[i]] += unit(i) * energy.gradient[i];
+    for (int j = 0; j < kOfFold; ++j)
       if (numbers[j] >= 0)
-        to.hessian(numbers[i], numbers[j]) += unit(i) * unit(j) *
-                                              energy.v[row].v[static_cast<Eigen::Index>(j)];
+        to.hessian(numbers[i], numbers[j]) += unit(i) * unit(j) * energy.hessian(i, j);
   }
 }
 
@@ -165,17 +116,17 @@ SecondOrder far_angle(const StripProblem& problem, const StripParameters& p,
 void add_far_fold(SecondOrder& to, const StripProblem& problem, const StripParameters& p) {
   const StripBase& base = problem.base;
   const SecondOrder angle = far_angle(problem, p, folded(base, p));
-  const Fold fold = fold_at(problem, p, base.quads);
-  const Second energy = derivatives_of(fold, angle.value, base.width());
+  const BentFold fold = fold_at(problem, p, base.quads);
+  const FoldEnergy energy = derivatives_of(fold, angle.value);
   add(to, base, base.quads, energy);
-  const double slope = energy.a.v[0];
+  const double slope = energy.gradient[0];
   to.gradient += slope * angle.gradient;
   to.hessian += slope * angle.hessian +
-                energy.v[0].v[0] * angle.gradient * angle.gradient.transpose();
-  const auto numbers = numbers_of(base, base.quads);
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
+                energy.hessian(0, 0) * angle.gradient * angle.gradient.transpose();
+  const auto numbers = numbers_of_fold(base, base.quads);
+  for (int i = 1; i < kOfFold; ++i) {
     if (numbers[i] < 0) continue;
-    const double mixed = base.unit() * energy.v[0].v[static_cast<Eigen::Index>(i)];
+    const double mixed = base.unit() * energy.hessian(0, i);
     to.hessian.row(numbers[i]) += mixed * angle.gradient.transpose();
     to.hessian.col(numbers[i]) += mixed * angle.gradient;
   }
@@ -187,12 +138,11 @@ double bend_energy(const StripProblem& problem, const StripParameters& p) {
   const StripBase& base = problem.base;
   double energy = 0.0;
   for (int ridge = 0; ridge < base.quads; ++ridge)
-    energy += energy_of(fold_at(problem, p, ridge), p[ridge], base.width());
+    energy += energy_of(fold_at(problem, p, ridge), p[ridge]);
   if (problem.far_facet)
     energy += energy_of(
         fold_at(problem, p, base.quads),
-        fold_into(folded(base, p).quad(base.quads - 1), *problem.far_facet).radians(),
-        base.width());
+        fold_into(folded(base, p).quad(base.quads - 1), *problem.far_facet).radians());
   return energy;
 }
 
@@ -201,7 +151,7 @@ SecondOrder bend_energy_derivatives(const StripProblem& problem, const StripPara
   SecondOrder energy{0.0, Eigen::VectorXd::Zero(p.size()),
                      Eigen::MatrixXd::Zero(p.size(), p.size())};
   for (int ridge = 0; ridge < base.quads; ++ridge)
-    add(energy, base, ridge, derivatives_of(fold_at(problem, p, ridge), p[ridge], base.width()));
+    add(energy, base, ridge, derivatives_of(fold_at(problem, p, ridge), p[ridge]));
   if (problem.far_facet) add_far_fold(energy, problem, p);
   return energy;
 }
@@ -210,9 +160,8 @@ double largest_curvature(const StripProblem& problem, const StripParameters& p) 
   const StripBase& base = problem.base;
   double largest = 0.0;
   const auto see = [&](int ridge, double angle) {
-    const Fold fold = fold_at(problem, p, ridge);
-    const Bent<double> bent = bent_with(fold.places, base.width(), fold.shares);
-    largest = std::max(largest, std::abs(angle) / std::min(bent.left, bent.right));
+    const BentFold fold = fold_at(problem, p, ridge);
+    largest = std::max(largest, std::abs(angle) / std::min(fold.bent(0), fold.bent(1)));
   };
   for (int ridge = 0; ridge < base.quads; ++ridge)
     see(ridge, p[ridge]);
@@ -227,9 +176,7 @@ Vec3 far_moment(const StripProblem& problem, const StripParameters& p) {
   const Frame last = folded(problem.base, p).quad(problem.base.quads - 1);
   const double sine = -along.dot(last.z), cosine = along.dot(last.x),
                angle = std::atan2(sine, cosine);
-  const double slope = derivatives_of(fold_at(problem, p, problem.base.quads), angle,
-                                      problem.base.width())
-                           .a.v[0];
+  const double slope = derivatives_of(fold_at(problem, p, problem.base.quads), angle).gradient[0];
   return slope / (sine * sine + cosine * cosine) *
          (cosine * last.z.cross(along) + sine * last.x.cross(along));
 }

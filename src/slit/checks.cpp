@@ -131,11 +131,13 @@ Result<void> check_lean(Angle lean, const BezierCurve& curve, const std::string&
 }
 
 /// The leg curve of a panel, scaled to the sheet if that is asked for.
-Result<BezierCurve> checked_curve(const SlitDesign& design, const BezierCurve& curve, bool fit,
-                                  Angle lean, const std::string& where) {
+Result<BezierCurve> checked_curve(const SlitDesign& design, PanelAt at, bool fit, Angle lean,
+                                  const std::string& where) {
+  const BezierCurve& curve = at == PanelAt::start ? design.leg_curve
+                                                  : design.second_panel->leg_curve;
   if (auto sound = check_curve(curve, "The leg curve", where); !sound) return pass_on(sound);
   if (auto sound = check_lean(lean, curve, where); !sound) return pass_on(sound);
-  auto scaled = fit ? fitted(design.sheet, curve, where) : curve;
+  auto scaled = fit ? fitted(design.sheet, curve, at, where) : curve;
   if (!scaled) return scaled;
   if (fit)
     if (auto sound = check_curve(*scaled, "The leg curve as scaled", where); !sound)
@@ -195,7 +197,9 @@ Result<void> check_seat_curve(const SlitDesign& design) {
     return fail(refuse::seat_curve_without_symmetry, {{"field", field("/seat_curve")}});
   if (auto sound = check_curve(*design.seat_curve, "The seat curve", "/seat_curve"); !sound)
     return sound;
-  const double width = sum_of(design.sheet.strips, &SlitStrip::width);
+  double width = 0.0;
+  for (int i = 0; i < std::ssize(design.sheet.strips); ++i)
+    width += design.sheet.width_at_end(i);
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
     return fail(refuse::seat_curve_too_short, {{"length", long_is, unit::mm},
                                                {"width", width, unit::mm},
@@ -293,12 +297,12 @@ Result<SlitDesign> with_fitted_curves(SlitDesign design) {
       return pass_on(sound);
     design.seat_curve = scaled_to(*design.seat_curve, design.sheet.breadth());
   }
-  auto curve = checked_curve(design, design.leg_curve, design.fit, design.lean, "/leg_curve");
+  auto curve = checked_curve(design, PanelAt::start, design.fit, design.lean, "/leg_curve");
   if (!curve) return pass_on(curve);
   design.leg_curve = std::move(*curve);
   if (!design.second_panel) return design;
   SecondPanel& second = *design.second_panel;
-  auto far_curve = checked_curve(design, second.leg_curve, second.fit, second.lean,
+  auto far_curve = checked_curve(design, PanelAt::end, second.fit, second.lean,
                                  "/second_panel/leg_curve");
   if (!far_curve) return pass_on(far_curve);
   second.leg_curve = std::move(*far_curve);

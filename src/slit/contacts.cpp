@@ -4,6 +4,8 @@
 // they are beside it, and above or below it where they are over it (math.md#strip-contact).
 #include "contacts.hpp"
 
+#include <planish/geometry/plane.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,8 +26,25 @@ struct Foot {
   double distance = 0.0;  ///< from the strip's point next to it
 };
 
+/// Between the long edges of a quad, as lines from ridge to ridge, at a place of its plane: how far
+/// inside each it is.
+std::array<double, 2> inside_edges(const FoldedStrip& strip, int quad, const Vec2& at) {
+  std::array<double, 2> inside{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vec2 &from = strip.ridges[quad].flat[side], &to = strip.ridges[quad + 1].flat[side];
+    const double left = planish::cross(to - from, at - from) / (to - from).norm();
+    inside[side] = side == 0 ? left : -left;
+  }
+  return inside;
+}
+
+/// Where it is widest.
 double width_of(const FoldedStrip& strip) {
-  return strip.ridges.front().flat[1].y() - strip.ridges.front().flat[0].y();
+  double width = 0.0;
+  for (int quad = 0; quad < std::ssize(strip.quads); ++quad)
+    width = std::max({width, inside_edges(strip, quad, strip.ridges[quad].flat[1])[0],
+                      inside_edges(strip, quad, strip.ridges[quad].flat[0])[1]});
+  return width;
 }
 
 /// A point of a quad as a combination of its corners: along the ridges at a share of the width.
@@ -39,39 +58,46 @@ std::vector<StripPoint::Share> shares_of(int quad, double along, double across) 
   return shares;
 }
 
-/// How far along a quad a place of its plane is: 0 on its first ridge, 1 on its last.
-double along_quad(const FoldedStrip& strip, int quad, const Vec2& at) {
-  const auto ridge_at = [&](const SlitRidge& ridge) {
-    const Vec2 &a = ridge.flat[0], &b = ridge.flat[1];
-    return a.x() + (at.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+/// How far along a quad a place of its plane is at a share of the width: 0 on its first ridge, 1 on
+/// its last.
+double along_quad(const FoldedStrip& strip, int quad, double across, const Vec2& at) {
+  const auto on_ridge = [&](const SlitRidge& ridge) -> Vec2 {
+    return ridge.flat[0] + across * (ridge.flat[1] - ridge.flat[0]);
   };
-  const double from = ridge_at(strip.ridges[quad]), to = ridge_at(strip.ridges[quad + 1]);
-  return (at.x() - from) / (to - from);
+  const Vec2 from = on_ridge(strip.ridges[quad]), way = on_ridge(strip.ridges[quad + 1]) - from;
+  return way.dot(at - from) / way.squaredNorm();
 }
 
 /// The foot of a point on one quad, as far as it lies over it or beside its edge.
 Foot foot_on(const FoldedStrip& strip, int quad, int edge, const Vec3& p) {
   const Frame& frame = strip.quads[quad];
-  const double left = strip.ridges.front().flat[0].y(), width = width_of(strip);
   const Vec3 local = frame.local(p);
-  const auto along = [&](double share) {
-    return std::clamp(along_quad(strip, quad, {local.x(), left + share * width}), 0.0, 1.0);
+  const Vec2 flat = local.head<2>();
+  const SlitRidge &near = strip.ridges[quad], &far = strip.ridges[quad + 1];
+  const auto inside = inside_edges(strip, quad, flat);
+  const double width = inside[0] + inside[1];
+  const auto at = [&](double along, double across) -> Vec2 {
+    const Vec2 from = near.flat[0] + across * (near.flat[1] - near.flat[0]),
+               to = far.flat[0] + across * (far.flat[1] - far.flat[0]);
+    return from + along * (to - from);
+  };
+  // Beside an edge at its point next to the place.
+  const auto along_at = [&](double across) {
+    return std::clamp(along_quad(strip, quad, across, flat), 0.0, 1.0);
   };
   Foot foot;
   foot.quad = quad;
   foot.above = local.z();
-  foot.out = edge == 0 ? left - local.y() : local.y() - left - width;
-  foot.across = std::clamp((local.y() - left) / width, 0.0, 1.0);
-  foot.along = along(foot.across);
-  foot.along_edge = along(edge);
-  foot.sideways = edge == 0 ? Vec3(-frame.y) : frame.y;
+  foot.out = -inside[edge];
+  foot.across = width > 0.0 ? std::clamp(inside[0] / width, 0.0, 1.0) : 0.5;
+  foot.along = along_at(foot.across);
+  foot.along_edge = along_at(edge);
+  const Vec2 way = (far.flat[edge] - near.flat[edge]).normalized(),
+             aside = edge == 0 ? Vec2(way.y(), -way.x()) : Vec2(-way.y(), way.x());
+  foot.sideways = aside.x() * frame.x + aside.y() * frame.y;
   foot.normal = frame.z;
-  const auto on_ridge = [&](const SlitRidge& ridge) -> Vec2 {
-    return ridge.flat[0] + foot.across * (ridge.flat[1] - ridge.flat[0]);
-  };
-  const Vec2 from = on_ridge(strip.ridges[quad]), to = on_ridge(strip.ridges[quad + 1]),
-             at = from + foot.along * (to - from);
-  foot.distance = (local - Vec3(at.x(), at.y(), 0.0)).norm();
+  const Vec2 next = at(foot.along, foot.across);
+  foot.distance = (local - Vec3(next.x(), next.y(), 0.0)).norm();
   return foot;
 }
 
@@ -184,7 +210,9 @@ class Side {
       const double share = a / (a - b);
       const Vec3 through = from + share * (to - from);
       const Foot foot = foot_on(other_, quad, 1 - facing(), through);
-      const double along = along_quad(other_, quad, frame.local(through).head<2>());
+      const Vec2 place = frame.local(through).head<2>();
+      const auto inside = inside_edges(other_, quad, place);
+      const double along = along_quad(other_, quad, inside[0] / (inside[0] + inside[1]), place);
       if (along < 0.0 || along > 1.0 || !is_over(foot)) continue;
       const auto point = edge_point(side, before.ridge(), before.share() + 0.5 * share);
       if (const auto kept_there = kept(foot, on_top)) f(point, foot, *kept_there);

@@ -49,11 +49,14 @@ std::vector<Bond> bonds_of(const std::vector<StripProblem>& strips, double weigh
 
 std::vector<Contact> kept_gap(int left, int right, const FoldedStrip& of_left,
                               const FoldedStrip& of_right, const std::array<double, 2>& gap) {
-  const Vec3 direction = across_gap(gap_of(of_left, of_right));
+  const Gap now = gap_of(of_left, of_right);
+  const Vec3 direction = across_gap(now);
   const int last = static_cast<int>(of_left.quads.size());
   const StripPoint here{right, {{0, last, 1.0}}}, there{left, {{1, last, 1.0}}};
   std::vector<Contact> kept{{here, there, -direction, -gap[1], 0.0, GapLimit::most}};
-  if (gap[0] > 0.0) kept.push_back({here, there, direction, gap[0], 0.0, GapLimit::least});
+  // Across both: the way from corner to corner turns round where one slips over the other, and with
+  // it what would be kept.
+  if (gap[0] > 0.0) kept.push_back({here, there, now.across, gap[0], 0.0, GapLimit::least});
   return kept;
 }
 

@@ -95,7 +95,9 @@ std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip
                                      StripEdge where_neighbour_is) {
   const std::size_t own = where_neighbour_is == StripEdge::left ? 0 : 1, theirs = 1 - own;
   const double sense = own == 0 ? 1.0 : -1.0;
-  const double width = strip.ridges.front().flat[1].y() - strip.ridges.front().flat[0].y();
+  double width = 0.0;
+  for (const SlitRidge& ridge : strip.ridges)
+    width = std::max(width, ridge.flat[1].y() - ridge.flat[0].y());
   std::vector<HalfSpace> planes;
   for (std::size_t ridge = 1; ridge < strip.ridges.size(); ++ridge) {
     const Vec3& p = strip.ridges[ridge].folded[own];
@@ -107,7 +109,11 @@ std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip
                                    neighbour.ridges[quad + 1].folded[theirs], p);
       if ((p - foot).norm() >= least) continue;
       least = (p - foot).norm();
-      plane.normal = sense * neighbour.quads[quad].y;
+      const Vec2 way = (neighbour.ridges[quad + 1].flat[theirs] -
+                        neighbour.ridges[quad].flat[theirs])
+                           .normalized();
+      plane.normal = sense *
+                     (way.x() * neighbour.quads[quad].y - way.y() * neighbour.quads[quad].x);
       plane.offset = plane.normal.dot(foot);
       height = std::abs(neighbour.quads[quad].z.dot(p - foot));
     }

@@ -75,9 +75,7 @@ Vec3 force_on(const SlitDesign& design, const SlitLoad& load) {
 StripLoad load_of(const SlitDesign& design, int strip) {
   if (!design.material || design.objective != SlitObjective::energy) return {};
   const double share = 1.0 / design.material->rigidity(design.sheet.thickness);
-  const auto start = design.sheet.start_of(strip);
-  const double area = design.sheet.strips[strip].width *
-                      (design.sheet.end_of(strip) - 0.5 * (start[0] + start[1]));
+  const double area = design.sheet.area_of(strip);
   StripLoad all;
   all.spread = -share * weight_per_area(design) * Vec3::UnitY();
   for (const SlitLoad& load : design.loads) {

@@ -6,6 +6,7 @@
 
 #include "second_jet.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -18,40 +19,54 @@ using Second = SecondJet<kOfRidge>;
 template <typename T>
 using Three = std::array<T, 3>;
 
-/// Of a vector in the coordinates of the quad behind a ridge, in those of the quad before it:
-/// turned about the line from (left, side 0) to (right, side 1).
 template <typename T>
-Three<T> turned(const T& fold, const T& left, const T& right, const std::array<double, 2>& sides,
-                bool is_point, const Vec3& v) {
+using Two = std::array<T, 2>;
+
+/// A place of an edge by a step along it, to second order.
+Two<Second> stepped(const EdgePlace& place, const Second& step) {
+  const Second half_square = constant<Second>(0.5) * step * step;
+  Two<Second> at;
+  for (int axis = 0; axis < 2; ++axis)
+    at[axis] = constant<Second>(place.at[axis]) + constant<Second>(place.first[axis]) * step +
+               constant<Second>(place.second[axis]) * half_square;
+  return at;
+}
+
+/// Of a vector in the coordinates of the quad behind a ridge, in those of the quad before it:
+/// turned about the line from left to right.
+template <typename T>
+Three<T> turned(const T& fold, const Two<T>& left, const Two<T>& right, bool is_point,
+                const Vec3& v) {
   using std::cos, std::sin, std::sqrt;
-  const T width = constant<T>(sides[1] - sides[0]), z = constant<T>(v.z());
-  const T y = constant<T>(is_point ? v.y() - sides[0] : v.y());
-  const T x = is_point ? constant<T>(v.x()) - left : constant<T>(v.x());
-  const T skew = right - left, length = sqrt(skew * skew + width * width);
-  const T ax = skew / length, ay = width / length, c = cos(fold), s = sin(fold);
+  const T z = constant<T>(v.z());
+  const T x = is_point ? constant<T>(v.x()) - left[0] : constant<T>(v.x()),
+          y = is_point ? constant<T>(v.y()) - left[1] : constant<T>(v.y());
+  const T along = right[0] - left[0], across = right[1] - left[1],
+          length = sqrt(along * along + across * across);
+  const T ax = along / length, ay = across / length, c = cos(fold), s = sin(fold);
   const T dot = (constant<T>(1.0) - c) * (ax * x + ay * y);
   Three<T> result{c * x + s * ay * z + dot * ax, c * y - s * ax * z + dot * ay,
                   c * z + s * (ax * y - ay * x)};
   if (is_point) {
-    result[0] += left;
-    result[1] += constant<T>(sides[0]);
+    result[0] += left[0];
+    result[1] += left[1];
   }
   return result;
 }
 
 /// Those of one ridge's own numbers, fold first.
-Eigen::Matrix3d of_ridge(const StripBase& base, const StripParameters& p, const StripFold& fold,
-                         int ridge, const std::vector<WeighedVector>& sum) {
-  const Second angle = variable<kOfRidge>(p[ridge], 0),
-               left = variable<kOfRidge>(abscissa(base, p, ridge, 0), 1),
-               right = variable<kOfRidge>(abscissa(base, p, ridge, 1), 2);
+Eigen::Matrix3d of_ridge(const StripParameters& p, const StripFold& fold, int ridge,
+                         const std::vector<WeighedVector>& sum) {
+  const Second angle = variable<kOfRidge>(p[ridge], 0);
+  const Two<Second> left = stepped(fold.flat[0][ridge], variable<kOfRidge>(0.0, 1)),
+                    right = stepped(fold.flat[1][ridge], variable<kOfRidge>(0.0, 2));
   const Frame &before = fold.frames[ridge], &behind = fold.quad(ridge);
   Eigen::Matrix3d all = Eigen::Matrix3d::Zero();
   for (const WeighedVector& one : sum) {
     if (one.ridge <= ridge) continue;
     const Vec3 from = one.is_point ? Vec3(one.at - behind.origin) : one.at;
     const Vec3 local(from.dot(behind.x), from.dot(behind.y), from.dot(behind.z));
-    const Three<Second> v = turned(angle, left, right, base.sides, one.is_point, local);
+    const Three<Second> v = turned(angle, left, right, one.is_point, local);
     const Vec3 weight(one.weight.dot(before.x), one.weight.dot(before.y), one.weight.dot(before.z));
     for (int i = 0; i < kOfRidge; ++i)
       for (int j = 0; j < kOfRidge; ++j)
@@ -61,19 +76,40 @@ Eigen::Matrix3d of_ridge(const StripBase& base, const StripParameters& p, const 
   return all;
 }
 
+std::vector<Behind> behind_ridges(int quads, const std::vector<WeighedVector>& sum) {
+  std::vector<Behind> behind(quads);
+  for (const WeighedVector& one : sum) {
+    if (one.ridge < 1) continue;
+    Behind& last = behind[std::min(one.ridge, quads) - 1];
+    if (one.is_point) last.force += one.weight;
+    last.moment += one.at * one.weight.transpose();
+  }
+  for (int ridge = quads - 2; ridge >= 0; --ridge) {
+    behind[ridge].force += behind[ridge + 1].force;
+    behind[ridge].moment += behind[ridge + 1].moment;
+  }
+  return behind;
+}
+
+/// The same as vectors: one point and three directions.
+std::vector<WeighedVector> as_vectors(const Behind& behind, const Vec3& at, int ridge) {
+  const Eigen::Matrix3d about = behind.about(at);
+  std::vector<WeighedVector> sum{{ridge + 1, true, at, behind.force}};
+  for (int axis = 0; axis < 3; ++axis)
+    sum.push_back({ridge + 1, false, Vec3::Unit(axis), about.row(axis).transpose()});
+  return sum;
+}
+
 /// The earlier of two turns carries along what the later one does.
 Eigen::MatrixXd of_different_ridges(const std::vector<Twist>& all,
-                                    const std::vector<WeighedVector>& sum) {
+                                    const std::vector<Behind>& behind) {
   const auto count = static_cast<Eigen::Index>(all.size());
   const auto twist = [&](Eigen::Index q) -> const Twist& { return all[q]; };
-  Eigen::Matrix3Xd carried = Eigen::Matrix3Xd::Zero(3, count);
-  for (Eigen::Index q = 0; q < count; ++q)
-    for (const WeighedVector& one : sum) {
-      if (one.ridge <= twist(q).ridge) continue;
-      const Vec3 moved = one.is_point ? twist(q).velocity(one.at)
-                                      : Vec3(twist(q).axis.cross(one.at));
-      carried.col(q) += moved.cross(one.weight);
-    }
+  Eigen::Matrix3Xd carried(3, count);
+  for (Eigen::Index q = 0; q < count; ++q) {
+    const Eigen::Matrix3d about = behind[twist(q).ridge].about(twist(q).pole);
+    carried.col(q) = about * twist(q).axis - about.trace() * twist(q).axis;
+  }
   Eigen::MatrixXd second(count, count);
   for (Eigen::Index a = 0; a < count; ++a)
     for (Eigen::Index b = 0; b <= a; ++b) {
@@ -84,11 +120,15 @@ Eigen::MatrixXd of_different_ridges(const std::vector<Twist>& all,
   return second;
 }
 
-/// A ridge's end that slides along its quad's edge is carried by the turns before.
+/// A ridge's end that slides along its quad's edge is carried by the turns before, and goes round
+/// with the edge.
 void add_sliding(Eigen::MatrixXd& second, const StripBase& base, const StripFold& fold,
                  const std::vector<Twist>& all, const WeighedVector& end) {
-  const Vec3 along = base.unit() * fold.frames[end.ridge].x;
+  const EdgePlace& place = fold.flat[end.side][end.ridge];
+  const Vec3 along = base.unit() * fold.before(end.ridge, place.first);
   const int own = abscissa_index(base.quads, end.ridge, end.side);
+  second(own, own) += base.unit() * base.unit() *
+                      fold.before(end.ridge, place.second).dot(end.weight);
   for (std::size_t q = 0; q < all.size(); ++q) {
     if (all[q].ridge >= end.ridge) continue;
     const double mixed = all[q].axis.cross(along).dot(end.weight);
@@ -107,11 +147,10 @@ Numbers numbers_of(const StripBase& base, int ridge) {
   return {{ridge, abscissa_index(base.quads, ridge, 0), abscissa_index(base.quads, ridge, 1)}, 3};
 }
 
-}  // namespace
-
+/// The part that belongs to one ridge's own numbers.
 void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripParameters& p,
                   const StripFold& fold, int ridge, const std::vector<WeighedVector>& sum) {
-  const Eigen::Matrix3d own = of_ridge(base, p, fold, ridge, sum);
+  const Eigen::Matrix3d own = of_ridge(p, fold, ridge, sum);
   const Numbers numbers = numbers_of(base, ridge);
   for (int i = 0; i < numbers.count; ++i)
     for (int j = 0; j < numbers.count; ++j)
@@ -119,12 +158,22 @@ void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripPar
                                              (j ? base.unit() : 1.0);
 }
 
+}  // namespace
+
+Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
+                                   const StripFold& fold, const std::vector<Twist>& twists,
+                                   const std::vector<Behind>& behind) {
+  Eigen::MatrixXd second = of_different_ridges(twists, behind);
+  for (int ridge = 0; ridge < base.quads; ++ridge)
+    set_of_ridge(second, base, p, fold, ridge,
+                 as_vectors(behind[ridge], fold.end(0, ridge), ridge));
+  return second;
+}
+
 Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
                                    const StripFold& fold, const std::vector<WeighedVector>& sum) {
   const std::vector<Twist> all = twists(base, fold);
-  Eigen::MatrixXd second = of_different_ridges(all, sum);
-  for (int ridge = 0; ridge < base.quads; ++ridge)
-    set_of_ridge(second, base, p, fold, ridge, sum);
+  Eigen::MatrixXd second = second_derivatives(base, p, fold, all, behind_ridges(base.quads, sum));
   for (const WeighedVector& one : sum)
     if (one.side >= 0 && one.ridge < base.quads) add_sliding(second, base, fold, all, one);
   return second;

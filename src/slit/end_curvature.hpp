@@ -19,15 +19,25 @@ struct WeighedVector {
   int side = -1;  ///< of the ridge whose end it is and slides with; −1: none
 };
 
+/// What lies behind a ridge, as one force and Σ x wᵀ of all vectors: turns see no more of it, so
+/// that their cost does not grow with the vectors.
+struct Behind {
+  Vec3 force = Vec3::Zero();  ///< of points
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+
+  Eigen::Matrix3d about(const Vec3& pole) const { return moment - pole * force.transpose(); }
+};
+
 /// Second derivatives of the sum of weight · vector by all parameters: symmetric. A turn upstream
 /// carries along what a turn downstream does, ω_a × (ω_b × v); both numbers of one ridge are
-/// differentiated in its own quad. O(quads² + quads × vectors).
+/// differentiated in its own quad. O(quads² + vectors).
 Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
                                    const StripFold& fold, const std::vector<WeighedVector>& sum);
 
-/// The part of them that belongs to one ridge's own numbers is set in the matrix of all.
-void set_of_ridge(Eigen::MatrixXd& second, const StripBase& base, const StripParameters& p,
-                  const StripFold& fold, int ridge, const std::vector<WeighedVector>& sum);
+/// The same by what lies behind each ridge, without what slides.
+Eigen::MatrixXd second_derivatives(const StripBase& base, const StripParameters& p,
+                                   const StripFold& fold, const std::vector<Twist>& twists,
+                                   const std::vector<Behind>& behind);
 
 /// What end conditions are about, weighed by their multipliers in their own units.
 std::vector<WeighedVector> weighed_conditions(const StripProblem& problem, const StripFold& fold,

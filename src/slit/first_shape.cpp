@@ -46,8 +46,8 @@ const EndCondition* condition_of(const StripProblem& problem, EndCondition::Of o
 }
 
 Vec3 middle_of_start(const StripBase& base) {
-  return base.facet.point(
-      {0.5 * (base.start[0] + base.start[1]), 0.5 * (base.sides[0] + base.sides[1])});
+  const Vec2 middle = base.middle_of_start();
+  return base.facet.point(middle);
 }
 
 /// The end is to lie in a plane (symmetric sheets). Away from the panel is straight towards the

@@ -34,8 +34,8 @@ struct Across {
     constexpr int kSteps = 20;
     for (int i = 0; i < kSteps; ++i) {
       const Vec2 from = p - near_left - s * near, line = along + s * (far - near);
-      const double value = cross(from, line),
-                   slope = cross(from, Vec2(far - near)) - cross(near, line);
+      const double value = planish::cross(from, line),
+                   slope = planish::cross(from, Vec2(far - near)) - planish::cross(near, line);
       if (slope == 0.0) break;
       s -= value / slope;
     }

@@ -5,6 +5,7 @@
 #include <planish/base/tolerance.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -73,32 +74,36 @@ class ChordWalk {
   Vec2 at_;
 };
 
-/// The facets before folding; one ends at every long edge of a strip.
-std::vector<PanelFacet> flat_facets(const SlitSheet& sheet) {
+/// The facets before folding, between lines along the sheet through the corners of the strips at
+/// one panel.
+std::vector<PanelFacet> flat_facets(const SlitSheet& sheet, PanelAt at) {
   std::vector<PanelFacet> facets;
-  double across = 0.0;
-  const auto add = [&](double width, double left, double right, int strip) {
-    if (!(width > 0.0)) return;
-    facets.push_back({{Vec2(0.0, across), Vec2(left, across), Vec2(right, across + width),
-                       Vec2(0.0, across + width)},
-                      {},
-                      strip});
-    across += width;
+  const bool at_end = at == PanelAt::end;
+  double across = at_end ? sheet.sides_at_end(0)[0] - sheet.strips.front().gap : 0.0, begun = 0.0;
+  const auto add = [&](double until, double left, double right, int strip) {
+    if (!(until > across)) return;
+    facets.push_back(
+        {{Vec2(0.0, across), Vec2(left, across), Vec2(right, until), Vec2(0.0, until)}, {}, strip});
+    across = until;
   };
   for (int i = 0; i < static_cast<int>(sheet.strips.size()); ++i) {
     const SlitStrip& strip = sheet.strips[i];
-    add(strip.gap, sheet.panel_height, sheet.panel_height, -1);
     const auto start = sheet.start_of(i);
-    add(strip.width, start[0], start[1], i);
+    std::array<double, 2> sides{begun + strip.gap, begun + strip.gap + strip.width};
+    begun = sides[1];
+    for (std::size_t side = 0; at_end && side < 2; ++side)
+      if (const auto& edge = strip.edges[side]; !edge.empty()) sides[side] = edge.back().y();
+    add(sides[0], sheet.panel_height, sheet.panel_height, -1);
+    add(sides[1], start[0], start[1], i);
   }
-  add(sheet.margin, sheet.panel_height, sheet.panel_height, -1);
+  add(across + sheet.margin, sheet.panel_height, sheet.panel_height, -1);
   return facets;
 }
 
 /// The facets at the far ends of the strips.
 std::vector<PanelFacet> flat_far_facets(const SlitSheet& sheet, double height) {
   const double top = sheet.panel_height + sheet.half_length, free_edge = top + height;
-  std::vector<PanelFacet> facets = flat_facets(sheet);
+  std::vector<PanelFacet> facets = flat_facets(sheet, PanelAt::end);
   for (PanelFacet& facet : facets) {
     const double end = facet.strip < 0 ? top : sheet.end_of(facet.strip);
     facet.corners[0].x() = facet.corners[3].x() = free_edge;
@@ -139,7 +144,8 @@ tl::unexpected<Error> too_long(const BezierCurve& curve, double rest, double wid
 /// Places the facets over a leg curve.
 Result<std::vector<PanelFacet>> stood_on(std::vector<PanelFacet> facets, const BezierCurve& curve,
                                          const Vec3& along, const std::string& where) {
-  const double width = facets.back().corners[3].y(), tolerance = kLegTolerance * width;
+  const double width = facets.back().corners[3].y() - facets.front().corners[0].y(),
+               tolerance = kLegTolerance * width;
   ChordWalk walk(curve);
   double to_come = width;
   for (PanelFacet& facet : facets) {
@@ -184,7 +190,7 @@ bool fits(const std::vector<PanelFacet>& facets, const BezierCurve& curve, doubl
 
 Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCurve& leg_curve,
                                          Angle lean) {
-  auto panel = stood_on(flat_facets(sheet), leg_curve, Vec3::UnitY(), "/leg_curve");
+  auto panel = stood_on(flat_facets(sheet, PanelAt::start), leg_curve, Vec3::UnitY(), "/leg_curve");
   if (panel) turn(*panel, leg_curve, lean);
   return panel;
 }
@@ -197,12 +203,13 @@ Result<std::vector<PanelFacet>> second_panel_of(const SlitSheet& sheet, const Se
   return panel;
 }
 
-Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve,
+Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve, PanelAt at,
                            const std::string& where) {
-  const std::vector<PanelFacet> facets = flat_facets(sheet);
+  const std::vector<PanelFacet> facets = flat_facets(sheet, at);
   constexpr int kBisections = 100;
   // Chords are shorter than the curve, so they fit at most at this scale.
-  double high = length(curve) / sheet.width() * (1.0 + tolerance::kComputed), low = 0.0;
+  const double width = facets.back().corners[3].y() - facets.front().corners[0].y();
+  double high = length(curve) / width * (1.0 + tolerance::kComputed), low = 0.0;
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
     (fits(facets, curve, middle) ? low : high) = middle;

@@ -20,9 +20,12 @@ Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCur
 /// The panel at the far ends of the strips, likewise.
 Result<std::vector<PanelFacet>> second_panel_of(const SlitSheet& sheet, const SecondPanel& panel);
 
+/// Of the two panels, that where the strips start or that where they end.
+enum class PanelAt { start, end };
+
 /// The curve scaled about its start so that the chords of the sheet end at its end; the curve
 /// itself if they do so within rounding. Error: `invalid_input` if no scale does.
-Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve,
+Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve, PanelAt at,
                            const std::string& where);
 
 }  // namespace planish::slit_detail

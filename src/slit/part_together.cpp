@@ -6,6 +6,7 @@
 #include "contacts.hpp"
 #include "coupling.hpp"
 #include "crossing.hpp"
+#include "folded_strips.hpp"
 #include "newton.hpp"
 #include "strip_limits.hpp"
 #include "strip_start.hpp"
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -93,11 +95,8 @@ class Group {
     best.gap_missed = missed_gap(shapes_);
     best.problems = system_.strips;
     StripSystem system = system_;
-    system.penalty = kFirstPenalty;
-    if (from_before) {
-      system.penalty = pressing_.penalty;
-      system.contacts = pressing_.contacts;
-    }
+    system.penalty = from_before ? pressing_.penalty : kFirstPenalty;
+    if (from_before) system.contacts = pressing_.contacts;
     const std::vector<StripPair> pairs = pairs_of(choice);
     const DescentOptions of_round{kStepsOfRound, std::max(options.function_tolerance, kFine),
                                   options.stop};
@@ -107,7 +106,9 @@ class Group {
       if (round > 0) {
         const Eigen::VectorXd values = contact_values(system, now.shapes);
         const double violated = values.size() > 0 ? std::max(0.0, values.maxCoeff()) : 0.0;
-        if ((!from_before && !coupling()) || violated > kLessViolated * before)
+        // While gaps are on their way, what is violated grows with what is asked for.
+        const bool is_under_way = coupling() && coupling()->gap && round < kRoundsOfGap;
+        if (!is_under_way && ((!from_before && !coupling()) || violated > kLessViolated * before))
           system.penalty = std::min(kMostPenalty, kPenaltyGrowth * system.penalty);
         before = violated;
         raise_multipliers(system, now.shapes, values);
@@ -145,9 +146,6 @@ class Group {
   /// Only the strips of the whole sheet are coupled.
   const std::optional<SlitCoupling>& coupling() const { return now_.design->coupling; }
 
-  FoldedStrip folded(const Shapes& shapes, int member) const {
-    return folded_strip(system_.strips[member].base, shapes[member]);
-  }
   Pressing pressing_of(StripSystem system, const Shapes& shapes) const {
     raise_contacts(system, contact_values(system, shapes));
     std::erase_if(system.contacts, [](const Contact& known) { return known.multiplier == 0.0; });
@@ -165,17 +163,18 @@ class Group {
   double thickness() const { return now_.design->sheet.thickness; }
 
   std::vector<StripPair> pairs_of(Choice choice) const {
+    const FoldedStrips all = folded_strips(system_, shapes_);
     std::vector<StripPair> pairs;
     for (int left = 0; left < system_.count(); ++left)
       for (int right = left + 1; right < system_.count(); ++right)
-        if (moves(left) || moves(right)) pairs.push_back(pair_of(choice, left, right));
+        if (moves(left) || moves(right)) pairs.push_back(pair_of(choice, all, left, right));
     return pairs;
   }
 
-  StripPair pair_of(Choice choice, int left, int right) const {
-    const FoldedStrip shape = folded(shapes_, left);
+  StripPair pair_of(Choice choice, const FoldedStrips& all, int left, int right) const {
+    const FoldedStrip& shape = all.strips[left];
     if (choice == Choice::nearest)
-      return nearest_pair(left, right, shape, folded(shapes_, right), thickness());
+      return nearest_pair(left, right, shape, all.strips[right], thickness());
     return slit_detail::pair_of(left, right, shape,
                                 choice == Choice::left ? OnTop::left : OnTop::right);
   }
@@ -187,19 +186,21 @@ class Group {
   /// How many pairs need the same space.
   int run_together(const std::vector<StripPair>& pairs, const Shapes& shapes) const {
     const double pressed = kPressed * thickness();
+    const FoldedStrips all = folded_strips(system_, shapes);
     return static_cast<int>(std::ranges::count_if(pairs, [&](const StripPair& pair) {
-      const FoldedStrip left = folded(shapes, pair.left), right = folded(shapes, pair.right);
+      const FoldedStrip &left = all.strips[pair.left], &right = all.strips[pair.right];
       return (is_beside(pair) && missing(pair, left, right, thickness()).most > pressed) ||
-             cross(left, right, pressed);
+             all.cross(pair.left, pair.right, pressed);
     }));
   }
 
   bool holds_all(const StripSystem& system, const Shapes& shapes) const {
+    const FoldedStrips all = folded_strips(system, shapes);
     for (int member = 0; member < system.count(); ++member) {
       const StripProblem& problem = system.strips[member];
       if (moves(member) &&
           (is_too_tight(problem, shapes[member]) || !firm_ones_hold(problem, shapes[member]) ||
-           !planes_of(member)(folded(shapes, member)).empty()))
+           !planes_of(member)(all.strips[member]).empty()))
         return false;
     }
     return true;
@@ -209,10 +210,8 @@ class Group {
   double missed_gap(const Shapes& shapes) const {
     constexpr double kSeen = 1e-6;
     if (!coupling() || !coupling()->gap) return 0.0;
-    std::vector<FoldedStrip> strips;
-    for (int member = 0; member < system_.count(); ++member)
-      strips.push_back(folded(shapes, member));
-    const double missed = gap_missed(strips, *coupling()->gap) / system_.unit();
+    const double missed = gap_missed(folded_strips(system_, shapes).strips, *coupling()->gap) /
+                          system_.unit();
     return missed > kSeen ? missed : 0.0;
   }
 
@@ -236,20 +235,20 @@ class Group {
   /// `share`: of the way from gaps as they were to those asked for.
   void take_limits(StripSystem& system, const std::vector<StripPair>& pairs, const Shapes& shapes,
                    double share) const {
-    const std::vector<Contact> before = std::exchange(system.contacts, {});
+    std::map<std::pair<int, int>, std::vector<Contact>> before;
+    for (Contact& contact : std::exchange(system.contacts, {}))
+      before[std::minmax(contact.here.strip, contact.there.strip)].push_back(std::move(contact));
+    const FoldedStrips now = folded_strips(system_, shapes),
+                       at_start = folded_strips(system_, shapes_);
     for (const StripPair& pair : pairs) {
-      const FoldedStrip left = folded(shapes, pair.left), right = folded(shapes, pair.right);
-      std::vector<Contact> known;
-      std::ranges::copy_if(before, std::back_inserter(known), [&](const Contact& contact) {
-        return std::minmax(contact.here.strip, contact.there.strip) ==
-               std::minmax(pair.left, pair.right);
-      });
+      const FoldedStrip &left = now.strips[pair.left], &right = now.strips[pair.right];
+      const std::vector<Contact>& known = before[{pair.left, pair.right}];
       // Strips that are not beside each other have nothing to do with each other until they meet.
-      if (!is_beside(pair) && known.empty() && !cross(left, right)) continue;
+      if (!is_beside(pair) && known.empty() && !now.cross(pair.left, pair.right)) continue;
       std::vector<Contact> all = contacts_of(pair, left, right, thickness());
       if (coupling() && coupling()->gap && is_beside(pair)) {
-        const double at_first = gap_between(folded(shapes_, pair.left),
-                                            folded(shapes_, pair.right));
+        const double at_first = gap_between(at_start.strips[pair.left],
+                                            at_start.strips[pair.right]);
         std::ranges::move(kept_gap(pair.left, pair.right, left, right,
                                    on_the_way(*coupling()->gap, at_first, share)),
                           std::back_inserter(all));
@@ -265,7 +264,7 @@ class Group {
       problem.penalty = system.penalty;
       if (moves(member))
         problem.inequalities = with_broken(problem, shapes[member],
-                                           planes_of(member)(folded(shapes, member)));
+                                           planes_of(member)(now.strips[member]));
     }
   }
 

@@ -41,7 +41,8 @@ Way way_to(const SlitDesign& design, const PanelFacet& facet, int strip, const V
   const auto start = design.sheet.start_of(strip);
   const double along = 0.5 * (start[0] + start[1]);
   const Vec3 from = facet.frame.point({along, 0.5 * (facet.corners[0].y() + facet.corners[3].y())});
-  return {(end - from).norm(), design.sheet.end_of(strip) - along};
+  const auto [left, right] = design.sheet.edge_lengths(strip);
+  return {(end - from).norm(), 0.5 * (left + right)};
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
   const std::size_t side = wish.side == StripEdge::left ? 0 : 1;
   const double start = design.sheet.start_of(wish.strip)[side];
   const Vec3 from = facet.frame.point({start, facet.corners[side == 0 ? 1 : 2].y()});
-  const double available = wish.ridge == 0 ? 0.0 : design.sheet.end_of(wish.strip) - start;
+  const double available = wish.ridge == 0 ? 0.0 : design.sheet.edge_lengths(wish.strip)[side];
   const double needed = (wish.at - from).norm() +
                         (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
   if (needed <= available + tolerance::kComputed * design.sheet.reach()) return {};

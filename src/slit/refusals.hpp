@@ -45,6 +45,29 @@ constexpr Refusal ends_beyond_panel{
     "{@strip} ends at {end:6}, beyond the second panel, whose free edge is at {edge:6}.",
     "Shorten the strip, or make the second panel higher."};
 
+// Slits that are curves.
+constexpr Refusal slit_without_length{code::invalid_input, "Slit {slit} has no length.",
+                                      "Give it two points or more, apart from each other."};
+constexpr Refusal slit_ends_early{
+    code::invalid_input,
+    "Slit {slit} ends at {at:6} along the sheet, but the strips end at {end:6}.",
+    "Lead one end of it there; the other may be anywhere on the sheet."};
+constexpr Refusal slit_off_sheet{
+    code::invalid_input,
+    "Slit {slit} goes to {at:6} along the sheet, which reaches from 0 to {end:6}.",
+    "Keep it on the sheet."};
+constexpr Refusal slits_cross{code::invalid_input,
+                              "The strip between {one} and {other} is cut through: they meet.",
+                              "Move them apart."};
+constexpr Refusal strip_without_width{code::invalid_input,
+                                      "Between {one} and {other} a strip has no width where it "
+                                      "begins or ends.",
+                                      "Move their ends apart, or keep them in one order."};
+constexpr Refusal outline_without_panel{
+    code::invalid_input, "The outline does not leave the panel whole.",
+    "Lead it from [0, 0] straight along to {height:6}, on to {end:6}, across there, back to "
+    "{height:6}, and straight to 0."};
+
 // Curves.
 constexpr Refusal bad_number_of_poles{code::invalid_input,
                                       "{curve} has {poles:pole}, which is out of range.",

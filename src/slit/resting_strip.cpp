@@ -73,10 +73,9 @@ Wrench wrench_of_wishes(const StripProblem& problem, const StripFold& fold) {
   return all;
 }
 
-Wrench wrench_of_load(const StripProblem& problem, const StripParameters& p,
-                      const StripFold& fold) {
+Wrench wrench_of_load(const StripProblem& problem, const StripFold& fold) {
   Wrench all;
-  const EndForces forces = end_forces(problem.base, p, problem.load);
+  const EndForces forces = end_forces(problem.base, fold, problem.load);
   for (int side = 0; side < 2; ++side)
     for (int ridge = 0; ridge <= problem.base.quads; ++ridge)
       all.add(fold.end(side, ridge), energy_scale(problem.base) * forces[side][ridge]);
@@ -155,7 +154,7 @@ std::vector<SlitReaction> RestingStrip::reactions(int strip, double to_newtons) 
   const Wrench end = wrench_at_end(problem_, p_, fold_, multipliers_),
                ground = wrench_of(fold_, ground_), neighbours = wrench_of(fold_, pressed_),
                wishes = wrench_of_wishes(problem_, fold_);
-  Wrench rest = wrench_of_load(problem_, p_, fold_);
+  Wrench rest = wrench_of_load(problem_, fold_);
   for (const Wrench* one : {&end, &ground, &neighbours, &wishes})
     rest.add(*one);
   std::vector<SlitReaction> all{rest.reaction(strip, HeldBy::panel, first, -to_newtons)};

@@ -61,8 +61,22 @@ struct FacetBorders {
   int left = 0, top = 0, right = 0;
 };
 
+/// A quad of a strip, from the left end of its near ridge, with the corners of its edges.
+PlaneRegion quad_region(const FoldedStrip& strip, std::size_t quad) {
+  const SlitRidge &near = strip.ridges[quad], &far = strip.ridges[quad + 1];
+  PlaneRegion region{strip.quads[quad], {near.flat[0], far.flat[0], far.flat[1], near.flat[1]}};
+  if (strip.borders.empty()) return region;
+  const auto& [left, right] = strip.borders[quad];
+  region.corners.insert(region.corners.end() - 1, right.rbegin(), right.rend());
+  region.corners.insert(region.corners.begin() + 1, left.begin(), left.end());
+  return region;
+}
+
 /// Borders of a quad.
-constexpr int kFarRidge = 1, kNearRidge = 3;
+int far_ridge(const FoldedStrip& strip, std::size_t quad) {
+  return 1 + (strip.borders.empty() ? 0 : static_cast<int>(strip.borders[quad][0].size()));
+}
+int near_ridge(const PlaneRegion& region) { return region.border_count() - 1; }
 
 /// A facet of the panel. If a neighbour is lower, its corner divides the side.
 std::pair<PlaneRegion, FacetBorders> facet_region(const std::vector<PanelFacet>& panel,
@@ -94,22 +108,27 @@ std::vector<PanelFacet> turned_about(const std::vector<PanelFacet>& panel) {
   return turned;
 }
 
-/// The quads of a strip, from the border where it leaves the panel. Returns the last of them.
-int add_strip(JoinedRegions& half, const FoldedStrip& strip, int facet, int top) {
-  SharedBorder border{facet, top, 0, kNearRidge};
+/// A region and one of its borders.
+struct RegionBorder {
+  int region = 0, border = 0;
+};
+
+/// The quads of a strip, from the border where it leaves the panel. Returns the end of the last.
+RegionBorder add_strip(JoinedRegions& half, const FoldedStrip& strip, int facet, int top) {
+  RegionBorder end{facet, top};
   for (std::size_t i = 0; i < strip.quads.size(); ++i) {
-    const SlitRidge &near = strip.ridges[i], &far = strip.ridges[i + 1];
-    border.b = static_cast<int>(half.all.size());
-    half.shared.push_back(border);
-    half.all.push_back({strip.quads[i], {near.flat[0], far.flat[0], far.flat[1], near.flat[1]}});
-    border = {border.b, kFarRidge, 0, kNearRidge};
+    PlaneRegion region = quad_region(strip, i);
+    const int number = static_cast<int>(half.all.size());
+    half.shared.push_back({end.region, end.border, number, near_ridge(region)});
+    half.all.push_back(std::move(region));
+    end = {number, far_ridge(strip, i)};
   }
-  return border.a;
+  return end;
 }
 
 /// Both halves, joined at the far ridges of the strips' last quads.
 JoinedRegions with_mirror_image(JoinedRegions half, double symmetry_line,
-                                const std::vector<int>& last_quads) {
+                                const std::vector<RegionBorder>& ends) {
   JoinedRegions whole = half;
   const int count = static_cast<int>(half.all.size());
   for (const PlaneRegion& region : half.all)
@@ -120,8 +139,8 @@ JoinedRegions with_mirror_image(JoinedRegions half, double symmetry_line,
   for (const SharedBorder& border : half.shared)
     whole.shared.push_back({count + border.a, image(border.a, border.border_a), count + border.b,
                             image(border.b, border.border_b)});
-  for (const int quad : last_quads)
-    whole.shared.push_back({quad, kFarRidge, count + quad, image(quad, kFarRidge)});
+  for (const auto& [quad, ridge] : ends)
+    whole.shared.push_back({quad, ridge, count + quad, image(quad, ridge)});
   return whole;
 }
 
@@ -161,16 +180,15 @@ JoinedRegions regions_of(const FoldedSlitSheet& folded) {
   JoinedRegions half;
   const std::vector<FacetBorders> borders = add_panel(half, folded.panel);
   const FarTops tops = add_second_panel(half, folded.second_panel, folded.strips.size());
-  std::vector<int> last_quads;
+  std::vector<RegionBorder> ends;
   for (std::size_t i = 0; i < folded.panel.size(); ++i) {
     const int strip = folded.panel[i].strip;
     if (strip < 0) continue;
-    last_quads.push_back(
-        add_strip(half, folded.strips[strip], static_cast<int>(i), borders[i].top));
+    ends.push_back(add_strip(half, folded.strips[strip], static_cast<int>(i), borders[i].top));
     if (const auto [facet, top] = tops[strip]; facet >= 0)
-      half.shared.push_back({facet, top, last_quads.back(), kFarRidge});
+      half.shared.push_back({facet, top, ends.back().region, ends.back().border});
   }
-  return folded.symmetric ? with_mirror_image(std::move(half), folded.reach, last_quads) : half;
+  return folded.symmetric ? with_mirror_image(std::move(half), folded.reach, ends) : half;
 }
 
 /// Angle by which the sheet is folded where two regions meet; positive away from its front.

@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/geometry/plane.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ double SlitSheet::width() const {
 }
 
 double SlitSheet::breadth() const {
-  return strips.empty() ? 0.0 : width() - margin - strips.front().gap;
+  if (strips.empty()) return 0.0;
+  return sides_at_end(static_cast<int>(strips.size()) - 1)[1] - sides_at_end(0)[0];
 }
 
 double SlitSheet::reach() const {
@@ -40,6 +42,47 @@ std::array<double, 2> SlitSheet::start_of(int strip) const {
 double SlitSheet::end_of(int strip) const {
   PLANISH_ASSERT(has_strip(strip));
   return strips[strip].end.value_or(panel_height + half_length);
+}
+
+std::array<double, 2> SlitSheet::sides_at_end(int strip) const {
+  const auto& edges = strips[strip].edges;
+  const double left = left_of(strip), right = left + strips[strip].width;
+  return {edges[0].empty() ? left : edges[0].back().y(),
+          edges[1].empty() ? right : edges[1].back().y()};
+}
+
+double SlitSheet::width_at_end(int strip) const {
+  const auto [left, right] = sides_at_end(strip);
+  return right - left;
+}
+
+std::array<double, 2> SlitSheet::edge_lengths(int strip) const {
+  const auto start = start_of(strip);
+  std::array<double, 2> lengths{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::vector<Vec2>& edge = strips[strip].edges[side];
+    if (edge.empty()) lengths[side] = end_of(strip) - start[side];
+    for (std::size_t i = 0; i + 1 < edge.size(); ++i)
+      lengths[side] += (edge[i + 1] - edge[i]).norm();
+  }
+  return lengths;
+}
+
+double SlitSheet::area_of(int strip) const {
+  const auto start = start_of(strip);
+  const double left = left_of(strip), end = end_of(strip);
+  auto edges = strips[strip].edges;
+  if (edges[0].empty()) edges[0] = {{start[0], left}, {end, left}};
+  if (edges[1].empty()) {
+    const double right = left + strips[strip].width;
+    edges[1] = {{start[1], right}, {end, right}};
+  }
+  std::vector<Vec2> ring = edges[0];
+  ring.insert(ring.end(), edges[1].rbegin(), edges[1].rend());
+  double twice = 0.0;
+  for (const Segment& side : sides_of(ring))
+    twice += cross(side.a, side.b);
+  return 0.5 * twice;
 }
 
 double SlitMaterial::rigidity(double thickness) const {

@@ -18,16 +18,17 @@ namespace {
 /// middle.
 std::vector<Vec2> places_along(const BezierCurve& curve, const SlitSheet& sheet) {
   double rest = length(curve);
-  for (const SlitStrip& strip : sheet.strips)
-    rest -= strip.width;
-  const std::size_t count = sheet.strips.size();
-  const double apart = count > 1 ? rest / static_cast<double>(count - 1) : 0.0;
+  const int count = static_cast<int>(sheet.strips.size());
+  for (int strip = 0; strip < count; ++strip)
+    rest -= sheet.width_at_end(strip);
+  const double apart = count > 1 ? rest / (count - 1) : 0.0;
   std::vector<double> lengths;
   double at = count > 1 ? 0.0 : 0.5 * rest;
-  for (const SlitStrip& strip : sheet.strips) {
+  for (int strip = 0; strip < count; ++strip) {
+    const double width = sheet.width_at_end(strip);
     lengths.push_back(at);
-    lengths.push_back(at + strip.width);
-    at += strip.width + apart;
+    lengths.push_back(at + width);
+    at += width + apart;
   }
   return points_at_lengths(curve, lengths);
 }
@@ -92,11 +93,14 @@ StripEnd end_of(const Snapshot& now, int strip) {
 StripBase base_of(const Snapshot& now, int strip) {
   const SlitSheet& sheet = now.design->sheet;
   const auto facet = facet_at(*now.panel, strip);
-  return {facet->frame,
-          {facet->corners[0].y(), facet->corners[3].y()},
-          sheet.start_of(strip),
-          sheet.end_of(strip),
-          now.design->ridges};
+  const auto start = sheet.start_of(strip);
+  const double end = sheet.end_of(strip);
+  const auto edge = [&](std::size_t side) {
+    const std::vector<Vec2>& chain = sheet.strips[strip].edges[side];
+    return chain.empty() ? EdgeCurve(facet->corners[side == 0 ? 0 : 3].y())
+                         : EdgeCurve(chain, start[side], end);
+  };
+  return {facet->frame, {edge(0), edge(1)}, start, end, now.design->ridges};
 }
 
 void take_seat_curve(Snapshot& now, const SlitDesign& design) {
@@ -115,7 +119,7 @@ std::optional<double> least_height(const Snapshot& now, int strip) {
   const StripBase base = base_of(now, strip);
   double height = 0.5 * now.design->sheet.thickness;
   for (std::size_t side = 0; side < 2; ++side) {
-    height = std::min(height, base.facet.point({base.start[side], base.sides[side]}).y());
+    height = std::min(height, base.facet.point(base.sides[side].place(base.start[side]).at).y());
     if (const PanelFacet* far = far_facet_of(now, strip))
       height = std::min(height, far->frame.point(far->corners[1 + side]).y());
   }

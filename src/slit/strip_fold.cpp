@@ -1,5 +1,8 @@
 #include "strip_fold.hpp"
 
+#include <planish/base/tolerance.hpp>
+#include <planish/geometry/plane.hpp>
+
 #include <cmath>
 #include <cstddef>
 
@@ -11,12 +14,6 @@
 
 namespace planish::slit_detail {
 namespace {
-
-/// Both ends of a ridge in the flat sheet.
-std::array<Vec2, 2> flat_ridge(const StripBase& base, const StripParameters& p, int ridge) {
-  return {Vec2(abscissa(base, p, ridge, 0), base.sides[0]),
-          Vec2(abscissa(base, p, ridge, 1), base.sides[1])};
-}
 
 /// The frame turned about a line through `point`.
 Frame turned(const Frame& frame, const Vec3& point, const Vec3& axis, double angle) {
@@ -35,6 +32,25 @@ Frame turned(const Frame& frame, const Vec3& point, const Vec3& axis, double ang
 
 }  // namespace
 
+double StripBase::width() const {
+  if (sides[0].is_line() && sides[1].is_line()) return sides[1].across() - sides[0].across();
+  constexpr int kPieces = 64;  // of each edge
+  double twice = 0.0;
+  std::array<Vec2, 2> before{};
+  for (int piece = 0; piece <= kPieces; ++piece) {
+    std::array<Vec2, 2> now;
+    for (std::size_t side = 0; side < 2; ++side)
+      now[side] = sides[side].place(start[side] + (end - start[side]) * piece / kPieces).at;
+    if (piece > 0) twice += planish::cross(now[1] - before[0], before[1] - now[0]);
+    before = now;
+  }
+  return 0.5 * twice / unit();
+}
+
+Vec2 StripBase::middle_of_start() const {
+  return 0.5 * (sides[0].place(start[0]).at + sides[1].place(start[1]).at);
+}
+
 double abscissa(const StripBase& base, const StripParameters& p, int ridge, int side) {
   if (ridge == 0) return base.start[side];
   if (ridge == base.quads) return base.end;
@@ -52,25 +68,32 @@ StripParameters flat_parameters(const StripBase& base) {
   return p;
 }
 
+EdgePlace place_of(const StripBase& base, const StripParameters& p, int ridge, int side) {
+  return base.sides[side].place(abscissa(base, p, ridge, side));
+}
+
 StripFold folded(const StripBase& base, const StripParameters& p) {
   StripFold fold;
   const auto count = static_cast<std::size_t>(base.quads);
   fold.frames.reserve(count + 1);
   fold.frames.push_back(base.facet);
-  for (auto& ends : fold.ends)
-    ends.reserve(count + 1);
+  for (std::size_t side = 0; side < 2; ++side) {
+    fold.ends[side].reserve(count + 1);
+    fold.flat[side].reserve(count + 1);
+  }
   for (int ridge = 0; ridge <= base.quads; ++ridge) {
-    const auto flat = flat_ridge(base, p, ridge);
     const Frame before = fold.frames.back();
-    for (std::size_t side = 0; side < 2; ++side)
-      fold.ends[side].push_back(before.point(flat[side]));
+    for (int side = 0; side < 2; ++side) {
+      fold.flat[side].push_back(place_of(base, p, ridge, side));
+      fold.ends[side].push_back(before.point(fold.flat[side].back().at));
+    }
     if (ridge == base.quads) break;
-    const Vec2 along = flat[1] - flat[0];
+    const Vec2 left = fold.flat[0].back().at, along = fold.flat[1].back().at - left;
     fold.ridge_length.push_back(along.norm());
-    const Vec3 axis = (along.x() * before.x + along.y() * before.y) / along.norm();
+    const Vec3 axis = fold.before(ridge, along) / along.norm();
     Frame next = turned(before, fold.ends[0].back(), axis, p[ridge]);
     // The left end of the ridge stays in place to the last bit.
-    next.origin = fold.ends[0].back() - flat[0].x() * next.x - flat[0].y() * next.y;
+    next.origin = fold.ends[0].back() - left.x() * next.x - left.y() * next.y;
     fold.frames.push_back(next);
   }
   return fold;
@@ -83,10 +106,13 @@ std::vector<Twist> twists(const StripBase& base, const StripFold& fold) {
     const double l = fold.ridge_length[ridge];
     result[ridge] = {ridge, (right - left) / l, left};
     if (ridge == 0) continue;
-    const Vec3 turn = base.unit() * base.width() / (l * l) *
-                      (fold.frames[ridge].z - fold.quad(ridge).z);
-    result[abscissa_index(base.quads, ridge, 0)] = {ridge, turn, right};
-    result[abscissa_index(base.quads, ridge, 1)] = {ridge, -turn, left};
+    const EdgePlace &a = fold.flat[0][ridge], &b = fold.flat[1][ridge];
+    const Vec2 along = b.at - a.at;
+    const Vec3 turn = base.unit() / (l * l) * (fold.frames[ridge].z - fold.quad(ridge).z);
+    result[abscissa_index(base.quads, ridge, 0)] = {ridge, planish::cross(a.first, along) * turn,
+                                                    right};
+    result[abscissa_index(base.quads, ridge, 1)] = {ridge, -planish::cross(b.first, along) * turn,
+                                                    left};
   }
   return result;
 }
@@ -102,18 +128,62 @@ Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold,
       derivative.col(static_cast<Eigen::Index>(q)).setZero();
   }
   if (ridge > 0 && ridge < base.quads)
-    derivative.col(abscissa_index(base.quads, ridge, side)) = base.unit() * fold.frames[ridge].x;
+    derivative.col(abscissa_index(
+        base.quads, ridge, side)) = base.unit() * fold.before(ridge, fold.flat[side][ridge].first);
   return derivative;
 }
+
+namespace {
+
+/// Where a ridge ends on the chains that are cut, in place of the curves beside them.
+std::array<EdgeCurve::Crossing, 2> ends_on_chains(const StripBase& base, const StripParameters& p,
+                                                  const StripFold& fold, int ridge) {
+  std::array<EdgeCurve::Crossing, 2> ends;
+  for (int side = 0; side < 2; ++side) {
+    const Vec2& own = fold.flat[side][ridge].at;
+    ends[side] = base.sides[side].is_line()
+                     ? EdgeCurve::Crossing{own, 0}
+                     : base.sides[side].on_chain(fold.flat[1 - side][ridge].at, own,
+                                                 abscissa(base, p, ridge, side));
+  }
+  return ends;
+}
+
+/// Corners of a chain between the ends of two ridges on it.
+std::vector<Vec2> corners_between(const EdgeCurve& edge, const EdgeCurve::Crossing& from,
+                                  const EdgeCurve::Crossing& to) {
+  std::vector<Vec2> corners;
+  if (edge.is_line()) return corners;
+  const double touching = tolerance::kComputed *
+                          (edge.chain().back() - edge.chain().front()).norm();
+  for (int corner = from.line + 1; corner <= to.line; ++corner)
+    if (const Vec2& at = edge.chain()[corner];
+        (at - from.at).norm() > touching && (at - to.at).norm() > touching)
+      corners.push_back(at);
+  return corners;
+}
+
+}  // namespace
 
 FoldedStrip folded_strip(const StripBase& base, const StripParameters& p) {
   const StripFold fold = folded(base, p);
   FoldedStrip strip;
   strip.quads.assign(fold.frames.begin() + 1, fold.frames.end());
-  for (int ridge = 0; ridge <= base.quads; ++ridge)
-    strip.ridges.push_back({flat_ridge(base, p, ridge),
-                            {fold.end(0, ridge), fold.end(1, ridge)},
+  std::array<EdgeCurve::Crossing, 2> before;
+  for (int ridge = 0; ridge <= base.quads; ++ridge) {
+    const auto ends = ends_on_chains(base, p, fold, ridge);
+    const Frame& frame = fold.frames[ridge];
+    const auto in_space = [&](int side) -> Vec3 {
+      return base.sides[side].is_line() ? fold.end(side, ridge) : frame.point(ends[side].at);
+    };
+    strip.ridges.push_back({{ends[0].at, ends[1].at},
+                            {in_space(0), in_space(1)},
                             Angle::radians(ridge < base.quads ? p[ridge] : 0.0)});
+    if (ridge > 0 && !(base.sides[0].is_line() && base.sides[1].is_line()))
+      strip.borders.push_back({corners_between(base.sides[0], before[0], ends[0]),
+                               corners_between(base.sides[1], before[1], ends[1])});
+    before = ends;
+  }
   return strip;
 }
 

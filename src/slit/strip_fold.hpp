@@ -1,5 +1,7 @@
 #pragma once
 
+#include "edge_curve.hpp"
+
 #include <planish/slit/folded_slit_sheet.hpp>
 
 #include <Eigen/Core>
@@ -11,13 +13,15 @@ namespace planish::slit_detail {
 
 /// What folding does not change: the strip's place in the flat sheet and its beginning in space.
 struct StripBase {
-  Frame facet;                  ///< of the panel, flat coordinates to space
-  std::array<double, 2> sides;  ///< across, of left and right
-  std::array<double, 2> start;  ///< along, of ridge 0
-  double end = 0.0;             ///< along, of the last ridge
+  Frame facet;                     ///< of the panel, flat coordinates to space
+  std::array<EdgeCurve, 2> sides;  ///< left and right
+  std::array<double, 2> start;     ///< abscissae of ridge 0
+  double end = 0.0;                ///< of the last ridge
   int quads = 0;
 
-  double width() const { return sides[1] - sides[0]; }
+  double width() const;  ///< mean
+  double area() const { return width() * unit(); }
+  Vec2 middle_of_start() const;
   /// Mean length of its long edges, the unit of abscissae.
   double unit() const { return end - 0.5 * (start[0] + start[1]); }
 };
@@ -30,6 +34,8 @@ inline int abscissa_index(int quads, int ridge, int side) { return quads + 2 * (
 
 /// Flat abscissa of a ridge's end, mm.
 double abscissa(const StripBase& base, const StripParameters& p, int ridge, int side);
+/// Where that is on the edge.
+EdgePlace place_of(const StripBase& base, const StripParameters& p, int ridge, int side);
 
 /// Equally spaced ridges, not folded.
 StripParameters flat_parameters(const StripBase& base);
@@ -47,14 +53,19 @@ struct Twist {
 struct StripFold {
   std::vector<Frame> frames;              ///< frames[0] is the facet's, frames[i+1] that of quad i
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads
-  std::vector<double> ridge_length;       ///< of ridges 0 … quads−1
+  std::array<std::vector<EdgePlace>, 2> flat;  ///< of the same
+  std::vector<double> ridge_length;            ///< of ridges 0 … quads−1
   const Frame& quad(int i) const { return frames[i + 1]; }
   const Vec3& end(int side, int ridge) const { return ends[side][ridge]; }
+  /// A direction of the flat sheet in the quad before a ridge.
+  Vec3 before(int ridge, const Vec2& v) const {
+    return v.x() * frames[ridge].x + v.y() * frames[ridge].y;
+  }
 };
 StripFold folded(const StripBase& base, const StripParameters& p);
 
 /// One twist per parameter. A fold angle turns about its ridge. A ridge end that slides along its
-/// side by dx turns the ridge's line in the quad before it about the ridge's other end by w/l² dx;
+/// side by v dx turns the ridge's line d in the quad before it about its other end by v × d/l² dx;
 /// conjugating the fold with that turn moves what lies beyond by the difference of the turns about
 /// the normals before and after the fold.
 std::vector<Twist> twists(const StripBase& base, const StripFold& fold);

@@ -11,7 +11,7 @@ namespace planish::slit_detail {
 namespace {
 
 bool same_place(const RadiusLimit& a, const RadiusLimit& b) {
-  return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad;
+  return a.ridge == b.ridge && a.side == b.side;
 }
 bool same_place(const HalfSpace& a, const HalfSpace& b) {
   return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5;
@@ -32,7 +32,7 @@ void add(std::vector<Inequality>& list, const Limit& limit) {
 
 bool is_too_tight(const StripProblem& problem, const StripParameters& p) {
   return problem.min_radius > 0.0 &&
-         tightest_fold(problem.base, p).radius < problem.min_radius / (1.0 + kRadiusMargin);
+         tightest_fold(problem, p).radius < problem.min_radius / (1.0 + kRadiusMargin);
 }
 
 std::vector<Inequality> with_broken(const StripProblem& problem, const StripParameters& p,
@@ -41,7 +41,7 @@ std::vector<Inequality> with_broken(const StripProblem& problem, const StripPara
   for (const HalfSpace& plane : planes)
     add(inequalities, plane);
   if (is_too_tight(problem, p))
-    for (const RadiusLimit& limit : radius_limits(problem.base, p, problem.min_radius))
+    for (const RadiusLimit& limit : radius_limits(problem, p))
       add(inequalities, limit);
   return inequalities;
 }

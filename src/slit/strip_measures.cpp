@@ -1,5 +1,6 @@
 // What is measured on a strip's shape: by how much it misses its end, with derivatives, and how
 // tightly it is bent (math.md#strip-conditions).
+#include "bent_fold.hpp"
 #include "strip_problem.hpp"
 
 #include <algorithm>
@@ -8,26 +9,6 @@
 #include <limits>
 
 namespace planish::slit_detail {
-namespace {
-
-/// Calls f(side, neighbouring quad, its abscissa difference) at both sides of a ridge.
-template <typename F>
-void for_neighbours(const StripBase& base, const StripParameters& p, int ridge, const F& f) {
-  for (int side = 0; side < 2; ++side)
-    for (int quad = std::max(0, ridge - 1); quad <= ridge; ++quad)
-      f(side, quad, abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side));
-}
-
-double fold_radius(const StripBase& base, const StripParameters& p, int ridge, double spacing) {
-  const double length = std::hypot(abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0),
-                                   base.width());
-  const double tangent = std::tan(0.5 * std::abs(p[ridge]));
-  return tangent > 0.0 ? 0.5 * spacing * base.width() / length / tangent
-                       : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
 Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
   const Frame& last = fold.quad(quads - 1);
   switch (of) {
@@ -94,38 +75,30 @@ Angle fold_into(const Frame& last, const Frame& facet) {
 }
 
 Tightest far_fold(const StripProblem& problem, const StripParameters& p) {
-  Tightest fold{std::numeric_limits<double>::infinity(), problem.base.quads};
-  if (!problem.far_facet) return fold;
-  const StripBase& base = problem.base;
-  const int last = base.quads - 1;
-  const double angle = fold_into(folded(base, p).quad(last), *problem.far_facet).radians();
-  const double tangent = std::tan(0.5 * std::abs(angle));
-  for (int side = 0; side < 2; ++side)
-    if (tangent > 0.0)
-      fold.radius = std::min(fold.radius,
-                             0.5 * (base.end - abscissa(base, p, last, side)) / tangent);
-  return fold;
+  const int quads = problem.base.quads;
+  if (!problem.far_facet) return {std::numeric_limits<double>::infinity(), quads};
+  const Angle angle = fold_into(folded(problem.base, p).quad(quads - 1), *problem.far_facet);
+  return {fold_at(problem, p, quads).radius(angle.radians()), quads};
 }
 
-Tightest tightest_fold(const StripBase& base, const StripParameters& p) {
+Tightest tightest_fold(const StripProblem& problem, const StripParameters& p) {
   Tightest tightest{std::numeric_limits<double>::infinity(), 0};
-  for (int ridge = 0; ridge < base.quads; ++ridge)
-    for_neighbours(base, p, ridge, [&](int, int, double spacing) {
-      const double radius = fold_radius(base, p, ridge, spacing);
-      if (radius < tightest.radius) tightest = {radius, ridge};
-    });
+  for (int ridge = 0; ridge < problem.base.quads; ++ridge)
+    if (const double radius = fold_at(problem, p, ridge).radius(p[ridge]); radius < tightest.radius)
+      tightest = {radius, ridge};
   return tightest;
 }
 
-std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p,
-                                       double min_radius) {
+std::vector<RadiusLimit> radius_limits(const StripProblem& problem, const StripParameters& p) {
   constexpr double kNear = 2.0;
   std::vector<RadiusLimit> limits;
-  for (int ridge = 0; ridge < base.quads; ++ridge)
-    for_neighbours(base, p, ridge, [&](int side, int quad, double spacing) {
-      if (fold_radius(base, p, ridge, spacing) < kNear * min_radius)
-        limits.push_back({ridge, side, quad});
-    });
+  for (int ridge = 0; ridge < problem.base.quads; ++ridge) {
+    const BentFold fold = fold_at(problem, p, ridge);
+    const double tangent = std::tan(0.5 * std::abs(p[ridge]));
+    for (int side = 0; side < 2; ++side)
+      if (fold.bent(side) < 2.0 * kNear * problem.min_radius * tangent)
+        limits.push_back({ridge, side});
+  }
   return limits;
 }
 

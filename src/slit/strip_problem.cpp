@@ -1,8 +1,11 @@
 #include "strip_problem.hpp"
 
-#include "second_jet.hpp"
+#include "bent_fold.hpp"
+
+#include <planish/geometry/plane.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -23,65 +26,65 @@ constexpr double kEvenMiddles = 1.0;      // a thousand times as firm as the ene
 constexpr double kOfSpacing = 0.1;        // as firm as the energy, so that ridges do not meet
 constexpr double kThirtieths = 30.0;      // lengths count in thirtieths of the strip's length
 
-/// The terms of a radius limit: 2 R tan(|θ|/2) l/w ≤ Δ, both sides in mean spacings, with
-/// derivatives.
+/// The terms of a radius limit: 2 R tan(|θ|/2) ≤ h, the width that is bent, both times the length
+/// of the ridge and in mean spacings of the strip's mean width, with derivatives.
 class RadiusTerm {
  public:
   RadiusTerm(const StripProblem& problem, const StripParameters& p, const RadiusLimit& limit)
-      : base_(problem.base), limit_(limit) {
-    const double w = base_.width();
-    skew_ = abscissa(base_, p, limit.ridge, 1) - abscissa(base_, p, limit.ridge, 0);
-    length_ = std::hypot(skew_, w);
-    angle_ = p[limit.ridge];
-    tangent_ = std::tan(0.5 * std::abs(angle_));
-    factor_ = 2.0 * problem.min_radius / w;
-    spacing_ = abscissa(base_, p, limit.quad + 1, limit.side) -
-               abscissa(base_, p, limit.quad, limit.side);
-    scale_ = base_.quads / base_.unit();
-  }
+      : base_(problem.base),
+        ridge_(limit.ridge),
+        fold_(fold_at(problem, p, limit.ridge)),
+        side_(limit.side),
+        angle_(p[limit.ridge]),
+        tangent_(std::tan(0.5 * std::abs(angle_))),
+        twice_radius_(2.0 * problem.min_radius),
+        scale_(base_.quads / base_.area()) {}
 
-  double value() const { return scale_ * (factor_ * tangent_ * length_ - spacing_); }
+  double value() const {
+    return scale_ * (twice_radius_ * tangent_ * fold_.along().norm() - fold_.swept(side_));
+  }
 
   void add_gradient(Eigen::Ref<Eigen::RowVectorXd> row, double by) const {
-    by *= scale_;
-    row[limit_.ridge] += by * factor_ * length_ * 0.5 * (1.0 + tangent_ * tangent_) *
-                         (angle_ < 0.0 ? -1.0 : 1.0);
-    add(row, limit_.ridge, 1, by * factor_ * tangent_ * skew_ / length_);
-    add(row, limit_.ridge, 0, -by * factor_ * tangent_ * skew_ / length_);
-    add(row, limit_.quad + 1, limit_.side, -by);
-    add(row, limit_.quad, limit_.side, by);
+    const OfFold gradient = by * derivatives().gradient;
+    each([&](int i, int at, double unit) { row[at] += unit * gradient[i]; });
   }
 
-  /// Of the value by the fold and by both ends of the ridge.
   void add_curvature(Eigen::MatrixXd& to, double by) const {
-    using std::sqrt, std::tan;
-    using Number = SecondJet<3>;
-    const double unit = base_.unit(), half = angle_ < 0.0 ? -0.5 : 0.5;
-    const bool slides = limit_.ridge > 0 && limit_.ridge < base_.quads;
-    const Number angle = variable<3>(angle_, 0),
-                 skew = constant<Number>(skew_) +
-                        constant<Number>(unit) * (variable<3>(0.0, 2) - variable<3>(0.0, 1));
-    const Number value = constant<Number>(by * scale_ * factor_) *
-                         tan(constant<Number>(half) * angle) *
-                         sqrt(skew * skew + constant<Number>(base_.width() * base_.width()));
-    const std::array<int, 3> at{limit_.ridge,
-                                slides ? abscissa_index(base_.quads, limit_.ridge, 0) : -1,
-                                slides ? abscissa_index(base_.quads, limit_.ridge, 1) : -1};
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (at[i] >= 0 && at[j] >= 0) to(at[i], at[j]) += value.v[i].v[j];
+    const TwiceOfFold hessian = by * derivatives().hessian;
+    each([&](int i, int row, double a) {
+      each([&](int j, int column, double b) { to(row, column) += a * b * hessian(i, j); });
+    });
   }
 
  private:
-  void add(Eigen::Ref<Eigen::RowVectorXd> row, int ridge, int side, double by) const {
-    if (ridge > 0 && ridge < base_.quads)
-      row[abscissa_index(base_.quads, ridge, side)] += by * base_.unit();
+  template <typename F>
+  void each(const F& f) const {
+    const auto numbers = numbers_of_fold(base_, ridge_);
+    for (int i = 0; i < kOfFold; ++i)
+      if (numbers[i] >= 0) f(i, numbers[i], i == 0 ? 1.0 : base_.unit());
+  }
+
+  OfPlaces derivatives() const {
+    const OfPlaces square = fold_.square_of_length(), swept = fold_.swept_by(side_);
+    const double length = std::sqrt(square.value), sense = angle_ < 0.0 ? -1.0 : 1.0;
+    const OfFold of_length = square.gradient / (2.0 * length);
+    const TwiceOfFold twice_of_length = square.hessian / (2.0 * length) -
+                                        of_length * of_length.transpose() / length;
+    const double slope = 0.5 * (1.0 + tangent_ * tangent_) * sense;
+    OfPlaces all{value(), scale_ * (twice_radius_ * tangent_ * of_length - swept.gradient),
+                 scale_ * (twice_radius_ * tangent_ * twice_of_length - swept.hessian)};
+    all.gradient[0] = scale_ * twice_radius_ * slope * length;
+    all.hessian(0, 0) = scale_ * twice_radius_ * std::abs(slope) * tangent_ * length;
+    all.hessian.row(0).tail<6>() = scale_ * twice_radius_ * slope * of_length.tail<6>().transpose();
+    all.hessian.col(0).tail<6>() = all.hessian.row(0).tail<6>().transpose();
+    return all;
   }
 
   const StripBase& base_;
-  RadiusLimit limit_;
-  double skew_ = 0.0, length_ = 0.0, angle_ = 0.0, tangent_ = 0.0, factor_ = 0.0, spacing_ = 0.0,
-         scale_ = 0.0;
+  int ridge_ = 0;
+  BentFold fold_;
+  int side_ = 0;
+  double angle_ = 0.0, tangent_ = 0.0, twice_radius_ = 0.0, scale_ = 0.0;
 };
 
 /// Fills residuals and Jacobian row by row.
@@ -326,11 +329,29 @@ std::vector<Pull> pulls(const StripProblem& problem, const StripFold& fold) {
   return all;
 }
 
+namespace {
+
+/// Whether the ends of a ridge lie on the right side of the next one and the other way round: what
+/// follows for lines along the sheet from the order of their abscissae.
+bool is_before(const StripBase& base, const StripParameters& p, int ridge) {
+  if (base.sides[0].is_line() && base.sides[1].is_line()) return true;
+  const std::array<Vec2, 2> near{place_of(base, p, ridge, 0).at, place_of(base, p, ridge, 1).at},
+      far{place_of(base, p, ridge + 1, 0).at, place_of(base, p, ridge + 1, 1).at};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (!(planish::cross(far[side] - near[side], near[1] - near[0]) > 0.0 &&
+          planish::cross(far[side] - near[side], far[1] - far[0]) > 0.0))
+      return false;
+  return true;
+}
+
+}  // namespace
+
 bool is_shape(const StripBase& base, const StripParameters& p) {
   for (int ridge = 0; ridge < base.quads; ++ridge) {
     if (!(std::abs(p[ridge]) < std::numbers::pi)) return false;
     for (int side = 0; side < 2; ++side)
       if (!(abscissa(base, p, ridge + 1, side) > abscissa(base, p, ridge, side))) return false;
+    if (!is_before(base, p, ridge)) return false;
   }
   return true;
 }

@@ -29,12 +29,11 @@ struct HalfSpace {
   double offset = 0.0;
   bool firm = false;
 };
-/// The arc that touches the quads on both sides of a ridge, using half of one of them, must have at
-/// least the smallest radius.
+/// The arc by which the material that is bent with a fold turns, at one end of its ridge, must have
+/// at least the smallest radius.
 struct RadiusLimit {
   int ridge = 0;
   int side = 0;
-  int quad = 0;  ///< ridge − 1 or ridge
 };
 /// Inequalities hold if none is broken by more than this (in strip lengths or mean spacings).
 constexpr double kHolds = 1e-7;
@@ -124,16 +123,15 @@ double end_gap(const StripProblem& problem, const StripFold& fold);
 /// Angle of the fold at a strip's end, from its last quad to the panel there.
 Angle fold_into(const Frame& last, const Frame& facet);
 
-/// The tightest fold: radius of the arc within half a quad on both sides of its ridge.
+/// The tightest fold: radius of the arc on the material that is bent with it (bent_fold.hpp).
 struct Tightest {
   double radius = 0.0;
   int ridge = 0;
 };
 /// The fold into the panel at the strip's end.
 Tightest far_fold(const StripProblem& problem, const StripParameters& p);
-Tightest tightest_fold(const StripBase& base, const StripParameters& p);
-/// The limits that are violated or nearly so.
-std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p,
-                                       double min_radius);
+Tightest tightest_fold(const StripProblem& problem, const StripParameters& p);
+/// The limits of a problem that are violated or nearly so.
+std::vector<RadiusLimit> radius_limits(const StripProblem& problem, const StripParameters& p);
 
 }  // namespace planish::slit_detail

@@ -43,7 +43,7 @@ struct Course {
   int descended = 0;  ///< iterations
 
   double objective() const { return slit_detail::objective(problem, solution.p); }
-  double radius() const { return tightest_fold(problem.base, solution.p).radius; }
+  double radius() const { return tightest_fold(problem, solution.p).radius; }
 };
 
 Course descended(const Task& task, Course course, int iterations, double tolerance) {

@@ -72,8 +72,7 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
                  : solution.converged           ? StripStatus::solved
                                                 : StripStatus::open;
   if (!solution.reached) state.shortfall = state.gap;
-  const Tightest folds = tightest_fold(problem.base, solution.p),
-                 far = far_fold(problem, solution.p);
+  const Tightest folds = tightest_fold(problem, solution.p), far = far_fold(problem, solution.p);
   const Tightest tightest = far.radius < folds.radius ? far : folds;
   state.min_radius = tightest.radius;
   state.tightest_ridge = tightest.ridge;

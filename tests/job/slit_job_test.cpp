@@ -4,10 +4,12 @@
 #include <planish/job/slit.hpp>
 #include <planish/job/slit_json.hpp>
 #include <planish/slit/codes.hpp>
+#include <planish/slit/slit_curves.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace planish::job {
 namespace {
@@ -65,6 +67,56 @@ TEST(SlitJob, CutsSlitsAsWideAsAsked) {
   const auto hole = slit_sheet(file, slit_request());
   ASSERT_FALSE(hole);
   EXPECT_EQ(hole.error().where, "shop/chair.json/stop_hole");
+}
+
+/// Three strips that narrow towards the symmetry plane between two curves that meet it squarely.
+SlitFile curved_chair() {
+  SlitFile file = small_chair();
+  CurvedSlits curves;
+  curves.width = 120.0;
+  for (const double from : {40.0, 80.0}) {
+    const double to = 60.0 + 0.6 * (from - 60.0);
+    curves.slits.push_back(
+        chain_on({{{440.0, from}, {560.0, from}, {720.0, to}, {884.0, to}}}, 0.02));
+  }
+  file.design.sheet.strips = *strips_between(file.design.sheet, curves);
+  return file;
+}
+
+TEST(SlitJob, LaysFlatTheSheetThatWasCutAlongCurves) {
+  const SlitFile file = curved_chair();
+  const SlitReport report = bent(file, Effort::full);
+  ASSERT_EQ(report.strips.size(), 3u);
+  EXPECT_LT(report.flat_deviation, 1e-12 * 884.0 * 10.0);
+  EXPECT_LT(report.gap, 1e-9 * 464.0);
+  EXPECT_NEAR(report.flat.area, 120.0 * 2 * 884.0, 1e-6);
+  EXPECT_NEAR(report.size.x(), 2 * 884.0, 1e-9);
+  // Each is cut once, as long as it is: both halves of two slits.
+  const double half = length(BezierCurve{{{440, 40}, {560, 40}, {720, 48}, {884, 48}}});
+  EXPECT_NEAR(length(report.flat.slits), 4.0 * half, 4 * 0.02);
+  EXPECT_EQ(report.flat.openings.size(), 0u);
+  for (std::size_t a = 0; a < report.flat.slits.size(); ++a)
+    for (std::size_t b = 0; b < report.flat.slits.size(); ++b) {
+      if (a == b) continue;
+      EXPECT_GT(nearest(report.flat.slits[a], point_at(report.flat.slits[b], 0.5)).distance, 0.05)
+          << "twice";
+    }
+}
+
+/// What is swept along a smooth curve is the width times its length.
+TEST(SlitJob, CutsSlitsAlongCurvesAsWideAsAsked) {
+  SlitFile file = curved_chair();
+  file.kerf = 3.0;
+  const SlitReport report = bent(file);
+  EXPECT_TRUE(report.flat.slits.empty());
+  ASSERT_EQ(report.flat.openings.size(), 2u);
+  const double half = length(BezierCurve{{{440, 40}, {560, 40}, {720, 48}, {884, 48}}});
+  const double cut = 2.0 * (3.0 * 2.0 * half + 1.5 * 1.5 * std::numbers::pi);
+  EXPECT_NEAR(report.flat.area, 120.0 * 2 * 884.0 - cut, 1e-4 * cut);
+  file.stop_hole = 8.0;
+  const SlitReport holes = bent(file);
+  EXPECT_LT(holes.flat.area, report.flat.area - 4 * 12.0);
+  EXPECT_EQ(holes.flat.openings.size(), 2u);
 }
 
 TEST(SlitJob, ScalesLegCurvesThatMayFit) {

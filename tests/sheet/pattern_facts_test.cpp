@@ -30,6 +30,13 @@ TEST(PatternFacts, CutSlitsOnceAndOpeningsAllAround) {
   EXPECT_NEAR(outer_cutting_length(flat), 100 * pi, 1e-9);
 }
 
+TEST(PatternFacts, CountSlitsOfSeveralCurvesOnce) {
+  FlatPattern flat;
+  EXPECT_EQ(slit_count(flat), 0);
+  flat.slits = {Segment{{0, 0}, {10, 0}}, Segment{{10, 0}, {15, 5}}, Segment{{20, 5}, {30, 5}}};
+  EXPECT_EQ(slit_count(flat), 2);
+}
+
 TEST(PatternFacts, TakeTheLongestOfABendsLines) {
   FlatBend bend;
   EXPECT_FALSE(longest_line(bend));

@@ -8,10 +8,10 @@ namespace planish::test {
 namespace {
 
 TEST(EndCurvature, IsThatOfDifferences) {
-  const StripProblem problem = problem_with_everything(6);
   Eigen::VectorXd multipliers(6);
   multipliers << 1.0, -2.0, 0.5, 3.0, -1.5, 0.7;
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const StripProblem problem = problem_with_everything(both_bases(6)[seed % 2]);
     const StripParameters p = random_parameters(problem.base, seed, 0.9);
     const StripFold fold = folded(problem.base, p);
     const Eigen::MatrixXd second = second_derivatives(
@@ -27,10 +27,11 @@ TEST(EndCurvature, IsThatOfDifferences) {
 
 /// Ends of ridges in the middle slide along their quads' edges, too.
 TEST(EndCurvature, OfRidgeEndsIsThatOfDifferences) {
-  const StripBase base = some_base(6);
   const Vec3 weight(0.3, -1.2, 0.7);
   for (const int ridge : {1, 3, 6})
-    for (const int side : {0, 1}) {
+    for (const int number : {0, 1, 2, 3}) {
+      const StripBase base = both_bases(6)[number / 2];
+      const int side = number % 2;
       const StripParameters p = random_parameters(base, 3, 0.9);
       const StripFold fold = folded(base, p);
       const Eigen::MatrixXd second = second_derivatives(

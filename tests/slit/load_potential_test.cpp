@@ -54,27 +54,30 @@ TEST(LoadPotential, IsAboveZeroWhateverTheShape) {
 }
 
 TEST(LoadPotential, HasTheDerivativesOfItsDifferences) {
-  const StripProblem problem = loaded_problem(5);
-  const StripParameters p = random_parameters(problem.base, 7, 0.5);
-  const SecondOrder all = load_potential_derivatives(problem, p);
-  EXPECT_EQ(all.value, load_potential(problem, p));
-  const Eigen::MatrixXd first = differences(
-      [&](const StripParameters& at) {
-        return Eigen::VectorXd::Constant(1, load_potential(problem, at));
-      },
-      p);
-  EXPECT_LT((all.gradient.transpose() - first).norm(), 1e-7 * first.norm());
-  const Eigen::MatrixXd second = differences(
-      [&](const StripParameters& at) { return load_potential_derivatives(problem, at).gradient; },
-      p);
-  EXPECT_LT((all.hessian - second).norm(), 1e-7 * second.norm());
-  EXPECT_LT((all.hessian - all.hessian.transpose()).norm(), 1e-14 * second.norm());
+  for (const StripBase& base : both_bases(5)) {
+    StripProblem problem = loaded_problem(5);
+    problem.base = base;
+    const StripParameters p = random_parameters(problem.base, 7, 0.5);
+    const SecondOrder all = load_potential_derivatives(problem, p);
+    EXPECT_EQ(all.value, load_potential(problem, p));
+    const Eigen::MatrixXd first = differences(
+        [&](const StripParameters& at) {
+          return Eigen::VectorXd::Constant(1, load_potential(problem, at));
+        },
+        p);
+    EXPECT_LT((all.gradient.transpose() - first).norm(), 1e-7 * first.norm());
+    const Eigen::MatrixXd second = differences(
+        [&](const StripParameters& at) { return load_potential_derivatives(problem, at).gradient; },
+        p);
+    EXPECT_LT((all.hessian - second).norm(), 1e-7 * second.norm());
+    EXPECT_LT((all.hessian - all.hessian.transpose()).norm(), 1e-14 * second.norm());
+  }
 }
 
 TEST(LoadPotential, ForcesAtEndsAddUpToTheLoad) {
   const StripProblem problem = loaded_problem(7);
   const StripParameters p = random_parameters(problem.base, 5, 0.3);
-  const EndForces forces = end_forces(problem.base, p, problem.load);
+  const EndForces forces = end_forces(problem.base, folded(problem.base, p), problem.load);
   Vec3 sum = Vec3::Zero();
   for (const auto& side : forces)
     for (const Vec3& force : side)

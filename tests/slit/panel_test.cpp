@@ -131,13 +131,14 @@ TEST(Panel, AtTheFarEndHasItsFreeEdgeOnTheGround) {
 }
 
 TEST(Panel, FitsItsLegCurveToTheSheet) {
-  const auto straight = slit_detail::fitted(small_sheet(), {{{10, 5}, {10, 25}}}, "");
+  const auto straight = slit_detail::fitted(small_sheet(), {{{10, 5}, {10, 25}}},
+                                            slit_detail::PanelAt::start, "");
   ASSERT_TRUE(straight) << straight.error().message;
   EXPECT_NEAR((straight->poles[0] - Vec2(10, 5)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((straight->poles[1] - Vec2(10, 65)).norm(), 0.0, 1e-10);
 
   const BezierCurve curve{{{4, 1}, {9, 3}, {5, 8}, {4, 11}}};
-  const auto scaled = slit_detail::fitted(small_sheet(), curve, "");
+  const auto scaled = slit_detail::fitted(small_sheet(), curve, slit_detail::PanelAt::start, "");
   ASSERT_TRUE(scaled) << scaled.error().message;
   const double scale = (scaled->poles[3] - scaled->poles[0]).norm() / 10.0;
   for (std::size_t i = 0; i < curve.poles.size(); ++i)
@@ -147,7 +148,7 @@ TEST(Panel, FitsItsLegCurveToTheSheet) {
   ASSERT_TRUE(panel) << panel.error().message;
   const Vec3 last = panel->back().frame.point(panel->back().corners[3]);
   EXPECT_NEAR((Vec2(last.x(), last.z()) - scaled->poles[3]).norm(), 0.0, 1e-8);
-  const auto again = slit_detail::fitted(small_sheet(), *scaled, "");
+  const auto again = slit_detail::fitted(small_sheet(), *scaled, slit_detail::PanelAt::start, "");
   ASSERT_TRUE(again);
   EXPECT_EQ(again->poles, scaled->poles);
 }

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace planish::test {
 
@@ -21,6 +23,29 @@ inline StripBase some_base(int quads) {
   return base;
 }
 
+/// A strip between edges that are curves and converge: the left one an S, the right one an arc.
+inline StripBase curved_base(int quads) {
+  StripBase base = some_base(quads);
+  std::vector<Vec2> left, right;
+  for (int i = 0; i <= 30; ++i) {
+    const double s = i / 30.0;
+    left.emplace_back(200.0 + 340.0 * s, 35.0 + 12.0 * std::sin(6.0 * s));
+    right.emplace_back(214.0 + 300.0 * s, 80.0 - 60.0 * s * s + 20.0 * s);
+  }
+  base.sides = {EdgeCurve(std::move(left), 200.0, 560.0),
+                EdgeCurve(std::move(right), 214.0, 560.0)};
+  return base;
+}
+
+/// One between lines along the sheet, one between curves.
+inline std::vector<StripBase> both_bases(int quads) {
+  return {some_base(quads), curved_base(quads)};
+}
+
+inline bool is_line(const StripBase& base) {
+  return base.sides[0].is_line() && base.sides[1].is_line();
+}
+
 inline StripParameters random_parameters(const StripBase& base, unsigned seed,
                                          double largest_fold) {
   std::mt19937 random(seed);
@@ -30,7 +55,8 @@ inline StripParameters random_parameters(const StripBase& base, unsigned seed,
     p[ridge] = largest_fold * unit(random);
   for (int ridge = 1; ridge < base.quads; ++ridge)
     for (int side = 0; side < 2; ++side)
-      p[abscissa_index(base.quads, ridge, side)] += 0.45 * unit(random) / base.quads;
+      p[abscissa_index(base.quads, ridge, side)] += (is_line(base) ? 0.45 : 0.2) * unit(random) /
+                                                    base.quads;
   return p;
 }
 
@@ -42,9 +68,10 @@ inline StripProblem bare_problem(int quads) {
   return problem;
 }
 
-inline StripProblem problem_with_everything(int quads) {
+inline StripProblem problem_with_everything(const StripBase& base) {
+  const int quads = base.quads;
   StripProblem problem;
-  problem.base = some_base(quads);
+  problem.base = base;
   problem.mirrored = true;
   using Of = EndCondition::Of;
   problem.ends = {{Of::left_end, Vec3(1, 2, -1), 3}, {Of::right_end, Vec3::UnitX(), 0},
@@ -60,12 +87,16 @@ inline StripProblem problem_with_everything(int quads) {
   problem.scan = std::make_shared<const ScannedSurface>(points);
   problem.min_radius = 150.0;
   problem.penalty = 10.0;
-  problem.inequalities = {{RadiusLimit{1, 0, 0}, 0.5},
-                          {RadiusLimit{1, 1, 1}, 3.0},
-                          {RadiusLimit{0, 0, 0}, 3.0},
+  problem.inequalities = {{RadiusLimit{1, 0}, 0.5},
+                          {RadiusLimit{1, 1}, 3.0},
+                          {RadiusLimit{0, 0}, 3.0},
                           {HalfSpace{2, 1, Vec3(0.6, 0, 0.8), 1e4}, 0.0},
                           {HalfSpace{2, 0, Vec3::UnitX(), -1e5}, 0.0}};
   return problem;
+}
+
+inline StripProblem problem_with_everything(int quads) {
+  return problem_with_everything(some_base(quads));
 }
 
 /// Central differences with a step at which truncation and rounding are alike.

@@ -46,33 +46,51 @@ TEST(StripEnds, MissTheirConditionsByWhatTheyAreOff) {
   EXPECT_NEAR(end_gap(problem, fold), 14.0, 1e-9);
 }
 
-TEST(StripRadii, AreThoseOfArcsThatUseHalfOfAQuad) {
+TEST(StripRadii, AreThoseOfArcsOnTheHalvesOfBothQuads) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    const StripBase base = some_base(6);
+    StripProblem problem = bare_problem(6);
+    problem.min_radius = 100.0;
+    const StripBase& base = problem.base;
     const StripParameters p = random_parameters(base, seed, 0.5);
     double least = 1e300;
     int where = -1;
-    std::vector<std::array<int, 3>> near;
+    std::vector<std::array<int, 2>> near;
     for (int ridge = 0; ridge < 6; ++ridge)
-      for (int side = 0; side < 2; ++side)
-        for (int quad = ridge - 1; quad <= ridge; ++quad) {
-          if (quad < 0) continue;
-          const double skew = abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0);
-          const double spacing = abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side);
-          const double radius = 0.5 * spacing * base.width() / std::hypot(skew, base.width()) /
-                                std::tan(0.5 * std::abs(p[ridge]));
-          if (radius < least) least = radius, where = ridge;
-          if (radius < 2.0 * 100.0) near.push_back({ridge, side, quad});
-        }
-    EXPECT_NEAR(tightest_fold(base, p).radius, least, 1e-9 * least) << seed;
-    EXPECT_EQ(tightest_fold(base, p).ridge, where) << seed;
-    std::vector<std::array<int, 3>> found;
-    for (const RadiusLimit& limit : radius_limits(base, p, 100.0))
-      found.push_back({limit.ridge, limit.side, limit.quad});
+      for (int side = 0; side < 2; ++side) {
+        const double skew = abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0);
+        const double halves = 0.5 * (abscissa(base, p, ridge + 1, side) -
+                                     abscissa(base, p, std::max(0, ridge - 1), side));
+        const double radius = 0.5 * halves * base.width() / std::hypot(skew, base.width()) /
+                              std::tan(0.5 * std::abs(p[ridge]));
+        if (radius < least) least = radius, where = ridge;
+        if (radius < 2.0 * 100.0) near.push_back({ridge, side});
+      }
+    EXPECT_NEAR(tightest_fold(problem, p).radius, least, 1e-9 * least) << seed;
+    EXPECT_EQ(tightest_fold(problem, p).ridge, where) << seed;
+    std::vector<std::array<int, 2>> found;
+    for (const RadiusLimit& limit : radius_limits(problem, p))
+      found.push_back({limit.ridge, limit.side});
     EXPECT_EQ(found, near) << seed;
   }
-  const StripBase base = some_base(6);
-  EXPECT_TRUE(std::isinf(tightest_fold(base, flat_parameters(base)).radius));
+  const StripProblem problem = bare_problem(6);
+  EXPECT_TRUE(std::isinf(tightest_fold(problem, flat_parameters(problem.base)).radius));
+}
+
+/// A strip that leaves its panel level and lies on a cylinder: the first ridge has half of the fold
+/// and of the material of the others, so that no radius is told that is twice the cylinder's.
+TEST(StripRadii, AreAllThatOfTheCylinderOnWhichAStripLies) {
+  const double radius = 300.0;
+  StripProblem problem = bare_problem(40);
+  problem.base.start = {200.0, 200.0};
+  StripParameters p = flat_parameters(problem.base);
+  const double fold = 2.0 * std::atan(0.5 * 360.0 / 40 / radius);
+  p.head(40).setConstant(fold);
+  p[0] = 0.5 * fold;
+  for (int ridge = 0; ridge < 40; ++ridge) {
+    StripParameters one = flat_parameters(problem.base);
+    one[ridge] = p[ridge];
+    EXPECT_NEAR(tightest_fold(problem, one).radius, radius, 1e-3 * radius) << ridge;
+  }
 }
 
 TEST(StripRadii, CountTheFoldIntoAPanelAtItsEnd) {
@@ -88,7 +106,7 @@ TEST(StripRadii, CountTheFoldIntoAPanelAtItsEnd) {
   problem.far_facet = facet;
   const double rest = problem.base.end -
                       std::max(abscissa(problem.base, p, 5, 0), abscissa(problem.base, p, 5, 1));
-  EXPECT_NEAR(far_fold(problem, p).radius, 0.5 * rest / std::tan(0.2), 1e-9);
+  EXPECT_NEAR(far_fold(problem, p).radius, 0.25 * rest / std::tan(0.2), 1e-9);
   EXPECT_EQ(far_fold(problem, p).ridge, 6);
 }
 

@@ -39,21 +39,24 @@ std::vector<Vec3> moving_ends(const FoldedStrip& strip) {
   return ends;
 }
 
-/// The radius of the tightest arc that touches both quads of a ridge within half of one of them.
+/// The radius of the tightest arc that turns by a fold on the halves of both its quads. The panel
+/// is not bent, and the quad at the symmetry plane belongs to the last ridge whole.
 double tightest_of(const FoldedStrip& strip) {
   double radius = std::numeric_limits<double>::infinity();
-  for (std::size_t ridge = 0; ridge < strip.quads.size(); ++ridge) {
+  const std::size_t quads = strip.quads.size();
+  for (std::size_t ridge = 0; ridge < quads; ++ridge) {
     const SlitRidge& here = strip.ridges[ridge];
     const double width = here.flat[1].y() - here.flat[0].y();
     const double length = (here.flat[1] - here.flat[0]).norm();
     const double tangent = std::tan(0.5 * std::abs(here.fold.radians()));
-    for (const std::size_t side : {0u, 1u})
-      for (const std::size_t quad : {ridge - 1, ridge}) {
-        if (quad >= strip.quads.size()) continue;  // before the first
-        const double spacing = strip.ridges[quad + 1].flat[side].x() -
-                               strip.ridges[quad].flat[side].x();
-        radius = std::min(radius, 0.5 * spacing * width / length / tangent);
-      }
+    for (const std::size_t side : {0u, 1u}) {
+      const auto from = [&](std::size_t other) {
+        return std::abs(strip.ridges[other].flat[side].x() - here.flat[side].x());
+      };
+      const double before = ridge > 0 ? 0.5 * from(ridge - 1) : 0.0,
+                   behind = (ridge + 1 == quads ? 1.0 : 0.5) * from(ridge + 1);
+      radius = std::min(radius, 0.5 * (before + behind) * width / length / tangent);
+    }
   }
   return radius;
 }

@@ -23,6 +23,9 @@ struct SlitRidge {
 struct FoldedStrip {
   std::vector<SlitRidge> ridges;
   std::vector<Frame> quads;
+  /// Of each quad the flat corners of its left and of its right edge between its ridges, in their
+  /// order along the strip; empty of strips whose edges are lines.
+  std::vector<std::array<std::vector<Vec2>, 2>> borders = {};
 };
 
 /// From the corner where a strip ends to that of its neighbour on the right that faces it, mm;

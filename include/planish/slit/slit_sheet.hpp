@@ -23,6 +23,9 @@ struct SlitStrip {
   std::optional<double> left_start = {}, right_start = {};
   std::optional<double> end = {};  ///< where it ends, along; default: panel height + half-length.
                                    ///< Not in symmetric sheets
+  /// Its left and right edge where that is a curve, as a chain of lines from the slit's start to
+  /// the strip's end; empty: a line along the sheet. With curves `width` is that at the start.
+  std::array<std::vector<Vec2>, 2> edges = {};
   friend bool operator==(const SlitStrip&, const SlitStrip&) = default;
 };
 
@@ -37,7 +40,7 @@ struct SlitSheet {
   double margin = 0.0;  ///< between the last strip and the sheet's right edge
   bool symmetric = true;
   double min_inside_radius = 0.0;  ///< the smallest that the material allows, mm
-  /// Width across, that from the first strip to the last, and the largest along.
+  /// Width across, that from the first strip to the last where they end, and the largest along.
   double width() const;
   double breadth() const;
   double reach() const;
@@ -46,6 +49,11 @@ struct SlitSheet {
   double left_of(int strip) const;
   std::array<double, 2> start_of(int strip) const;
   double end_of(int strip) const;
+  /// Across of both edges where it ends, how long they are, and the area between them.
+  std::array<double, 2> sides_at_end(int strip) const;
+  std::array<double, 2> edge_lengths(int strip) const;
+  double area_of(int strip) const;
+  double width_at_end(int strip) const;
   /// Smallest radius of the mid-surface that the material allows.
   double min_radius() const { return min_inside_radius + 0.5 * thickness; }
   friend bool operator==(const SlitSheet&, const SlitSheet&) = default;
