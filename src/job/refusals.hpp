@@ -9,9 +9,6 @@
 /// The sentences with which `job` refuses.
 namespace planish::refuse {
 
-constexpr Refusal aligned_without_strips{
-    code::invalid_input, "{field} goes with scans that name their strips.",
-    "Give each scan its strip, or place it where the sheet is and leave align_scan out."};
 constexpr Refusal overlap_too_large{code::overlap,
                                     "{@part} overlap by {area}, {depth} deep, which is more than a "
                                     "relief may cut away ({most_area} and {most_depth})."};
@@ -235,6 +232,9 @@ constexpr Refusal x_along_normal{code::invalid_input, "{@field} is parallel to t
                                  "Give a direction in the profile's plane."};
 constexpr Refusal no_such_strip{code::invalid_input,
                                 "{@field} is {strip}; it must be from 0 to {last}."};
+constexpr Refusal aligned_without_strips{
+    code::invalid_input, "{@field} goes with scans that name their strips.",
+    "Give each scan its strip, or place it where the sheet is and leave align_scan out."};
 constexpr Refusal strip_end_twice{code::invalid_input,
                                   "{@field} is {strip}, the same strip as in an earlier end."};
 constexpr Refusal panel_of_symmetric{

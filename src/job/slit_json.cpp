@@ -7,6 +7,7 @@
 #include <planish/job/slit_json.hpp>
 #include <planish/schema/json_reading.hpp>
 #include <planish/schema/text_file.hpp>
+#include <planish/slit/scans.hpp>
 #include <planish/slit/session.hpp>
 
 #include <fmt/format.h>

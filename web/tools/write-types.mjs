@@ -16,6 +16,8 @@ const singular = (key) =>
 const unique = (types) => [...new Set(types)];
 const inList = (type) => (type.includes(' | ') ? `(${type})` : type);
 
+const formsOf = (schema) => (schema.if ? [...formsOf(schema.then), ...formsOf(schema.else)] : [schema]);
+
 class Module {
   named = new Map(); // the text of each type, by its name
 
@@ -46,10 +48,11 @@ class Module {
     return this.add(name, forms.map(text).join(' | '));
   }
 
-  /** Of two forms, told apart by the keys of one; each may be asked for what only the other has. */
-  either({ then: one, else: other }, name) {
-    const keys = Object.keys({ ...one.properties, ...other.properties });
-    return this.add(name, [one, other].map((form) => this.fields(form, keys, name)).join(' | '));
+  /** Of several forms, told apart by the keys of one; each may be asked for what only another has. */
+  either(schema, name) {
+    const forms = formsOf(schema),
+      keys = [...new Set(forms.flatMap(({ properties }) => Object.keys(properties)))];
+    return this.add(name, forms.map((form) => this.fields(form, keys, name)).join(' | '));
   }
 
   fields({ properties, additionalProperties: more = true, required = [] }, keys, name) {

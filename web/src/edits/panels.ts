@@ -46,7 +46,7 @@ export function addSecondPanel(spec: SlitSpec): SlitSpec {
 
 /** How far away a second panel as high as the first may stand so that every strip reaches its edge. */
 function reachOf({ strips, panel_height, half_length = 0 }: SlitSpec['sheet']): number {
-  const ways = (typeof strips === 'number' ? [] : strips).map(({ end, left_start, right_start }) => {
+  const ways = (typeof strips === 'object' ? strips : []).map(({ end, left_start, right_start }) => {
     const start = ((left_start ?? panel_height) + (right_start ?? panel_height)) / 2,
       last = end ?? panel_height + half_length,
       up = 2 * panel_height + half_length - last - start; // from edge to edge: the sheet ends in one line
@@ -64,7 +64,7 @@ export function ownSecondPanel(spec: SlitSpec): SlitSpec {
     beyond = (end: number) => round(2 * end - sheet.panel_height);
   const half_length = 2 * sheet.half_length,
     whole: SlitSpec['sheet'] =
-      sheet.strip_width === undefined
+      typeof sheet.strips === 'object'
         ? {
             ...sheet,
             half_length,

@@ -9,8 +9,18 @@ import type {
 } from '../../generated/slits.ts';
 import type { ReportSlitStrip } from '../../generated/report.ts';
 
+/** As it is edited: either form of strips, or none where slits are curves. */
+export interface SheetSpec {
+  strips?: number | SlitsSheetStrip[];
+  strip_width?: number;
+  panel_height: number;
+  half_length: number;
+  margin?: number;
+  width?: number;
+}
+export type SlitSpec = Omit<Slits, 'sheet'> & { sheet: SheetSpec };
+
 export type {
-  Slits as SlitSpec,
   SlitsAnchor as AnchorSpec,
   SlitsEnd as StripEnd,
   SlitsLegCurve as LegCurve,

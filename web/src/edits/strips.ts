@@ -6,12 +6,18 @@ import { scaledLegs } from './panels.ts';
 
 type Sheet = SlitSpec['sheet'];
 
-/** The strips one by one. */
-export const stripsOf = ({ strips, strip_width }: Sheet): StripSpec[] =>
+/** The strips one by one; none where slits are curves. */
+export const stripsOf = ({ strips = [], strip_width }: Sheet): StripSpec[] =>
   typeof strips === 'number' ? Array.from({ length: strips }, () => ({ width: strip_width ?? 0 })) : strips;
 
 const widthOf = (sheet: Sheet) => stripsOf(sheet).reduce((sum, s) => sum + s.width + (s.gap ?? 0), sheet.margin ?? 0);
-export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
+export const sheetWidth = (spec: SlitSpec): number => (spec.slits ? curvedWidth(spec) : widthOf(spec.sheet));
+
+/** Of a sheet with curves for slits: as told, or that of its outline's points. */
+function curvedWidth({ sheet, outline }: SlitSpec): number {
+  const across = (outline ?? []).flatMap((part) => (part.points ?? part.bezier ?? []).map((p) => p[1] ?? 0));
+  return sheet.width ?? (across.length ? Math.max(...across) - Math.min(...across) : 0);
+}
 
 /** The sheet with strips that have their own widths. */
 const withStrips = ({ strip_width: _one, ...sheet }: Sheet, strips: StripSpec[]): Sheet => ({ ...sheet, strips });
@@ -73,8 +79,9 @@ export function removeStrip(spec: SlitSpec, index: number): SlitSpec {
 
 /** Updates references to strips whose numbers have changed; null: the strip is gone. */
 function renumbered(spec: SlitSpec, to: (strip: number) => number | null): SlitSpec {
-  const of = <T extends { strip: number }>(list: T[] | undefined) =>
+  const of = <T extends { strip?: number }>(list: T[] | undefined) =>
     list?.flatMap((item) => {
+      if (item.strip === undefined) return [item]; // a scan of any strip
       const strip = to(item.strip);
       return strip === null ? [] : [{ ...item, strip }];
     });

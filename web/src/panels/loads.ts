@@ -94,16 +94,7 @@ function loadBlock(spec: SlitSpec, load: SlitsLoad, i: number, set: Set) {
       placeholder: 'spread over it',
       on: (v) => change({ at: v ?? undefined }),
     })}
-    <div class="triple">
-      ${(['x', 'y', 'z'] as const).map((axis, k) =>
-        numberField({
-          label: `${axis}, N`,
-          testid: `load-${axis}`,
-          value: load.force[k] ?? 0,
-          on: (v) => v !== null && change({ force: load.force.map((f, j) => (j === k ? v : f)) as SlitsLoad['force'] }),
-        }),
-      )}
-    </div>
+    ${forceFields(load, (force) => change({ force }))}
     <p class="row">
       <button
         class="link"
@@ -115,3 +106,15 @@ function loadBlock(spec: SlitSpec, load: SlitsLoad, i: number, set: Set) {
     </p>
   </div>`;
 }
+
+const forceFields = (load: SlitsLoad, on: (force: SlitsLoad['force']) => void) =>
+  html`<div class="triple">
+    ${(['x', 'y', 'z'] as const).map((axis, k) =>
+      numberField({
+        label: `${axis}, N`,
+        testid: `load-${axis}`,
+        value: load.force[k] ?? 0,
+        on: (v) => v !== null && on(load.force.map((f, j) => (j === k ? v : f)) as SlitsLoad['force']),
+      }),
+    )}
+  </div>`;

@@ -23,41 +23,40 @@ export function slitPanel(ui: Ui) {
   return html` ${section('Leg curve, on the ground', legFields(ui, spec, 'leg'))}
   ${section('Second panel', secondPanel(ui, spec))} ${section('Seat curve, in the middle', seatEditor(ui, spec, set))}
   ${section('Anchors', anchorFields(ui, spec))} ${section('Strips', stripTable(ui, spec))}
-  ${section('Material, weight and loads', loadFields(spec, set))}
-  ${section(
-    'Fineness',
-    html` ${numberField({
-        label: 'Ridges at the start',
-        testid: 'ridges',
-        value: spec.ridges ?? 10,
-        min: 3,
-        max: 200,
-        whole: true,
-        on: (v) => v && set({ ridges: v }),
-      })}
-      <div class="field">
-        <span>Halved ${spec.subdivisions ?? 0} ×</span
-        ><span class="segments">
-          <button
-            data-testid="coarser"
-            ?disabled=${!(spec.subdivisions ?? 0)}
-            @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) - 1 })}
-          >
-            Coarser</button
-          ><button
-            data-testid="subdivide"
-            ?disabled=${(spec.subdivisions ?? 0) >= 6}
-            @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) + 1 })}
-          >
-            Subdivide
-          </button></span
-        ><em></em>
-      </div>`,
-  )}
+  ${section('Material, weight and loads', loadFields(spec, set))} ${section('Fineness', fineness(spec, set))}
   ${section('Weights', weightSliders(ui, spec, set))}
   ${spec.scan?.length ? section('Scan', scanFields(ui, spec, set)) : nothing}
   ${section('Sheet', sheetFields(ui, spec, set))} ${section('Mould', mouldFields(ui, spec))} ${massSection(ui)}`;
 }
+
+const fineness = (spec: SlitSpec, set: Set) =>
+  html` ${numberField({
+      label: 'Ridges at the start',
+      testid: 'ridges',
+      value: spec.ridges ?? 10,
+      min: 3,
+      max: 200,
+      whole: true,
+      on: (v) => v && set({ ridges: v }),
+    })}
+    <div class="field">
+      <span>Halved ${spec.subdivisions ?? 0} ×</span
+      ><span class="segments">
+        <button
+          data-testid="coarser"
+          ?disabled=${!(spec.subdivisions ?? 0)}
+          @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) - 1 })}
+        >
+          Coarser</button
+        ><button
+          data-testid="subdivide"
+          ?disabled=${(spec.subdivisions ?? 0) >= 6}
+          @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) + 1 })}
+        >
+          Subdivide
+        </button></span
+      ><em></em>
+    </div>`;
 
 const clear = (s: SlitSpec) =>
   Object.fromEntries(Object.entries(s).filter(([, v]) => v !== undefined)) as unknown as SlitSpec;
@@ -154,19 +153,9 @@ function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
 
 /** How far each strip is from its targets. */
 function stripTable(ui: Ui, spec: SlitSpec) {
-  const strips = ui.state.shape?.report.slit?.strips ?? [],
-    from = ui.state.shape?.report.units;
+  const strips = ui.state.shape?.report.slit?.strips ?? [];
   if (!strips.length) return html`<p class="hint">No strip is solved yet.</p>`;
-  const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
-  const columns: [string, (s: StripRow) => string, string?][] = [
-    ['Gap', ({ gap }) => (gap === null ? '–' : sizeText(convert(gap, from, ui.state.units)))],
-    ['Least radius', (s) => text(s.min_radius)],
-  ];
-  columns.push(['Energy', (s) => energyText(s.energy, spec), energyUnit(spec)]);
-  if (strips.some((s) => s.stress != null)) columns.push(['Stress', (s) => stressText(s.stress), 'N/mm²']);
-  if (spec.seat_curve) columns.push(['Off seat', (s) => text(s.seat_distance)]);
-  if (spec.anchors?.length) columns.push(['Off anchors', (s) => text(s.anchor_distance)]);
-  if (spec.scan?.length) columns.push(['Off scan', (s) => text(s.scan_distance)]);
+  const columns = stripColumns(ui, spec, strips);
   return html`<table data-testid="strip-table">
     <thead>
       <tr>
@@ -184,6 +173,22 @@ function stripTable(ui: Ui, spec: SlitSpec) {
       )}
     </tbody>
   </table>`;
+}
+
+/** What is told of each strip; lengths unless another unit is named. */
+function stripColumns(ui: Ui, spec: SlitSpec, strips: StripRow[]) {
+  const from = ui.state.shape?.report.units,
+    text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
+  const columns: [string, (s: StripRow) => string, string?][] = [
+    ['Gap', ({ gap }) => (gap === null ? '–' : sizeText(convert(gap, from, ui.state.units)))],
+    ['Least radius', (s) => text(s.min_radius)],
+  ];
+  columns.push(['Energy', (s) => energyText(s.energy, spec), energyUnit(spec)]);
+  if (strips.some((s) => s.stress != null)) columns.push(['Stress', (s) => stressText(s.stress), 'N/mm²']);
+  if (spec.seat_curve) columns.push(['Off seat', (s) => text(s.seat_distance)]);
+  if (spec.anchors?.length) columns.push(['Off anchors', (s) => text(s.anchor_distance)]);
+  if (spec.scan?.length) columns.push(['Off scan', (s) => text(s.scan_distance)]);
+  return columns;
 }
 
 const stateOf = (s: StripRow) =>

@@ -27,6 +27,7 @@ type Change = (change: (s: SlitSpec) => SlitSpec) => void;
  * end.
  */
 export function stripFields(ui: Ui, spec: SlitSpec) {
+  if (spec.slits) return html`<p class="hint">Slits are curves: change them in the file.</p>`;
   const edit: Change = (change) => ui.edit<SlitSpec>(change),
     own = typeof spec.sheet.strips !== 'number',
     strips = stripsOf(spec.sheet);
