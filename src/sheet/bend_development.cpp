@@ -42,10 +42,9 @@ Result<BendAllowance> allowance_as_made(const Sheet& sheet, BendId id,
                     made->allowance;
   made->k_factor = (made->allowance / angle - bend.inside_radius) / sheet.thickness;
   if (!(made->allowance > 0.0))
-    return fail(refuse::radius_takes_flanges,
-                {{"bend", place_of(sheet, id)},
-                 {"radius", radius, unit::mm},
-                 {"short", -made->allowance, unit::mm}});
+    return fail(refuse::radius_takes_flanges, {{"bend", place_of(sheet, id)},
+                                               {"radius", radius, unit::mm},
+                                               {"short", -made->allowance, unit::mm}});
   return made;
 }
 

@@ -178,8 +178,8 @@ std::vector<SlitScan> by_strip(const std::vector<Vec3>& cloud, const FoldedSlitS
 Result<Eigen::Isometry3d> follow_scans(SlitSession& session, SlitDesign design, bool align,
                                        const SlitSolveOptions& options, const Progress& progress) {
   constexpr int kRounds = 30;
-  const double still = 1e-4 * design.sheet.reach();
-  const double reach = design.sheet.reach();
+  constexpr double kStill = 1e-4;  // of the sheet's reach
+  const double reach = design.sheet.reach(), still = kStill * reach;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   const bool clouded = has_cloud(design);
   PLANISH_ASSERT(!(align && clouded));

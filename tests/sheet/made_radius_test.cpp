@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <numbers>
+#include <string>
 
 namespace planish::test {
 namespace {

@@ -27,7 +27,7 @@ struct Cloud {
       const auto& ridges = sheet.strips[s].ridges;
       for (int i = 0; i < 2000; ++i) {
         const double at = share(random) * static_cast<double>(ridges.size() - 1);
-        const auto row = std::min(static_cast<std::size_t>(at), ridges.size() - 2);
+        const int row = std::min(static_cast<int>(at), static_cast<int>(ridges.size()) - 2);
         const double t = at - static_cast<double>(row), u = 0.02 + 0.96 * share(random);
         const auto on = [&](const SlitRidge& ridge) -> Vec3 {
           return (1.0 - u) * ridge.folded[0] + u * ridge.folded[1];
