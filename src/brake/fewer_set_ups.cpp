@@ -1,8 +1,8 @@
 // The search for an order (best_first.cpp) knows which tools may stand together, not whether their
 // segments do for all strokes. Where its plan takes more set-ups than it counted, orders are looked
-// through once more, each stage with what stands on the bed: the cheapest first, of equal ones the
-// one with the most lines formed. What must hold: a cost with set-ups is never below the one
-// without, so the same bound holds (math.md#stations).
+// through once more, each stage with what stands on the bed: line by line, of the stages with
+// equally many lines formed those that may become cheapest (a beam search). What must hold: a cost
+// with set-ups is never below the one without, so the same bound holds (math.md#stations).
 #include "fewer_set_ups.hpp"
 
 #include "on_bed.hpp"
@@ -20,7 +20,8 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr int kMostLaid = 2'000;  // strokes put on a bed: 1 s
+constexpr int kMostLaid = 4'000;  // strokes put on a bed: 2 s
+constexpr int kBeam = 60;         // stages of equally many lines that are gone on with
 
 /// A stroke on the way to a plan; until its tools are laid, its cost is at least that.
 struct Node {
@@ -34,14 +35,13 @@ struct Node {
 };
 
 struct Waiting {
-  double estimate = 0.0;
-  int formed = 0;
+  double estimate = 0.0;  ///< of the cheapest plan through a node
   int node = 0;
 };
 
 struct Dearer {
   bool operator()(const Waiting& a, const Waiting& b) const {
-    return std::tuple(a.estimate, -a.formed, a.node) > std::tuple(b.estimate, -b.formed, b.node);
+    return std::tuple(a.estimate, a.node) > std::tuple(b.estimate, b.node);
   }
 };
 
@@ -58,14 +58,25 @@ class BedSearch {
     const PlanOptions& options = cache_.inputs().options;
     const std::int64_t most_checks = cache_.checks() + options.limits.checks / 4;
     const auto end = options.limits.end(std::chrono::steady_clock::now());
-    offer(book_.stage_of(no_lines(cache_.inputs().lines())), -1);
-    while (!open_.empty() && laid_ < kMostLaid && cache_.checks() < most_checks) {
-      if (progress.should_stop() || std::chrono::steady_clock::now() > end) return {};
-      const int node = open_.take().node;
-      if (!nodes_[node].laid && !lay(node)) continue;
-      const int after = book_.stage_of(formed_after(nodes_[node]));
-      if (book_.is_full(after)) return strokes_to(node);
-      offer(after, node);
+    const int lines = cache_.inputs().lines();
+    layers_.resize(static_cast<std::size_t>(lines) + 1);
+    offer(book_.stage_of(no_lines(lines)), -1);
+    const auto is_over = [&] {
+      return laid_ >= kMostLaid || cache_.checks() >= most_checks || progress.should_stop() ||
+             std::chrono::steady_clock::now() > end;
+    };
+    for (int formed = 1; formed < lines; ++formed) {
+      for (int gone_on = 0; gone_on < kBeam && !layers_[formed].empty() && !is_over();) {
+        const int node = layers_[formed].take().node;
+        if (!nodes_[node].laid && !lay(node)) continue;
+        offer(book_.stage_of(formed_after(nodes_[node])), node);
+        ++gone_on;
+      }
+      layers_[formed] = Frontier<Waiting, Dearer>();
+    }
+    while (!layers_[lines].empty() && !is_over()) {
+      const int node = layers_[lines].take().node;
+      if (nodes_[node].laid || lay(node)) return strokes_to(node);
     }
     return {};
   }
@@ -86,7 +97,7 @@ class BedSearch {
 
   void wait(int node) {
     const double least = estimate(nodes_[node]);
-    if (is_cheaper(least)) open_.add({least, count(formed_after(nodes_[node])), node});
+    if (is_cheaper(least)) layers_[count(formed_after(nodes_[node]))].add({least, node});
   }
 
   /// The strokes of a stage, one for all tools that stand on the same bed.
@@ -172,7 +183,7 @@ class BedSearch {
   double than_;
   int laid_ = 0;
   std::vector<Node> nodes_;
-  Frontier<Waiting, Dearer> open_;
+  std::vector<Frontier<Waiting, Dearer>> layers_;                         ///< by lines formed
   std::map<std::pair<int, int>, std::shared_ptr<const Demand>> demands_;  ///< by stage and choice
   std::map<std::pair<LineSet, int>, std::vector<std::pair<double, LineSet>>> reached_;
 };

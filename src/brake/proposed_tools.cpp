@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 
 namespace planish::brake_detail {
 namespace {
@@ -48,10 +49,10 @@ std::vector<std::string> ids_of(const BrakeTools& tools) {
   return ids;
 }
 
-/// With the segments of a common set besides, of one tool or of all.
-BrakeTools with_segments(BrakeTools tools, const std::optional<std::string>& of) {
+/// With the segments of a common set besides, of these tools.
+BrakeTools with_segments(BrakeTools tools, std::span<const std::string> of) {
   const auto add = [&](auto& tool) {
-    if (!of || tool.id == *of)
+    if (std::ranges::count(of, tool.id) > 0)
       tool.segments.insert(tool.segments.end(), kCommonSet.begin(), kCommonSet.end());
   };
   std::ranges::for_each(tools.punches, add);
@@ -124,17 +125,25 @@ void try_openings(Trying& trying) {
   }
 }
 
-/// Of the first tool that needs them alone, else of all.
+/// Of as few tools as halving finds: mostly of one.
 void try_segments(Trying& trying) {
   const std::vector<BlockedBend> blocked = trying.blocked();
-  if (std::ranges::none_of(blocked, lacks_segments) ||
-      !trying.can_bend(with_segments(trying.tools(), {})))
-    return;
   const std::vector<std::string> ids = ids_of(trying.tools());
-  for (const std::string& id : ids)
-    if (trying.can_bend(with_segments(trying.tools(), id)))
-      return trying.found.push_back({.kind = Kind::segments, .tools = {id}});
-  trying.found.push_back({.kind = Kind::segments, .tools = ids});
+  std::span<const std::string> needed(ids);
+  const auto does = [&](std::span<const std::string> some) {
+    return trying.can_bend(with_segments(trying.tools(), some));
+  };
+  if (std::ranges::none_of(blocked, lacks_segments) || !does(needed)) return;
+  while (needed.size() > 1) {
+    const std::size_t half = needed.size() / 2;
+    if (does(needed.first(half)))
+      needed = needed.first(half);
+    else if (does(needed.subspan(half)))
+      needed = needed.subspan(half);
+    else
+      break;
+  }
+  trying.found.push_back({.kind = Kind::segments, .tools = {needed.begin(), needed.end()}});
 }
 
 /// The bluntest that does.

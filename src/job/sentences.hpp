@@ -133,8 +133,8 @@ constexpr std::string_view not_after_others =
 constexpr std::string_view
     halves = "; in one piece it closes round the punch: try two (`\"pieces\": 2`)";
 constexpr std::string_view no_plan =
-    "no order of strokes was found among {stages:stage}, nor was it shown that there is none: give "
-    "it more time";
+    "no order of strokes was found among {stages:stage}, nor was it shown that there is none: name "
+    "the bends to begin with (`--fix`)";
 constexpr std::string_view plates_trimmed =
     "{@plate} {are} cut back where they touch, by up to {by}, so that bends fit between them";
 constexpr std::string_view joint_left_open =

@@ -161,6 +161,12 @@ TEST(ProposedTools, NameWhatHasToHaveSegments) {
   const Tried all = tried(box({70.0, 45.0, 30.0}), tools);
   ASSERT_NE(all.of(Kind::segments), nullptr);
   EXPECT_EQ(all.of(Kind::segments)->tools, std::vector<std::string>{tools.punches[0].id});
+  tools.punches = {3, tools.punches[0]};
+  for (int i = 0; i < 3; ++i)
+    tools.punches[i].id = "P" + std::to_string(i);
+  const Tried of_three = tried(box({70.0, 45.0, 30.0}), tools);
+  ASSERT_NE(of_three.of(Kind::segments), nullptr);
+  EXPECT_EQ(of_three.of(Kind::segments)->tools.size(), 1u) << "nobody buys more than he needs";
 }
 
 }  // namespace
