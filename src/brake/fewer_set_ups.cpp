@@ -20,8 +20,9 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr int kMostLaid = 4'000;  // strokes put on a bed: 2 s
-constexpr int kBeam = 60;         // stages of equally many lines that are gone on with
+constexpr int kMostLaid = 6'000;  // strokes put on a bed: some seconds
+/// Stages of equally many lines that are gone on with.
+constexpr int kNarrowest = 15, kWidest = 1'000, kWider = 5;
 
 /// A stroke on the way to a plan; until its tools are laid, its cost is at least that.
 struct Node {
@@ -54,34 +55,47 @@ class BedSearch {
         bound_(problem, weights_),
         than_(than) {}
 
+  /// Beams of more and more stages: a narrow one comes to an end soon, and bounds the next.
   std::vector<StrokeChoice> run(const Progress& progress) {
     const PlanOptions& options = cache_.inputs().options;
-    const std::int64_t most_checks = cache_.checks() + options.limits.checks / 4;
+    const std::int64_t most_checks = cache_.checks() + options.limits.checks / 2;
     const auto end = options.limits.end(std::chrono::steady_clock::now());
-    const int lines = cache_.inputs().lines();
-    layers_.resize(static_cast<std::size_t>(lines) + 1);
-    offer(book_.stage_of(no_lines(lines)), -1);
     const auto is_over = [&] {
       return laid_ >= kMostLaid || cache_.checks() >= most_checks || progress.should_stop() ||
              std::chrono::steady_clock::now() > end;
     };
-    for (int formed = 1; formed < lines; ++formed) {
-      for (int gone_on = 0; gone_on < kBeam && !layers_[formed].empty() && !is_over();) {
-        const int node = layers_[formed].take().node;
-        if (!nodes_[node].laid && !lay(node)) continue;
-        offer(book_.stage_of(formed_after(nodes_[node])), node);
-        ++gone_on;
+    std::vector<StrokeChoice> best;
+    for (int width = kNarrowest; width <= kWidest && !is_over(); width *= kWider)
+      if (const auto last = cheapest_in_beam(width, is_over)) {
+        best = strokes_to(*last);
+        than_ = nodes_[*last].cost;
       }
-      layers_[formed] = Frontier<Waiting, Dearer>();
-    }
-    while (!layers_[lines].empty() && !is_over()) {
-      const int node = layers_[lines].take().node;
-      if (nodes_[node].laid || lay(node)) return strokes_to(node);
-    }
-    return {};
+    return best;
   }
 
  private:
+  /// The last stroke of a plan, if one is found that costs less than the best so far.
+  template <typename IsOver>
+  std::optional<int> cheapest_in_beam(int width, const IsOver& is_over) {
+    const int lines = cache_.inputs().lines();
+    nodes_.clear();
+    reached_.clear();
+    layers_.clear();
+    layers_.resize(lines + 1);
+    offer(book_.stage_of(no_lines(lines)), -1);
+    for (int formed = 1; formed <= lines; ++formed) {
+      Frontier<Waiting, Dearer>& layer = layers_[formed];
+      for (int gone_on = 0; gone_on < width && !layer.empty() && !is_over();) {
+        const int node = layer.take().node;
+        if (!nodes_[node].laid && !lay(node)) continue;
+        if (formed == lines) return node;
+        offer(book_.stage_of(formed_after(nodes_[node])), node);
+        ++gone_on;
+      }
+    }
+    return std::nullopt;
+  }
+
   int set_up(int node) const { return book_.choice(nodes_[node].choice).set_up; }
 
   LineSet formed_after(const Node& node) const {
@@ -103,20 +117,32 @@ class BedSearch {
   /// The strokes of a stage, one for all tools that stand on the same bed.
   void offer(int stage, int before) {
     std::set<std::tuple<LineSet, int, double>> offered;
-    const std::size_t offers = book_.offers(stage).size();
-    for (std::size_t i = 0; i < offers; ++i) {
-      const int choice = book_[stage].offers[i].choice;
-      const KnownChoice& known = book_.choice(choice);
-      const std::tuple key(known.choice.lines, known.set_up, known.cost);
-      if (offered.contains(key)) continue;
-      Node node{stage, choice, before, known.cost};
+    for (const Offer& offer : book_.offers(stage)) {
+      const KnownChoice& known = book_.choice(offer.choice);
+      if (!offered.emplace(known.choice.lines, known.set_up, known.cost).second) continue;
+      Node node{stage, offer.choice, before, known.cost};
       if (before >= 0)
         node.cost += nodes_[before].cost + book_.change(set_up(before), known.set_up);
-      if (!is_cheaper(estimate(node)) || !book_.feasible(stage, i)) continue;
-      offered.insert(key);
       nodes_.push_back(std::move(node));
       wait(static_cast<int>(nodes_.size()) - 1);
     }
+  }
+
+  /// Takes tools that make a stroke: of those that stand on the same bed the first ones.
+  bool find_tools(Node& node) {
+    const KnownChoice wanted = book_.choice(node.choice);
+    const std::size_t offers = book_.offers(node.stage).size();
+    for (std::size_t i = 0; i < offers; ++i) {
+      const int choice = book_[node.stage].offers[i].choice;
+      const KnownChoice& known = book_.choice(choice);
+      if (known.set_up != wanted.set_up || known.cost != wanted.cost ||
+          known.choice.lines != wanted.choice.lines || !book_.feasible(node.stage, i))
+        continue;
+      node.choice = choice;
+      node.made = known.choice;
+      return true;
+    }
+    return false;
   }
 
   /// Puts the tools of a stroke on the bed, a cleared one if need be. Whether to go on from there:
@@ -124,7 +150,7 @@ class BedSearch {
   bool lay(int number) {
     Node& node = nodes_[number];
     node.laid = true;
-    node.made = book_.choice(node.choice).choice;
+    if (!find_tools(node)) return false;
     ChosenStroke stroke{*book_[node.stage].formed, node.made};
     const auto demand = demand_for(node);
     ++laid_;
