@@ -155,12 +155,13 @@ class BedSearch {
     const auto demand = demand_for(node);
     ++laid_;
     std::optional<OnBed> with;
+    bool dearer = false;
     if (node.before >= 0 &&
         set_up_of(nodes_[node.before].made).has_same_tools(set_up_of(node.made))) {
       with = with_any_tools(cache_, *nodes_[node.before].bed, stroke, demand);
-      if (!with) node.cost += weights_.tool_change;
+      dearer = !with;
+      if (dearer) node.cost += weights_.tool_change;
     }
-    const bool dearer = !with && node.before >= 0;
     if (!with) with = with_stroke(cache_, {}, demand);
     if (!with || is_known(node, *with)) return false;
     node.made = stroke.choice;

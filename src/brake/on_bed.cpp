@@ -69,8 +69,7 @@ class SetUpTools {
       rows = take(above, *demand, used);
       if (rows.empty()) return false;
     }
-    fresh.strokes.push_back({demand, 0.0});
-    fresh.fit_ends();
+    fresh.add(demand, 0.0);
     stations_.push_back(std::move(fresh));
     used_ = std::move(used);
     return true;

@@ -113,8 +113,8 @@ std::optional<double> StationTools::where(const Demand& demand, double shortfall
 }
 
 void StationTools::add(std::shared_ptr<const Demand> demand, double at) {
-  reach = {std::min(reach.lo, demand->part.lo + at), std::max(reach.hi, demand->part.hi + at)};
   strokes.push_back({std::move(demand), at});
+  fit_ends();
 }
 
 int StationTools::first_stroke() const {

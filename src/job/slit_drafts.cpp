@@ -12,14 +12,6 @@ SlitDesign moved_scans(SlitDesign design, const Eigen::Isometry3d& motion) {
   return design;
 }
 
-/// Points that name no strip.
-std::vector<Vec3> cloud_of(const SlitDesign& design) {
-  std::vector<Vec3> cloud;
-  for (const SlitScan& scan : design.scans)
-    if (!scan.strip) cloud.insert(cloud.end(), scan.points.begin(), scan.points.end());
-  return cloud;
-}
-
 /// A gain of the objective that cannot be seen while something is dragged.
 constexpr double kUnseen = 1e-5;
 
@@ -46,7 +38,7 @@ Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
   if (auto solved = solve(progress); !solved) return solved;
   if (!cloud_.empty()) {
     shares_ = by_strip(cloud_, session_->folded());
-    if (auto set = session_->set_design(with_shares(file.design)); !set) return set;
+    if (auto set = session_->set_design(with_shares(file.design, shares_)); !set) return set;
   }
   if (!aligned_) return {};
   // Scans lie only roughly where the sheet is: move them to the first shape.
@@ -56,16 +48,10 @@ Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
   return {};
 }
 
-SlitDesign SlitDrafts::with_shares(SlitDesign design) const {
-  std::erase_if(design.scans, [](const SlitScan& scan) { return !scan.strip; });
-  design.scans.insert(design.scans.end(), shares_.begin(), shares_.end());
-  return design;
-}
-
 Result<void> SlitDrafts::take(const SlitFile& file, const Progress& progress) {
   if (!session_ || aligned_ != file.align_scans || cloud_ != cloud_of(file.design))
     return begin(file, progress);
-  SlitDesign design = with_shares(file.design);
+  SlitDesign design = with_shares(file.design, shares_);
   return session_->set_design(aligned_ ? moved_scans(std::move(design), motion_) : design);
 }
 

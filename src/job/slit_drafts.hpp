@@ -25,7 +25,6 @@ class SlitDrafts {
   Result<void> begin(const SlitFile& file, const Progress& progress);
   Result<void> take(const SlitFile& file, const Progress& progress);
   Result<void> solve(const Progress& progress);
-  SlitDesign with_shares(SlitDesign design) const;
 
   std::optional<SlitSession> session_;
   Eigen::Isometry3d motion_ = Eigen::Isometry3d::Identity();

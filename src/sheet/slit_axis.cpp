@@ -161,14 +161,8 @@ Loop without_end(Loop curves, const Vec2& center, double radius) {
   return curves;
 }
 
-Loop without_start(Loop curves, const Vec2& center, double radius) {
-  const auto turned = [](Loop loop) {
-    std::ranges::reverse(loop);
-    for (Curve2& curve : loop)
-      curve = reversed(curve);
-    return loop;
-  };
-  return turned(without_end(turned(std::move(curves)), center, radius));
+Loop without_start(const Loop& curves, const Vec2& center, double radius) {
+  return reversed(without_end(reversed(curves), center, radius));
 }
 
 }  // namespace planish::sheet_detail

@@ -20,7 +20,7 @@ Loop beside(const Loop& axis, double aside);
 
 /// Of curves in turn the part from the first, or until the last, place that is outside a disc about
 /// their start, or end.
-Loop without_start(Loop curves, const Vec2& center, double radius);
+Loop without_start(const Loop& curves, const Vec2& center, double radius);
 Loop without_end(Loop curves, const Vec2& center, double radius);
 
 }  // namespace planish::sheet_detail

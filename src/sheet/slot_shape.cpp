@@ -144,13 +144,6 @@ std::vector<Segment> Slot::chords() const {
 
 namespace {
 
-Loop turned_round(Loop curves) {
-  std::ranges::reverse(curves);
-  for (Curve2& curve : curves)
-    curve = reversed(curve);
-  return curves;
-}
-
 /// The banks of a slot whose axis is a curve, left and right, in its direction, without what lies
 /// in holes at its ends.
 std::array<Loop, 2> banks_of(const Slot& slot) {
@@ -159,14 +152,14 @@ std::array<Loop, 2> banks_of(const Slot& slot) {
   for (Loop& bank : banks) {
     if (!(slot.hole > slot.half_width)) continue;
     bank = without_end(std::move(bank), slot.axis.b, slot.hole);
-    if (!slot.opens_at) bank = without_start(std::move(bank), slot.axis.a, slot.hole);
+    if (!slot.opens_at) bank = without_start(bank, slot.axis.a, slot.hole);
   }
   return banks;
 }
 
 Loop closed_curve(const Slot& slot) {
   const auto [left, right] = banks_of(slot);
-  const Loop back = turned_round(right);
+  const Loop back = reversed(right);
   Chain chain(start_of(left.front()));
   chain.run_along(left);
   chain.arc_to(slot.axis.b, start_of(back.front()));
@@ -246,7 +239,7 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
   const Vec2 leaves = mouth + in.along_line * from, returns = mouth + out.along_line * to;
   Chain chain(leaves);
   if (in.round) chain.arc_to(mouth, in.on_bank);
-  const Loop back = turned_round(banks[1]);
+  const Loop back = reversed(banks[1]);
   chain.run_along(banks[0]);
   chain.arc_to(slot.axis.b, start_of(back.front()));
   chain.run_along(back);

@@ -113,22 +113,13 @@ std::vector<Vec3> thinned(std::vector<Vec3> points) {
   return points;
 }
 
-/// Takes what names no strip out of a design.
-std::vector<Vec3> taken_cloud(SlitDesign& design) {
-  std::vector<Vec3> cloud;
-  for (const SlitScan& scan : design.scans)
-    if (!scan.strip) cloud.insert(cloud.end(), scan.points.begin(), scan.points.end());
-  std::erase_if(design.scans, [](const SlitScan& scan) { return !scan.strip; });
-  return thinned(std::move(cloud));
-}
-
 /// Scans and strips in turn.
 class Following {
  public:
   Following(SlitSession& session, SlitDesign design)
       : session_(session),
-        cloud_(on_modelled_half(taken_cloud(design), session.folded())),
-        told_(std::move(design)) {}
+        cloud_(on_modelled_half(thinned(cloud_of(design)), session.folded())),
+        told_(with_shares(std::move(design), {})) {}
 
   /// Gives points to strips; whether some have another one than before.
   Result<bool> share_out(int round) {
@@ -149,11 +140,7 @@ class Following {
   }
 
   /// The design with the points of each strip.
-  SlitDesign shared() const {
-    SlitDesign design = told_;
-    design.scans.insert(design.scans.end(), shares_.begin(), shares_.end());
-    return design;
-  }
+  SlitDesign shared() const { return with_shares(told_, shares_); }
 
  private:
   SlitSession& session_;
@@ -167,6 +154,19 @@ class Following {
 
 bool has_cloud(const SlitDesign& design) {
   return std::ranges::any_of(design.scans, [](const SlitScan& scan) { return !scan.strip; });
+}
+
+std::vector<Vec3> cloud_of(const SlitDesign& design) {
+  std::vector<Vec3> cloud;
+  for (const SlitScan& scan : design.scans)
+    if (!scan.strip) cloud.insert(cloud.end(), scan.points.begin(), scan.points.end());
+  return cloud;
+}
+
+SlitDesign with_shares(SlitDesign design, const std::vector<SlitScan>& shares) {
+  std::erase_if(design.scans, [](const SlitScan& scan) { return !scan.strip; });
+  design.scans.insert(design.scans.end(), shares.begin(), shares.end());
+  return design;
 }
 
 std::vector<SlitScan> by_strip(const std::vector<Vec3>& cloud, const FoldedSlitSheet& sheet,

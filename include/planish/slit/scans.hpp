@@ -28,5 +28,9 @@ Result<Eigen::Isometry3d> follow_scans(SlitSession& session, SlitDesign design, 
 
 /// Whether points have still to be given to strips.
 bool has_cloud(const SlitDesign& design);
+/// These points.
+std::vector<Vec3> cloud_of(const SlitDesign& design);
+/// The design with scans of strips in their place.
+SlitDesign with_shares(SlitDesign design, const std::vector<SlitScan>& shares);
 
 }  // namespace planish
