@@ -59,9 +59,10 @@ export class Documents {
 
   async openRecent(recent: Recent) {
     await this.attempt(recent.name, async (signal) => {
-      const main = await this.openKept(recent, signal);
-      if (!recent.edited) void this.remember(main);
-      else if ((await this.recents.again(recent)) && !this.isInTab) keepSource({ recent });
+      const kept = await this.recents.asKept(recent),
+        main = await this.openKept(kept, signal);
+      if (!kept.edited) void this.remember(main);
+      else if ((await this.recents.again(kept)) && !this.isInTab) keepSource({ recent: kept });
     });
   }
 

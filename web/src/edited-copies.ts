@@ -3,7 +3,7 @@ import { keepCopy, keptCopy } from './kept.ts';
 import { keyOf, type Recent, type Recents } from './recents.ts';
 import type { Input } from './state.ts';
 import type { Store } from './store.ts';
-import type { Options, Shape } from './types.ts';
+import type { Options, Shape, Spec } from './types.ts';
 
 const pause = 400; // ms without an edit, after which what was edited is kept
 
@@ -13,7 +13,8 @@ interface Watched {
   bytes: ArrayBuffer;
   beside: Record<string, ArrayBuffer>;
   isNew: boolean; // made here, under a name that nobody chose
-  key: string;
+  key: string; // empty until `keyed`
+  keyed: Promise<void>;
   base: string; // the content as it was opened
   before: Recent | null; // what the key stood for then
   written: string | null; // what was kept last
@@ -61,20 +62,19 @@ export class EditedCopies {
       base = contentOf(input),
       own = document?.kind && input.spec ? (recent?.edited ? recent.key : newKey()) : '';
     const watched: Watched = {
-      ...{ name, bytes, beside, base, written: null, shown: null },
+      ...{ name, bytes, beside, base, written: null, shown: null, keyed: Promise.resolve() },
       isNew: kept?.isNew ?? isNew ?? recent?.edited === 'new',
       key: kept?.key ?? own,
       before: kept ? kept.before : recent?.edited ? recent : null,
     };
     this.watched = watched;
     this.hasComplained = false;
-    if (watched.key) keepCopy(watched);
-    else
-      void keyOf(name, bytes).then((key) => {
-        watched.key = key;
-        watched.before ??= listed && document ? { key, name, kind: document.kind, beside: [] } : null;
-        keepCopy(watched);
-      });
+    if (watched.key) return keepCopy(watched);
+    watched.keyed = keyOf(name, bytes).then((key) => {
+      watched.key = key;
+      watched.before ??= listed && document ? { key, name, kind: document.kind, beside: [] } : null;
+      if (this.watched === watched) keepCopy(watched);
+    });
   }
 
   /** What lies beside the file is now this. */
@@ -87,29 +87,41 @@ export class EditedCopies {
     clearTimeout(this.timer);
     const { watched } = this,
       { document, pending, input } = this.store.state;
-    if (!watched?.key || !document) return false;
-    const { name, key, bytes, beside, before, isNew } = watched,
+    if (!watched || !document) return false;
+    const { name, beside, isNew } = watched,
       { spec, ...set } = pending ?? input,
       content = contentOf({ spec, ...set }),
       isEdited = content !== watched.base;
     if (!isEdited && watched.written === null) return false;
     const picture = (watched.shown && pictureOf(watched.shown)) ?? undefined,
-      own: Recent | null = isEdited
+      edited: Omit<Recent, 'key'> | null = isEdited
         ? {
-            ...{ key, name, kind: document.kind, beside: Object.keys(beside) },
+            ...{ name, kind: document.kind, beside: Object.keys(beside) },
             ...{ edited: isNew ? 'new' : 'file', set: { ...set, options: shared(set.options) }, picture },
           }
-        : before && { ...before, picture };
-    const what = JSON.stringify([content, own]);
+        : null;
+    const what = JSON.stringify([content, edited, picture]);
     if (what === watched.written) return isEdited;
     watched.written = what;
-    const main = spec ? (new TextEncoder().encode(JSON.stringify(spec)).buffer as ArrayBuffer) : bytes;
-    void (own ? this.recents.keepEdited(own, main, beside, spec !== null) : this.recents.remove(key)).then((kept) => {
-      if (kept || this.hasComplained || this.watched !== watched) return;
-      this.hasComplained = true;
-      this.store.dispatch({ type: 'note', note: `This machine has no room left to keep ${name} as it is edited.` });
-    });
+    // The document may be left before its key is known: it is kept all the same.
+    void watched.keyed.then(() => this.keep(watched, edited, picture, spec));
     return isEdited;
+  }
+
+  /** As it is edited; what was edited no longer, as it was before. */
+  private async keep(
+    watched: Watched,
+    edited: Omit<Recent, 'key'> | null,
+    picture: Recent['picture'],
+    spec: Spec | null,
+  ) {
+    const { key, name, bytes, beside, before } = watched,
+      own: Recent | null = edited ? { key, ...edited } : before && { ...before, picture },
+      main = spec ? (new TextEncoder().encode(JSON.stringify(spec)).buffer as ArrayBuffer) : bytes,
+      work = own ? this.recents.keepEdited(own, main, beside, spec !== null) : this.recents.remove(key);
+    if ((await work) || this.hasComplained || this.watched !== watched) return;
+    this.hasComplained = true;
+    this.store.dispatch({ type: 'note', note: `This machine has no room left to keep ${name} as it is edited.` });
   }
 
   /** The document is left: what was edited is kept. Says whether anything was. */

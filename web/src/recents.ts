@@ -96,6 +96,12 @@ export class Recents {
     });
   }
 
+  /** The entry once all that was left is kept: it may be chosen in a list that does not show its last edits yet. */
+  async asKept(recent: Recent): Promise<Recent> {
+    await this.pending;
+    return this.all.find((r) => r.key === recent.key) ?? recent;
+  }
+
   async bytesOf(recent: Recent): Promise<{ main: ArrayBuffer; beside: Record<string, ArrayBuffer> }> {
     const { key, name, beside } = recent;
     try {

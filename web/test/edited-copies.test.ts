@@ -28,11 +28,14 @@ function page(most = 64) {
   const api = {
     keep: async (name: string, content: Blob) => {
       if (!files.has(name) && files.size >= most) throw new Error('no room');
+      await tick();
+      await tick();
       files.set(name, content);
     },
     forget: async (name: string) => void files.delete(name),
   } as unknown as Api;
-  const copies = new EditedCopies(store, new Recents(api, store));
+  const recents = new Recents(api, store),
+    copies = new EditedCopies(store, recents);
   const open = (isNew: boolean) => {
     const document = { id: 'd1', kind: 'connect', name: 'plates.json' };
     store.dispatch({ type: 'opened', document, spec: plates(2) });
@@ -40,9 +43,10 @@ function page(most = 64) {
   };
   const edit = (thickness: number) =>
     store.dispatch({ type: 'edit', input: { spec: plates(thickness), options: {} }, live: false });
-  return { files, store, copies, open, edit };
+  return { files, store, recents, copies, open, edit };
 }
-const written = () => new Promise((resolve) => setTimeout(resolve, 20));
+const tick = () => new Promise((resolve) => setTimeout(resolve, 0));
+const written = () => new Promise((resolve) => setTimeout(resolve, 50));
 
 beforeEach(() => stored.clear());
 
@@ -131,4 +135,33 @@ test('of a part the entry of its file gets what was set, for each body, and it i
   assert.equal(await files.get(`recent-${kept!.key}-0`)!.text(), '{}', 'the file itself');
   store.dispatch({ type: 'opened', document, spec: null, set: kept!.set });
   assert.deepEqual(store.state.input, { spec: null, ...set });
+});
+
+test('of a part that is left before its key is known the edits stay, and so does where they lie', async () => {
+  const { store, copies } = page(),
+    document = { id: 'd2', kind: 'unfold', name: 'two.step' };
+  store.dispatch({ type: 'opened', document, spec: null });
+  copies.begin({ name: document.name, bytes, beside: {}, listed: true });
+  store.dispatch({ type: 'edit', input: { spec: null, options: { k: 0.3 } } });
+  assert.equal(copies.end(), true);
+  await written();
+  const [kept] = store.state.recents;
+  assert.deepEqual([kept!.edited, kept!.set], ['file', { options: { k: 0.3 } }]);
+});
+
+test('what is chosen in the list before its edits are kept is opened with them', async () => {
+  const { store, copies, recents } = page(),
+    document = { id: 'd2', kind: 'unfold', name: 'two.step' },
+    edit = (k: number) => store.dispatch({ type: 'edit', input: { spec: null, options: { k } } });
+  store.dispatch({ type: 'opened', document, spec: null });
+  copies.begin({ name: document.name, bytes, beside: {}, listed: true });
+  edit(0.3);
+  copies.rest();
+  await written();
+  const [listed] = store.state.recents;
+  edit(0.4);
+  copies.end();
+  await tick();
+  assert.deepEqual(store.state.recents, [listed], 'the list shows it as it was');
+  assert.deepEqual((await recents.asKept(listed!)).set, { options: { k: 0.4 } });
 });

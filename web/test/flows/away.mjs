@@ -81,10 +81,14 @@ export async function leaving({ page }) {
   await opened(page, 'bracket.step');
   await page.selectOption('[data-testid=k-rule]', 'din6935');
   await toStart(page);
-  assert.equal((await titles(page))[0], 'bracket.step (edited)');
+  // At once, whether the list shows the edit yet or not.
   await tile(page, 'bracket.step').click();
   await opened(page, 'bracket.step');
   assert.equal(await state(page, 's.input.options.din6935'), true);
+  await toStart(page);
+  await page.waitForFunction(
+    () => document.querySelector('[data-testid=recents] .tile b')?.textContent === 'bracket.step (edited)',
+  );
   await open(page, [`${examples}bracket.step`]);
   assert.equal(await state(page, 's.input.options.din6935'), undefined, 'the file itself has no edits');
 }
