@@ -53,15 +53,13 @@ class Laying {
 
  private:
   void add(int number) {
-    ChosenStroke stroke = strokes_[number];
-    const auto demand = std::make_shared<Demand>(demand_of(cache_, stroke, number));
-    if (auto with = with_any_tools(cache_, now_, stroke, demand)) {
-      bed_.choices[number] = stroke.choice;
-      now_ = std::move(*with);
-      return;
+    const auto stroke = std::make_shared<Wanted>(cache_, strokes_[number], number);
+    auto with = with_stroke(cache_, now_, stroke);
+    if (!with) {
+      write();
+      with = with_stroke(cache_, now_, stroke);
     }
-    write();
-    if (auto alone = with_stroke(cache_, now_, demand)) now_ = std::move(*alone);
+    if (with) now_ = std::move(*with);
   }
 
   /// Closes a set-up.
@@ -79,6 +77,7 @@ class Laying {
       for (const StationTools::Made& made : tools.strokes) {
         station.strokes.push_back(made.demand->stroke);
         bed_.rows[made.demand->stroke] = along_line(tools, made);
+        bed_.choices[made.demand->stroke] = made.demand->choice;
       }
       std::ranges::sort(station.strokes);
       bed_.stations.push_back(std::move(station));

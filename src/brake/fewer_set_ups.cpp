@@ -23,6 +23,7 @@ namespace {
 constexpr int kMostLaid = 6'000;  // strokes put on a bed: some seconds
 /// Stages of equally many lines that are gone on with.
 constexpr int kNarrowest = 15, kWidest = 1'000, kWider = 5;
+constexpr double kAsMuchRoom = 10.0;  // mm of bed
 
 /// A stroke on the way to a plan; until its tools are laid, its cost is at least that.
 struct Node {
@@ -33,6 +34,13 @@ struct Node {
   bool laid = false;
   StrokeChoice made = {};  ///< with the tools that stand there
   std::shared_ptr<const OnBed> bed = {};
+};
+
+/// How a stage and set-up was reached.
+struct Way {
+  double cost = 0.0;
+  LineSet on_bed;        ///< lines that what stands is for
+  double bed_end = 0.0;  ///< mm
 };
 
 struct Waiting {
@@ -151,47 +159,45 @@ class BedSearch {
     Node& node = nodes_[number];
     node.laid = true;
     if (!find_tools(node)) return false;
-    ChosenStroke stroke{*book_[node.stage].formed, node.made};
-    const auto demand = demand_for(node);
+    const WantedPtr stroke = wanted(node);
     ++laid_;
     std::optional<OnBed> with;
     bool dearer = false;
     if (node.before >= 0 &&
         set_up_of(nodes_[node.before].made).has_same_tools(set_up_of(node.made))) {
-      with = with_any_tools(cache_, *nodes_[node.before].bed, stroke, demand);
+      with = with_stroke(cache_, *nodes_[node.before].bed, stroke);
       dearer = !with;
       if (dearer) node.cost += weights_.tool_change;
     }
-    if (!with) with = with_stroke(cache_, {}, demand);
+    if (!with) with = with_stroke(cache_, {}, stroke);
     if (!with || is_known(node, *with)) return false;
-    node.made = stroke.choice;
     node.bed = std::make_shared<OnBed>(std::move(*with));
     if (dearer) wait(number);
     return !dearer;
   }
 
-  std::shared_ptr<const Demand> demand_for(const Node& node) {
-    auto& known = demands_[{node.stage, node.choice}];
+  WantedPtr wanted(const Node& node) {
+    WantedPtr& known = wanted_[{node.stage, node.choice}];
     if (!known) {
-      const int number = count(
-          *book_[node.stage].formed);  // no two strokes of a plan have the same
-      known = std::make_shared<Demand>(
-          demand_of(cache_, {*book_[node.stage].formed, node.made}, number));
+      const LineSet& formed = *book_[node.stage].formed;  // no two strokes of a plan have the same
+      known = std::make_shared<Wanted>(cache_, ChosenStroke{formed, node.made}, count(formed));
     }
     return known;
   }
 
-  /// Whether a way to the same stage and set-up is known that is no dearer with fewer lines to
-  /// stand for, or with a bed cleared besides.
+  /// Whether a way to the same stage and set-up is known that is no dearer, with fewer lines to
+  /// stand for and as much room left, or with a bed cleared besides.
   bool is_known(const Node& node, const OnBed& bed) {
-    LineSet lines = no_lines(cache_.inputs().lines());
-    for (const auto& demand : bed.strokes)
-      lines = joined(std::move(lines), demand->choice.lines);
+    Way way{node.cost, no_lines(cache_.inputs().lines()), starts_of(bed.stations).back()};
+    for (const WantedPtr& stroke : bed.strokes)
+      way.on_bed = joined(std::move(way.on_bed), stroke->chosen()->choice.lines);
     auto& ways = reached_[{formed_after(node), book_.choice(node.choice).set_up}];
-    for (const auto& [cost, on_bed] : ways)
-      if ((cost <= node.cost && within(on_bed, lines)) || cost + weights_.tool_change <= node.cost)
+    for (const Way& known : ways)
+      if (known.cost + weights_.tool_change <= way.cost ||
+          (known.cost <= way.cost && within(known.on_bed, way.on_bed) &&
+           known.bed_end <= way.bed_end + kAsMuchRoom))
         return true;
-    ways.emplace_back(node.cost, std::move(lines));
+    ways.push_back(std::move(way));
     return false;
   }
 
@@ -210,9 +216,9 @@ class BedSearch {
   double than_;
   int laid_ = 0;
   std::vector<Node> nodes_;
-  std::vector<Frontier<Waiting, Dearer>> layers_;                         ///< by lines formed
-  std::map<std::pair<int, int>, std::shared_ptr<const Demand>> demands_;  ///< by stage and choice
-  std::map<std::pair<LineSet, int>, std::vector<std::pair<double, LineSet>>> reached_;
+  std::vector<Frontier<Waiting, Dearer>> layers_;    ///< by lines formed
+  std::map<std::pair<int, int>, WantedPtr> wanted_;  ///< by stage and choice
+  std::map<std::pair<LineSet, int>, std::vector<Way>> reached_;
 };
 
 }  // namespace

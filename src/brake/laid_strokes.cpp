@@ -17,13 +17,15 @@ class LeastSetUps {
  public:
   explicit LeastSetUps(StageCache& cache) : cache_(cache) {}
 
-  /// With what a shop prefers, if that takes no more set-ups.
+  /// With what a shop prefers, as far as that takes no more set-ups.
   LaidStrokes run(const StrokeSearch& search) {
     const std::vector<StrokeChoice> square = with_square_gauges(cache_, search.strokes);
-    LaidStrokes preferred = laid(search, with_preferred_tools(cache_, square));
-    if (!preferred.is_dearer) return preferred;
-    LaidStrokes found = laid(search, square);
-    return is_cheaper(found, preferred) ? found : preferred;
+    LaidStrokes best = laid(search, with_preferred_tools(cache_, square));
+    for (const std::vector<StrokeChoice>* strokes : {&square, &search.strokes})
+      if (best.is_dearer)
+        if (LaidStrokes other = laid(search, *strokes); is_cheaper(other, best))
+          best = std::move(other);
+    return best;
   }
 
   static bool is_cheaper(const LaidStrokes& one, const LaidStrokes& than) {

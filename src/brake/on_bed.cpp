@@ -11,16 +11,19 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <ranges>
 
 namespace planish::brake_detail {
 namespace {
 
-using DemandPtr = std::shared_ptr<const Demand>;
+/// The ways to make each stroke of a set-up that are tried.
+using Ways = std::vector<std::vector<DemandPtr>>;
 
 /// How a stroke that no station presses gets tools of its own.
 struct Manner {
   bool looks_ahead = false;  ///< its rows keep clear of the walls of later strokes on alike lines
   bool shares_die = false;   ///< over a die that stands already, rather than over one of its own
+  bool from_last = false;    ///< between walls the last row chooses its segments first
 };
 
 bool is_alike(const Demand& a, const Demand& b) {
@@ -34,31 +37,41 @@ bool has_tools_for(const StationTools& station, const Demand& demand) {
   return station.punch == demand.choice.punch && station.die == demand.choice.die;
 }
 
+/// Whether a station makes a stroke; it is added to those that it makes.
+bool station_serves(StationTools& station, const DemandPtr& demand, double shortfall) {
+  if (!has_tools_for(station, *demand)) return false;
+  const auto at = station.where(*demand, shortfall);
+  if (at) station.add(demand, *at);
+  return at.has_value();
+}
+
 /// The stations of one set-up while they are chosen.
 class SetUpTools {
  public:
-  SetUpTools(StageCache& cache, const std::vector<DemandPtr>& order, const Manner& manner)
+  SetUpTools(StageCache& cache, const Ways& order, const Manner& manner)
       : cache_(cache), inputs_(cache.inputs()), order_(order), manner_(manner) {}
 
   const std::vector<StationTools>& stations() const { return stations_; }
 
   /// Whether each stroke finds a station.
   bool serve_all() {
-    return std::ranges::all_of(order_, [&](const DemandPtr& one) { return serve(one); });
+    return std::ranges::all_of(order_, [&](const auto& ways) { return serve(ways); });
   }
 
  private:
-  bool serve(const DemandPtr& demand) {
-    const double left_out = shortfall(inputs_);
-    for (StationTools& station : stations_) {
-      if (!has_tools_for(station, *demand)) continue;
-      if (const auto at = station.where(*demand, left_out)) {
-        station.add(demand, *at);
-        return true;
-      }
-    }
-    if (manner_.shares_die && shares_die(demand)) return true;
-    return adds_station(demand) || (!manner_.shares_die && shares_die(demand));
+  bool serve(const std::vector<DemandPtr>& ways) {
+    const auto any = [&](const auto& serves) { return std::ranges::any_of(ways, serves); };
+    const auto shared = [&](const DemandPtr& way) { return shares_die(way); };
+    return any([&](const DemandPtr& way) { return stands_already(way); }) ||
+           (manner_.shares_die && any(shared)) ||
+           any([&](const DemandPtr& way) { return adds_station(way); }) ||
+           (!manner_.shares_die && any(shared));
+  }
+
+  bool stands_already(const DemandPtr& demand) {
+    for (StationTools& station : stations_)
+      if (station_serves(station, demand, shortfall(inputs_))) return true;
+    return false;
   }
 
   bool adds_station(const DemandPtr& demand) {
@@ -101,6 +114,7 @@ class SetUpTools {
       request.ears = ears_left(tool);
       request.blocked_foot = demand.foot_walls;
     }
+    request.from_last = manner_.from_last;
     auto rows = manner_.looks_ahead ? tool_rows(left, looking_ahead(request, above, demand))
                                     : std::vector<ToolRow>();
     if (rows.empty()) rows = tool_rows(left, request);
@@ -111,7 +125,7 @@ class SetUpTools {
   }
 
   RowRequest looking_ahead(RowRequest request, bool above, const Demand& demand) const {
-    for (const DemandPtr& other : order_) {
+    for (const DemandPtr& other : order_ | std::views::join) {
       if (!is_alike(demand, *other)) continue;
       std::ranges::copy(other->walls[above ? 0 : 1], std::back_inserter(request.blocked));
       if (above) std::ranges::copy(other->foot_walls, std::back_inserter(request.blocked_foot));
@@ -143,7 +157,7 @@ class SetUpTools {
 
   StageCache& cache_;
   const StrokeInputs& inputs_;
-  const std::vector<DemandPtr>& order_;
+  const Ways& order_;
   Manner manner_;
   Used used_;
   std::vector<StationTools> stations_;
@@ -192,14 +206,47 @@ double room_of(const Demand& demand) {
 
 /// Orders in which strokes choose their segments: with the longest first there are the fewest
 /// stations; a line between walls takes no other row than the one that fits.
-std::vector<std::vector<DemandPtr>> orders_of(const std::vector<DemandPtr>& demands) {
-  std::vector<std::vector<DemandPtr>> orders(3, demands);
-  const auto length = [](const DemandPtr& one) { return pressed_length(*one); };
+std::vector<Ways> orders_of(const Ways& strokes) {
+  std::vector<Ways> orders(3, strokes);
+  const auto length = [](const auto& ways) { return pressed_length(*ways.front()); };
   std::ranges::stable_sort(orders[0], std::greater<>(), length);
   orders[1] = orders[0];
-  std::ranges::stable_sort(orders[1], {}, [](const DemandPtr& one) { return room_of(*one); });
+  std::ranges::stable_sort(orders[1], {}, [](const auto& ways) { return room_of(*ways.front()); });
   std::ranges::stable_sort(orders[2], {}, length);
   return orders;
+}
+
+bool presses_apart(const std::vector<DemandPtr>& ways) {
+  return std::ranges::any_of(ways, [](const DemandPtr& way) { return way->pieces.size() > 1; });
+}
+
+/// Stations for all strokes on an empty bed; none if none of the orders and manners finds room.
+std::vector<StationTools> laid(StageCache& cache, const Ways& strokes) {
+  const double length = cache.inputs().tools.machine.length;
+  const auto orders = orders_of(strokes);
+  for (const bool from_last : {false, true}) {
+    if (from_last && !std::ranges::any_of(strokes, presses_apart)) break;
+    for (const auto& [looks_ahead, shares_die] : {std::pair(false, false), std::pair(true, false),
+                                                  std::pair(false, true), std::pair(true, true)})
+      for (const Ways& order : orders) {
+        SetUpTools tools(cache, order, {looks_ahead, shares_die, from_last});
+        if (!tools.serve_all()) continue;
+        std::vector<StationTools> stations = tools.stations();
+        if (arrange(stations, length)) return stations;
+      }
+  }
+  return {};
+}
+
+/// As the strokes stand on the bed.
+Ways as_they_stand(const OnBed& bed) {
+  std::map<int, DemandPtr> standing;
+  for (const StationTools& station : bed.stations)
+    for (const StationTools::Made& made : station.strokes)
+      standing.emplace(made.demand->stroke, made.demand);
+  return mapped(bed.strokes, [&](const WantedPtr& stroke) {
+    return std::vector{standing.at(stroke->chosen()->stroke)};
+  });
 }
 
 }  // namespace
@@ -217,55 +264,54 @@ std::vector<double> starts_of(const std::vector<StationTools>& stations) {
   return starts;
 }
 
-std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before,
-                                 std::shared_ptr<const Demand> demand) {
-  if (!before.strokes.empty() && before.strokes.front()->choice.bed != demand->choice.bed)
-    return std::nullopt;
-  OnBed with = before;
-  with.strokes.push_back(demand);
-  const double length = cache.inputs().tools.machine.length;
-  for (StationTools& station : with.stations) {
-    if (!has_tools_for(station, *demand)) continue;
-    const auto at = station.where(*demand, shortfall(cache.inputs()));
-    if (!at) continue;
-    station.add(demand, *at);
-    if (arrange(with.stations, length)) return with;
-    with.stations = before.stations;
-    break;
-  }
-  const auto orders = orders_of(with.strokes);
-  for (const Manner& manner :
-       {Manner{}, Manner{true, false}, Manner{false, true}, Manner{true, true}})
-    for (const std::vector<DemandPtr>& order : orders) {
-      SetUpTools tools(cache, order, manner);
-      if (!tools.serve_all()) continue;
-      with.stations = tools.stations();
-      if (arrange(with.stations, length)) return with;
-    }
-  return std::nullopt;
-}
+Wanted::Wanted(StageCache& cache, ChosenStroke stroke, int number)
+    : stroke_(std::move(stroke)),
+      ways_{std::make_shared<Demand>(demand_of(cache, *stroke_, number))} {}
 
-std::optional<OnBed> with_any_tools(StageCache& cache, const OnBed& before, ChosenStroke& stroke,
-                                    std::shared_ptr<const Demand> demand) {
-  const int number = demand->stroke;
-  if (auto with = with_stroke(cache, before, std::move(demand))) return with;
-  if (before.strokes.empty()) return std::nullopt;
+const std::vector<DemandPtr>& Wanted::ways(StageCache& cache) {
+  if (!stroke_) return ways_;
   const StrokeInputs& inputs = cache.inputs();
-  const StrokeChoice& chosen = stroke.choice;
+  const StrokeChoice chosen = stroke_->choice;
   for (const ToolPair& pair : inputs.fitting[first_line(chosen.lines)].pairs) {
     const bool same = pair.punch == chosen.punch && pair.die == chosen.die;
     if (same || pair.v_away != chosen.v_away || inputs.beds[pair.punch][pair.die] != chosen.bed)
       continue;
-    ChosenStroke other = stroke;
-    other.choice.punch = pair.punch;
-    other.choice.die = pair.die;
-    if (!check(cache, other.formed, other.choice).feasible) continue;
-    auto with = with_stroke(cache, before,
-                            std::make_shared<Demand>(demand_of(cache, other, number)));
-    if (!with) continue;
-    stroke.choice = other.choice;
-    return with;
+    stroke_->choice.punch = pair.punch;
+    stroke_->choice.die = pair.die;
+    if (check(cache, stroke_->formed, stroke_->choice).feasible)
+      ways_.push_back(std::make_shared<Demand>(demand_of(cache, *stroke_, ways_.front()->stroke)));
   }
+  stroke_.reset();
+  return ways_;
+}
+
+std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before, WantedPtr stroke) {
+  const DemandPtr chosen = stroke->chosen();
+  const bool is_first = before.strokes.empty();
+  if (!is_first && before.strokes.front()->chosen()->choice.bed != chosen->choice.bed)
+    return std::nullopt;
+  OnBed with = before;
+  with.strokes.push_back(stroke);
+  for (StationTools& station : with.stations)
+    if (station_serves(station, chosen, shortfall(cache.inputs()))) {
+      if (arrange(with.stations, cache.inputs().tools.machine.length)) return with;
+      break;
+    }
+  const auto stands = [&](const Ways& strokes) {
+    with.stations = laid(cache, strokes);
+    return !with.stations.empty();
+  };
+  Ways ways = as_they_stand(before);
+  ways.push_back({chosen});
+  if (stands(ways)) return with;
+  if (is_first) return std::nullopt;
+  for (const DemandPtr& way : stroke->ways(cache)) {
+    ways.back() = {way};
+    if (way != chosen && stands(ways)) return with;
+  }
+  ways = mapped(with.strokes, [&](const WantedPtr& one) { return one->ways(cache); });
+  const bool has_others = std::ranges::any_of(ways, [](const auto& one) { return one.size() > 1; });
+  if (has_others && stands(ways)) return with;
   return std::nullopt;
 }
 

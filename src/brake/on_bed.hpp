@@ -8,9 +8,30 @@
 
 namespace planish::brake_detail {
 
+using DemandPtr = std::shared_ptr<const Demand>;
+
+/// A stroke to stand tools for.
+class Wanted {
+ public:
+  /// With the tools that it was chosen with, in this stage.
+  Wanted(StageCache& cache, ChosenStroke stroke, int number);
+  /// As those ask for it, and no others.
+  explicit Wanted(DemandPtr demand) : ways_{std::move(demand)} {}
+
+  const DemandPtr& chosen() const { return ways_.front(); }
+  /// With each pair of tools that makes the stroke and costs the same, the chosen one first; the
+  /// others are looked for when first asked for.
+  const std::vector<DemandPtr>& ways(StageCache& cache);
+
+ private:
+  std::optional<ChosenStroke> stroke_;  ///< whose other tools are not looked for yet
+  std::vector<DemandPtr> ways_;
+};
+using WantedPtr = std::shared_ptr<Wanted>;
+
 /// Strokes of one set-up: their tools stand on the bed at the same time.
 struct OnBed {
-  std::vector<std::shared_ptr<const Demand>> strokes;
+  std::vector<WantedPtr> strokes;
   std::vector<StationTools> stations;  ///< from the left
 };
 
@@ -18,14 +39,8 @@ struct OnBed {
 /// last is where the bed must end.
 std::vector<double> starts_of(const std::vector<StationTools>& stations);
 
-/// The set-up with one stroke more; empty if its tools find no room beside the others, or none at
-/// all on an empty bed.
-std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before,
-                                 std::shared_ptr<const Demand> demand);
-
-/// The same, if need be with other tools that make the stroke and cost the same; `stroke` is then
-/// given these.
-std::optional<OnBed> with_any_tools(StageCache& cache, const OnBed& before, ChosenStroke& stroke,
-                                    std::shared_ptr<const Demand> demand);
+/// The set-up with one stroke more, if need be with other tools that cost the same, for it or for
+/// those before; empty if its tools find no room beside the others, or none at all on an empty bed.
+std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before, WantedPtr stroke);
 
 }  // namespace planish::brake_detail

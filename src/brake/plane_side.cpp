@@ -2,11 +2,13 @@
 // formed bend; it counts as it is along half of the line (the median of `kLooksAtFlange` places).
 // The shoulder's contact wanders as the sheet turns: its range is found by halving turns until the
 // bound of its speed leaves nothing (math.md#stroke, math.md#tool-fit). What must hold: how far a
-// side goes depends on the formed lines that end it and on those pressed alone.
+// side goes depends on the formed lines that end it alone, so each of the lines that are pressed
+// together is looked along from its own side: on the way from one to the other lines may be formed.
 #include "plane_side.hpp"
 
 #include "one_line.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/geometry/plane.hpp>
 
 #include <algorithm>
@@ -116,12 +118,11 @@ bool touches_bend(const Interval& contact, const PressedBend& bend) {
 }  // namespace
 
 double reach(StageCache& cache, const Setting& stroke, bool left) {
+  PLANISH_ASSERT(count(stroke.pressed) == 1);
   const LineSet sharp = without_slight(cache.inputs(), *stroke.formed);
   Setting seen = stroke;
   seen.formed = &sharp;
-  LineSet key = limits_of(cache, seen, left);
-  key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
-  return cache.reach(stroke.line, left, std::move(key),
+  return cache.reach(stroke.line, left, limits_of(cache, seen, left),
                      [&] { return measured_reach(cache, seen, left); });
 }
 
@@ -153,14 +154,21 @@ std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke) {
                        -1,
                        {Lack::Kind::plane_sides, line.bend.allowance}};
   const double needed = side_on(die.opening, die.shoulder_radius, contact);
-  const double far_right = reach(cache, stroke, false), far_left = reach(cache, stroke, true);
-  const bool left = far_left < far_right;
-  const double far = std::min(far_right, far_left);
-  if (far >= needed - kLongEnough) return std::nullopt;
-  return Obstruction{limits_of(cache, stroke, left),
-                     ToolKind::die,
-                     left ? 1 : 0,
-                     {Lack::Kind::reach, far, needed}};
+  Setting one = stroke;
+  for (const int pressed : members(stroke.pressed)) {
+    one.line = pressed;
+    one.pressed = only(inputs.lines(), pressed);
+    const double far_right = reach(cache, one, false), far_left = reach(cache, one, true);
+    const bool left = far_left < far_right;
+    const double far = std::min(far_right, far_left);
+    if (far >= needed - kLongEnough) continue;
+    const int body = cache.tree(pressed).parts()[left ? 1 : 0].index;
+    return Obstruction{limits_of(cache, one, left),
+                       ToolKind::die,
+                       cache.tree(stroke.line).part_of_body(body),
+                       {Lack::Kind::reach, far, needed}};
+  }
+  return std::nullopt;
 }
 
 }  // namespace planish::brake_detail

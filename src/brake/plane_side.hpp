@@ -9,7 +9,8 @@ namespace planish::brake_detail {
 /// bend (math.md#tool-fit).
 std::optional<Obstruction> too_short(StageCache& cache, const Setting& stroke);
 
-/// How far the plane side goes from the bend line: as far as it does along half of the line, mm.
+/// How far the plane side goes from the one line that is pressed: as far as it does along half of
+/// it, mm.
 double reach(StageCache& cache, const Setting& stroke, bool left);
 
 /// How far a side has to go from a line to lie at every turn on a die, or on one whose V is

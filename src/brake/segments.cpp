@@ -151,6 +151,18 @@ bool come_free(const std::vector<ToolRow>& rows, const RowRequest& request) {
   return caught == 0.0 || free.hi - free.lo >= caught - kSameLength;
 }
 
+/// The same, seen from the other side.
+RowRequest turned(RowRequest request) {
+  for (std::vector<Interval>* along : {&request.pieces, &request.blocked, &request.blocked_foot}) {
+    std::ranges::reverse(*along);
+    for (Interval& one : *along)
+      one = {-one.hi, -one.lo};
+  }
+  request.ears = request.ears.turned();
+  request.from_last = !request.from_last;
+  return request;
+}
+
 /// None first, then as few as there can be.
 std::vector<RowEars> choices_of(const RowEars& ears) {
   const auto& [lo, hi, reach] = ears;
@@ -241,6 +253,15 @@ bool has_room(const RowRequest& request) {
 }
 
 std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request) {
+  if (request.from_last) {
+    std::vector<ToolRow> rows = tool_rows(segments, turned(request));
+    std::ranges::reverse(rows);
+    for (ToolRow& row : rows) {
+      row.from = -extent(row).hi;
+      row = turned(std::move(row));
+    }
+    return rows;
+  }
   std::vector<ToolRow> best;
   for (const RowEars& ears : choices_of(request.ears)) {
     std::vector<Stretch> stretches = stretches_of(request, ears);

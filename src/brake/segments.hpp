@@ -46,6 +46,7 @@ struct RowRequest {
   double longest = 0.0;           ///< row that the machine takes, mm
   RowEars ears = {};              ///< that there are
   std::vector<Interval> blocked_foot = {};  ///< where not even the foot of an ear may stand
+  bool from_last = false;  ///< between walls the last row chooses its segments first
 };
 
 /// The lengths that segments add up to: each with one way to do it, with few segments. Of more than

@@ -65,11 +65,10 @@ class StageCache {
     return known.standing.back().hit;
   }
 
-  /// How far a plane side goes that these lines end while others are pressed: `limits` followed by
-  /// `pressed`.
+  /// How far a plane side goes from a line, ended by those formed lines.
   template <typename Make>
-  double reach(int line, bool left, LineSet limits_pressed, const Make& make) {
-    return kept(room(line).reaches[left ? 1 : 0], std::move(limits_pressed), make);
+  double reach(int line, bool left, LineSet limits, const Make& make) {
+    return kept(room(line).reaches[left ? 1 : 0], std::move(limits), make);
   }
 
   /// Where the shoulder of a die touches the sides of a line.

@@ -104,12 +104,15 @@ std::optional<double> StationTools::where(const Demand& demand, double shortfall
       ways.push_back(tool.lo - wall.hi + kPenetration);
     }
   const auto can = [&](double at) { return stands(demand, shortfall, at); };
-  if (can(ways.front())) return ways.front();
+  const double middle = ways.front();
+  if (can(middle)) return middle;
   std::erase_if(ways, [&](double at) { return !can(at); });
   if (ways.empty()) return std::nullopt;
   const auto [least, most] = std::ranges::minmax(ways);
   const double between = 0.5 * (least + most);
-  return can(between) ? between : ways.front();
+  return can(between) ? between : *std::ranges::min_element(ways, {}, [&](double at) {
+    return std::abs(at - middle);
+  });
 }
 
 void StationTools::add(std::shared_ptr<const Demand> demand, double at) {

@@ -18,8 +18,8 @@ struct Laid {
       EXPECT_FALSE(ways.empty());
       ChosenStroke stroke{room.lines(formed), ways.front()};
       const int number = static_cast<int>(bed.strokes.size());
-      const auto demand = std::make_shared<Demand>(demand_of(room.cache(), stroke, number));
-      auto with = with_any_tools(room.cache(), bed, stroke, demand);
+      auto with = with_stroke(room.cache(), bed,
+                              std::make_shared<Wanted>(room.cache(), stroke, number));
       all = all && with;
       if (with) bed = std::move(*with);
       formed.push_back(bend);
@@ -82,7 +82,7 @@ TEST(OnBed, RowsLookAheadToLaterWalls) {
     made->pieces = {{0.0, 90.0}};
     made->part = {0.0, 90.0};
     made->walls[0] = {wall};
-    return made;
+    return std::make_shared<Wanted>(std::move(made));
   };
   const auto first = with_stroke(room.cache(), {}, demand(0, {-20.0, 8.0}));
   ASSERT_TRUE(first);

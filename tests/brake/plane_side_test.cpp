@@ -2,11 +2,14 @@
 
 #include "brake/right_angles.hpp"
 #include "brake/stroke_room.hpp"
+#include "one_line.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace planish::test {
 namespace {
@@ -97,6 +100,52 @@ TEST(PlaneSide, CountsAsItIsAlongHalfOfTheLine) {
     EXPECT_NEAR(std::max(reach(room.cache(), at, false), reach(room.cache(), at, true)),
                 60.0 + half_zone, 1e-6);
     EXPECT_EQ(room.can_press(1, {}), cut < 40.0);
+  }
+}
+
+/// Two tabs at one edge of a base, each with a lip: bend 1 and 3 are the tabs', 2 and 4 the lips'.
+Sheet tabs_with_lips(double first, double second) {
+  SheetBuilder builder(1.0);
+  const FaceId base = builder.flange(
+      Frame{},
+      {polygon({{0, 0}, {40, 0}, {40, 5}, {60, 5}, {60, 0}, {100, 0}, {100, 60}, {0, 60}})});
+  for (const auto& [border, lip] : {std::pair{0, first}, std::pair{4, second}}) {
+    const Rim foot = builder.bend(builder.rim(base, border), bent(1.0));
+    const FaceId tab = builder.flange_behind(foot, {rectangle(foot.length, 30)});
+    const Rim edge = builder.bend(builder.rim(tab, 2), bent(1.0));
+    builder.flange_behind(edge, {rectangle(edge.length, lip)});
+  }
+  return builder.finish();
+}
+
+/// Of lines pressed together each is borne by its own sides, whatever is formed on the way from one
+/// to the other, and whatever was asked before.
+TEST(PlaneSide, BearsEachOfTheLinesPressedTogether) {
+  for (const bool formed_first : {false, true}) {
+    Room room(tabs_with_lips(20.0, 20.0), plain_tools());
+    const LineSet stages[] = {room.lines({}), room.lines({1, 3})};
+    for (const int i : {formed_first ? 1 : 0, formed_first ? 0 : 1}) {
+      const Setting at{&stages[i], room.lines({2, 4}), room.line_of(2)};
+      ASSERT_EQ(together(room.cache(), room.line_of(2), stages[i]).size(), 2u);
+      EXPECT_FALSE(too_short(room.cache(), at)) << i;
+    }
+  }
+}
+
+/// A lip too short for the die is not borne by the longer one beside it.
+TEST(PlaneSide, OfAShortLineIsNotThatOfALongOne) {
+  for (const auto& [first, second, shorter] :
+       {std::tuple{3.0, 40.0, 2}, std::tuple{40.0, 3.0, 4}}) {
+    Room room(tabs_with_lips(first, second), plain_tools());
+    const LineSet flat = room.lines({});
+    const auto found = too_short(room.cache(), {&flat, room.lines({2, 4}), room.line_of(2)});
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->lack.is, 3.0 + 0.5 * room.work().lines[room.line_of(shorter)].bend.allowance,
+                1e-6);
+    const auto& part = room.cache().tree(room.line_of(2)).parts()[found->part];
+    EXPECT_FALSE(part.is_zone);
+    const auto& bodies = room.work().lines[room.line_of(shorter)].bodies;
+    EXPECT_TRUE(std::ranges::count(bodies, part.index));
   }
 }
 

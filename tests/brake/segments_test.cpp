@@ -79,6 +79,30 @@ TEST(Segments, StandBetweenWallsAndBridgeGaps) {
   EXPECT_TRUE(tool_rows(sums, {{{0, 105}, {120, 225}}, 0, {{108, 115}}, 1000}).empty());
 }
 
+/// Which row chooses first decides who gets the shorter one; either way nothing stands twice.
+TEST(Segments, AreChosenFromEitherEnd) {
+  const SegmentSums sums({50, 45, 45});
+  RowRequest request{{{0, 40}, {60, 98}}, 0, {{45, 55}}, 1000};
+  const auto first = tool_rows(sums, request);
+  request.from_last = true;
+  const auto last = tool_rows(sums, request);
+  ASSERT_EQ(first.size(), 2u);
+  ASSERT_EQ(last.size(), 2u);
+  EXPECT_EQ(first[0].segments, last[0].segments);
+  const SegmentSums few({60, 42, 38.5});
+  request = {{{0, 38}, {60, 98}}, 0, {{45, 55}}, 1000};
+  EXPECT_EQ(tool_rows(few, request)[0].segments, std::vector<double>{38.5});
+  request.from_last = true;
+  const auto turned = tool_rows(few, request);
+  ASSERT_EQ(turned.size(), 2u);
+  EXPECT_EQ(turned[0].segments, std::vector<double>{42});
+  EXPECT_EQ(turned[1].segments, std::vector<double>{38.5});
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LE(turned[i].from, request.pieces[i].lo);
+    EXPECT_GE(extent(turned[i]).hi, request.pieces[i].hi);
+  }
+}
+
 /// What stands already is no more there, also for the rows behind a wall.
 TEST(Segments, StandOnceInAllRows) {
   const std::vector<double> owned{40, 20, 10};

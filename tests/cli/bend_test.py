@@ -48,6 +48,43 @@ def large_channel():
     return part
 
 
+def tabbed():
+    """A base of 400 by 300 in 1 mm with tabs, up and down, on all sides; some have lips turned out."""
+    pad = 1.5
+    plates = [{"id": "base", "outline": [[x, y, 0] for x, y in ((pad, pad), (400 - pad, pad), (400 - pad, 300 - pad),
+                                                                (pad, 300 - pad))]}]
+    pairs = []
+
+    def tab(at, span, height, lip=0):
+        """`at` gives the point of the rim's corner at a distance along the side, and one so far out of it."""
+        name = f"tab {len(plates)}"
+        up = pad if height > 0 else -pad
+        end = height - up if lip else height
+        rim = [at(s, 0) for s in span]
+        plates.append({"id": name, "outline": [[*p, up] for p in rim] + [[*p, end] for p in rim[::-1]]})
+        pairs.append(["base", name])
+        if lip:
+            near, far = ([at(s, out) for s in span] for out in (pad, lip))
+            plates.append({"id": f"{name} lip", "outline": [[*p, height] for p in near + far[::-1]]})
+            pairs.append([name, f"{name} lip"])
+
+    tab(lambda s, out: [s, -out], (16, 384), 15)
+    for number, (height, lip) in enumerate(((-40, 0), (40, 0), (-40, 10))):
+        tab(lambda s, out: [s, 300 + out], (16 + number * 380 / 3, 16 + number * 380 / 3 + 344 / 3), height, lip)
+    for number, height in enumerate((20, -20, -20)):
+        tab(lambda s, out: [400 + out, s], (16 + number * 280 / 3, 16 + number * 280 / 3 + 244 / 3), height)
+    for number, (height, lip) in enumerate(((25, 10), (25, 15), (40, 0), (25, 0))):
+        tab(lambda s, out: [-out, s], (16 + 70 * number, 74 + 70 * number), height, lip)
+    return {"thickness": 1, "defaults": {"inside_radius": 1}, "plates": plates,
+            "bends": [{"between": pair} for pair in pairs]}
+
+
+def mirrored(part):
+    """The same with x the other way."""
+    return part | {"plates": [plate | {"outline": [[-x, y, z] for x, y, z in plate["outline"]]}
+                              for plate in part["plates"]]}
+
+
 class BendTest(CliTest):
     def plan(self, plates, *arguments, status=0):
         self.write("part.json", json.dumps(plates))
@@ -84,6 +121,23 @@ class Plans(BendTest):
         # The insides of the bends of web and lips are on opposite sides.
         self.assertEqual(self.plan(channel(30, lip=15, out=True))["plan"]["turn_overs"], 1)
         self.assertEqual(self.plan(channel(30, lip=15))["plan"]["turn_overs"], 0)
+
+    def test_few_segments_on_a_short_press_are_enough_either_way_round(self):
+        """No plan is cheaper with a shop's every segment and three metres to lay them on."""
+        tools = self.tools()
+        tools["punches"] = [tool for tool in tools["punches"] if tool["id"] in ("P88-R1", "P88-R0.8")]
+        tools["dies"] = [tool for tool in tools["dies"] if tool["id"] in ("V8-88", "V12-88")]
+        self.write("all.json", json.dumps(tools))
+        tools["machine"]["length"] = 1050
+        for tool in tools["punches"]:
+            tool["segments"] = [200, 100, 50, 40, 20, 10]
+        for tool in tools["dies"]:
+            tool["segments"] = [300, 200, 100, 50, 40, 20, 15, 10]
+        self.write("few.json", json.dumps(tools))
+        least = self.plan(tabbed(), "--tools", "all.json")["plan"]["cost"]
+        for part in (tabbed(), mirrored(tabbed())):
+            plan = self.plan(part, "--tools", "few.json")["plan"]
+            self.assertEqual((plan["status"], plan["cost"], plan["tool_changes"]), ("optimal", least, 0))
 
     def test_weights_are_those_given(self):
         weights = {"turn_over": 7, "rotate": 0.5, "tool_change": 1, "stroke": 2, "ungauged": 0}
