@@ -21,16 +21,9 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kWritten = tolerance::kWrittenDigits;  // mm, radians: sizes of tools as written
-constexpr double kNarrowest = 4.0, kWidest = 12.0;      // V in thicknesses (math.md#v-choice)
-constexpr double kMet = 1.0 / 3.0;                      // of the drawn radius, either way
-constexpr double kVOfRadius = 2.2;                      // over which a punch of that radius bends
-constexpr double kVOfPitch = 4.0;                       // so that bumps do not share shoulders
-constexpr double kMillimetres = 1000.0;                 // in a metre: N/mm times mm are N
-
-double largest_tool_angle(const BrakeLine& line, const PlanOptions& options) {
-  return std::numbers::pi - line.angle.radians() - options.springback.radians() + kWritten;
-}
+constexpr double kVOfPitch = 4.0;      // so that bumps do not share shoulders
+constexpr double kWidestAtAll = 24.0;  // thicknesses: a V that a shop might get
+constexpr double kLittle = 5.0;        // thicknesses that a punch may be short: the bend goes on
 
 bool bears(const std::optional<double>& most, double force) { return !most || *most >= force; }
 
@@ -66,55 +59,6 @@ bool has_segments(double length, const BrakeLine& line, double shortfall) {
 }
 
 }  // namespace
-
-double wanted_opening(double thickness) {
-  if (thickness <= 2.5) return 6.0 * thickness;
-  return (thickness <= 8.0 ? 8.0 : 10.0) * thickness;
-}
-
-double narrowest_opening(double thickness) { return kNarrowest * thickness; }
-
-double wanted_opening(const BrakeLine& line, const BrakeTools& tools, const PlanOptions& options) {
-  const double thickness = line.bend.thickness, radius = line.drawn_radius;
-  if (options.opening) return *options.opening;
-  if (!line.is_large) return wanted_opening(thickness);
-  const double most = largest_tool_angle(line, options);
-  const bool has_punch = std::ranges::any_of(tools.punches, [&](const Punch& punch) {
-    return punch.angle.radians() <= most && meets(punch.tip_radius, radius);
-  });
-  if (has_punch || options.radius_of_opening == 0.0) return kVOfRadius * radius + 2.0 * thickness;
-  return radius / options.radius_of_opening;
-}
-
-double force_per_length(double tensile_strength, double thickness, double opening) {
-  return 1.42 * tensile_strength * thickness * thickness / opening;
-}
-
-double closing_force(double tensile_strength, double thickness) {
-  constexpr double kClosing = 4.0;
-  return kClosing * force_per_length(tensile_strength, thickness, wanted_opening(thickness));
-}
-
-double force_of(const BrakeLine& line, const Die& die, const PlanOptions& options) {
-  const double strength = options.tensile_strength, thickness = line.bend.thickness;
-  return line.length() / kMillimetres *
-         (line.closes ? closing_force(strength, thickness)
-                      : force_per_length(strength, thickness, die.opening));
-}
-
-bool is_sharp_for(const BrakeLine& line, const Die& die, const PlanOptions& options) {
-  return die.opening > 0.0 && die.angle.radians() <= largest_tool_angle(line, options);
-}
-
-double made_radius(const Punch& punch, const Die& die, const PlanOptions& options) {
-  return std::max(punch.tip_radius, options.radius_of_opening * die.opening);
-}
-
-bool meets(double made, double drawn) { return std::abs(made - drawn) <= kMet * drawn + kWritten; }
-
-bool is_large_radius(double radius, double thickness, const PlanOptions& options) {
-  return radius * (1.0 - kMet) > options.radius_of_opening * kWidest * thickness;
-}
 
 Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options) {
   const auto sharpest = [](const auto& all) {
@@ -164,6 +108,7 @@ class Fitting {
     if (!fitting.pairs.empty()) return fitting;
     fitting.why = why();
     if (fitting.why->code == say::kWeakOverUsual) fitting.wider = least_wider();
+    if (fitting.why->code == say::kSlightlyShortRows) fitting.shortfall = least_shortfall();
     return fitting;
   }
 
@@ -213,7 +158,7 @@ class Fitting {
       return false;
     if (is_nearest || options_.radius == RadiusWanted::drawn) return true;
     return die.opening >= narrowest_opening(thickness_) - kWritten &&
-           die.opening <= kWidest * thickness_ + kWritten;
+           die.opening <= widest_opening(thickness_) + kWritten;
   }
 
   /// The narrowest V of the catalogue that is wide enough for the thickness.
@@ -287,7 +232,7 @@ class Fitting {
     double opening = 0.0;
     for (const Punch& punch : tools_.punches)
       for (const Die& die : tools_.dies)
-        if (is_v(die) && die.opening > kWidest * thickness_ + kWritten && takes(punch, die) &&
+        if (is_v(die) && die.opening > widest_opening(thickness_) + kWritten && takes(punch, die) &&
             borne_by_tools(punch, die) && pressed_by(punch, die) && borne_by_press(die) &&
             (opening == 0.0 || die.opening < opening))
           opening = die.opening;
@@ -319,7 +264,8 @@ class Fitting {
     const Die* suiting = widest([&](const Punch& p, const Die& d) { return suits(p, d); });
     if (!suiting) return remark_of(say::no_radius, {{"radius", line_.drawn_radius, unit::mm}});
     if (!widest([&](const Punch& p, const Die& d) { return suits(p, d) && pressed_by(p, d); }))
-      return remark_of(say::few_segments, {{"length", line_.length(), unit::mm}});
+      return remark_of(least_shortfall() > 0.0 ? say::slightly_short_rows : say::few_segments,
+                       {{"length", line_.length(), unit::mm}, {"longest", longest(), unit::mm}});
     if (!widest([&](const Punch& p, const Die& d) { return suits(p, d) && borne_by_tools(p, d); }))
       return no_strong_tools();
     const Die* die = widest([&](const Punch& p, const Die& d) { return all_but_press(p, d); });
@@ -329,11 +275,35 @@ class Fitting {
     Facts facts{{"force", force_of(line_, *die, options_), unit::kilonewtons},
                 {"most", tools_.machine.force, unit::kilonewtons},
                 {"opening", die->opening, unit::mm}};
+    if (wider) return remark_of(say::weak_over_wanted, facts);
     const double unusual = least_wider();
-    if (wider || unusual == 0.0)
-      return remark_of(wider ? say::weak_over_wanted : say::weak_press, facts);
-    facts.emplace_back("wider", unusual, unit::mm);
-    return remark_of(say::weak_over_usual, facts);
+    const double enough = std::ceil(die->opening * force_of(line_, *die, options_) /
+                                    tools_.machine.force);
+    if (unusual == 0.0 && enough > kWidestAtAll * thickness_)
+      return remark_of(say::weak_press, facts);
+    facts.emplace_back("wider", unusual > 0.0 ? unusual : enough, unit::mm);
+    return remark_of(unusual > 0.0 ? say::weak_over_usual : say::weak_over_wide, facts);
+  }
+
+  /// The longest row of punch and die with all their segments, mm.
+  double longest() const {
+    double longest = 0.0;
+    for (const Punch& punch : tools_.punches)
+      for (const Die& die : tools_.dies)
+        if (suits(punch, die))
+          longest = std::max(longest, std::min(length_of(punch), length_of(die)));
+    return longest;
+  }
+
+  /// With which the longest row would do, to 0.1 mm; 0: it would have to be more than a little.
+  double least_shortfall() const {
+    constexpr double kFinest = 0.1;  // mm
+    const double ends = 2.0 * static_cast<double>(line_.pieces.size());
+    const double lacks = (line_.length() - longest()) / ends;
+    const double shortfall = kFinest * std::ceil(lacks / kFinest - kWritten);
+    return shortfall <= kLittle * thickness_ && has_segments(longest(), line_, shortfall)
+               ? shortfall
+               : 0.0;
   }
 
   /// Of the pairs that would press the line the one that lacks least of the force.
@@ -347,7 +317,7 @@ class Fitting {
         most = bears, force = needs, opening = die.opening;
       }
     const double wider = std::ceil(opening * force / most);
-    const bool usual = wider <= kWidest * thickness_;
+    const bool usual = wider <= widest_opening(thickness_);
     return remark_of(usual ? say::strong_over_wider : say::no_strong_tools,
                      {{"force", force, say::kPerMetre},
                       {"opening", opening, unit::mm},

@@ -243,11 +243,11 @@ Result<Plan> planned(const StrokeInputs& inputs, const Progress& progress) {
   return plan;
 }
 
+}  // namespace
+
 bool has_order(const Plan& plan) {
   return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
 }
-
-}  // namespace
 
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                           const PlanOptions& options, const Progress& progress) {

@@ -78,6 +78,8 @@ const Refusal& refusal_of(std::string_view why) {
   if (why == say::kWeakPressForHem) return refuse::press_too_weak_for_hem;
   if (why == say::kWeakOverWanted) return refuse::press_too_weak_over_wanted;
   if (why == say::kWeakOverUsual) return refuse::press_too_weak_over_usual;
+  if (why == say::kWeakOverWide) return refuse::press_too_weak_over_wide;
+  if (why == say::kSlightlyShortRows) return refuse::rows_slightly_short;
   return why == say::kWeakPress ? refuse::press_too_weak : refuse::no_tool_bears;
 }
 
@@ -104,6 +106,10 @@ std::optional<Error> line_without_tool(const StrokeInputs& inputs) {
                 {"thickness", line.bend.thickness, unit::mm},
                 {"why", why.sentence}};
     if (fitting.wider > 0.0) facts.emplace_back("v", fitting.wider, unit::none);
+    if (fitting.shortfall > 0.0) {
+      facts.emplace_back("short", fitting.shortfall, unit::mm);
+      facts.emplace_back("shortfall", fitting.shortfall, unit::none);
+    }
     Error error = error_of(refusal_of(fitting.why->code, line), facts, name);
     error.numbers.insert(error.numbers.end(), why.numbers.begin(), why.numbers.end());
     return error;

@@ -1,6 +1,8 @@
 // What would make an infeasible part possible: what the shop can do at once; if nothing does, tools
-// that it might get and changes of the part; if nothing does, two parts. Each kind of change is
-// tried within its share of the work, and told only if it was planned again (bend.md#proposals).
+// that it might get and changes of the part; if nothing does, two of these tools, or two parts.
+// Each kind of change is tried within its share of the work, and told only if it was planned again
+// (bend.md#proposals).
+#include "proposed_pairs.hpp"
 #include "proposed_shapes.hpp"
 #include "proposed_tools.hpp"
 
@@ -15,6 +17,7 @@ namespace {
 using namespace brake_detail;
 using Kind = Proposal::Kind;
 
+constexpr int kSharesOfPairs = 6;       // of the work, for two changes
 constexpr std::size_t kMostSwaps = 28;  // of 8 bends in an order
 
 /// Where another way was asked for: else these bends are rolled already.
@@ -26,7 +29,7 @@ void try_rolled(Trying& trying) {
       proposal.bends.push_back(one.bend);
   if (proposal.bends.empty()) return;
   auto work = trying.work_for(trying.options(), large);
-  if (work && trying.can_bend(std::move(*work))) trying.found.push_back(std::move(proposal));
+  if (work && trying.can_bend(std::move(*work))) trying.propose(std::move(proposal));
 }
 
 /// Where no order does, none with two of its bends swapped does.
@@ -42,10 +45,10 @@ void try_orders(Trying& trying) {
       changed.begin_with = order;
       std::swap(changed.begin_with[i], changed.begin_with[j]);
       if (!trying.can_bend(trying.work(), trying.tools(), changed)) continue;
-      trying.found.push_back({.kind = Kind::swap, .bends = {order[i], order[j]}});
+      trying.propose({.kind = Kind::swap, .bends = {order[i], order[j]}});
       return;
     }
-  trying.found.push_back({.kind = Kind::any_order});
+  trying.propose({.kind = Kind::any_order});
 }
 
 /// The shop can do these at once, and the bends get as good.
@@ -89,8 +92,9 @@ std::vector<Proposal> proposals(const Sheet& sheet, const Layout& layout, const 
       {try_rolled}, {try_orders}, {try_openings}, {try_lower_ears, 3}, {try_short_punch, 3}},
       later{{try_longer},  {try_wider},  {try_segments}, {try_punches, 3},
             {try_dies, 3}, {try_taller}, {try_shorter}};
-  try_each(tried, now, shares_of(later) + 1);
-  if (!helps_now(tried)) try_each(tried, later, 1);
+  try_each(tried, now, shares_of(later) + kSharesOfPairs + 1);
+  if (!helps_now(tried)) try_each(tried, later, kSharesOfPairs + 1);
+  if (tried.found.empty()) try_pairs(tried);
   if (tried.found.empty()) try_each(tried, {{try_split}}, 0);
   return std::move(tried.found);
 }

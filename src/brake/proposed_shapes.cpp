@@ -41,7 +41,7 @@ bool resizes(Trying& trying, const ChangedBody& one, Kind kind) {
     const int middle = (little + enough) / 2;
     (does(middle) ? enough : little) = middle;
   }
-  trying.found.push_back(
+  trying.propose(
       {.kind = kind, .by = enough * kFinest, .flanges = {*trying.work().bodies[body].flange}});
   return true;
 }
@@ -113,7 +113,7 @@ void try_longer(Trying& trying) {
       proposal.flanges.push_back(*trying.work().bodies[body].flange);
     }
     if (!trying.can_bend(std::move(work), trying.tools(), trying.options(), &blocked)) continue;
-    trying.found.push_back(std::move(proposal));
+    trying.propose(std::move(proposal));
     return;
   }
 }
@@ -137,7 +137,7 @@ void try_split(Trying& trying) {
     const bool both = std::ranges::all_of(
         halves, [&](const Workpiece& half) { return half.lines.empty() || trying.can_bend(half); });
     if (!both) continue;
-    trying.found.push_back({.kind = Kind::split, .bends = trying.work().lines[line].bends});
+    trying.propose({.kind = Kind::split, .bends = trying.work().lines[line].bends});
     return;
   }
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <set>
-#include <span>
 
 namespace planish::brake_detail {
 namespace {
@@ -22,41 +21,26 @@ constexpr double kStepOfFoot = 5.0, kLowestFoot = 10.0;                        /
 /// By how much a punch may be short of each end: in thicknesses, in mm, of the shortest line.
 constexpr double kShortInThicknesses = 15.0, kShortest = 20.0, kShortOfLine = 1.0 / 6.0;
 
-/// A punch whose upper half is moved up.
-Punch taller(Punch punch, double by) {
+double height_of(const Punch& punch) {
   double top = 0.0;
   for (const Vec2& p : punch.profile)
     top = std::max(top, p.y());
+  return top;
+}
+
+/// A punch whose upper half is moved up, and the beam with it.
+Punch taller(Punch punch, double by) {
+  const double top = height_of(punch);
   for (Vec2& p : punch.profile)
     if (p.y() > 0.5 * top) p.y() += by;
+  punch.raises_beam += by;
   return punch;
 }
 
-BrakeTools with_taller_punches(BrakeTools tools, double by) {
+/// These punches, each of which then holds the upper beam higher.
+BrakeTools with_taller_punches(BrakeTools tools, std::span<const std::string> of, double by) {
   for (Punch& punch : tools.punches)
-    punch = taller(punch, by);
-  for (Vec2& p : tools.machine.upper_beam)
-    p.y() += by;
-  return tools;
-}
-
-std::vector<std::string> ids_of(const BrakeTools& tools) {
-  std::vector<std::string> ids;
-  for (const Punch& punch : tools.punches)
-    ids.push_back(punch.id);
-  for (const Die& die : tools.dies)
-    ids.push_back(die.id);
-  return ids;
-}
-
-/// With the segments of a common set besides, of these tools.
-BrakeTools with_segments(BrakeTools tools, std::span<const std::string> of) {
-  const auto add = [&](auto& tool) {
-    if (std::ranges::count(of, tool.id) > 0)
-      tool.segments.insert(tool.segments.end(), kCommonSet.begin(), kCommonSet.end());
-  };
-  std::ranges::for_each(tools.punches, add);
-  std::ranges::for_each(tools.dies, add);
+    if (std::ranges::count(of, punch.id) > 0) punch = taller(std::move(punch), by);
   return tools;
 }
 
@@ -97,13 +81,46 @@ bool has(const Trying& trying, const Punch& punch) {
   return same && (same->ears || !punch.ears);
 }
 
-BrakeTools with(const Trying& trying, const Punch& punch) {
-  BrakeTools more = trying.tools();
-  more.punches.push_back(punch);
-  return more;
+/// As few of them as halving finds with which it does: mostly one.
+template <typename Does>
+std::span<const std::string> fewest(std::span<const std::string> all, const Does& does) {
+  while (all.size() > 1) {
+    const std::size_t half = all.size() / 2;
+    if (does(all.first(half)))
+      all = all.first(half);
+    else if (does(all.subspan(half)))
+      all = all.subspan(half);
+    else
+      break;
+  }
+  return all;
 }
 
 }  // namespace
+
+std::vector<std::string> ids_of(const BrakeTools& tools) {
+  std::vector<std::string> ids;
+  for (const Punch& punch : tools.punches)
+    ids.push_back(punch.id);
+  for (const Die& die : tools.dies)
+    ids.push_back(die.id);
+  return ids;
+}
+
+BrakeTools with_segments(BrakeTools tools, std::span<const std::string> of) {
+  const auto add = [&](auto& tool) {
+    if (std::ranges::count(of, tool.id) > 0)
+      tool.segments.insert(tool.segments.end(), kCommonSet.begin(), kCommonSet.end());
+  };
+  std::ranges::for_each(tools.punches, add);
+  std::ranges::for_each(tools.dies, add);
+  return tools;
+}
+
+BrakeTools with_punch(BrakeTools tools, const Punch& punch) {
+  tools.punches.push_back(punch);
+  return tools;
+}
 
 void try_openings(Trying& trying) {
   const std::set<double> now = taken(trying);
@@ -120,56 +137,51 @@ void try_openings(Trying& trying) {
     Proposal proposal{.kind = Kind::smaller_v, .opening = opening};
     for (const Die& die : trying.tools().dies)
       if (std::abs(die.opening - opening) < kOneOpening) proposal.tools.push_back(die.id);
-    trying.found.push_back(std::move(proposal));
+    trying.propose(std::move(proposal));
     return;
   }
 }
 
-/// Of as few tools as halving finds: mostly of one.
 void try_segments(Trying& trying) {
-  const std::vector<BlockedBend> blocked = trying.blocked();
   const std::vector<std::string> ids = ids_of(trying.tools());
-  std::span<const std::string> needed(ids);
   const auto does = [&](std::span<const std::string> some) {
     return trying.can_bend(with_segments(trying.tools(), some));
   };
-  if (std::ranges::none_of(blocked, lacks_segments) || !does(needed)) return;
-  while (needed.size() > 1) {
-    const std::size_t half = needed.size() / 2;
-    if (does(needed.first(half)))
-      needed = needed.first(half);
-    else if (does(needed.subspan(half)))
-      needed = needed.subspan(half);
-    else
-      break;
-  }
-  trying.found.push_back({.kind = Kind::segments, .tools = {needed.begin(), needed.end()}});
+  if (std::ranges::none_of(trying.blocked(), lacks_segments) || !does(ids)) return;
+  const auto needed = fewest(ids, does);
+  trying.propose({.kind = Kind::segments, .tools = {needed.begin(), needed.end()}});
+}
+
+std::vector<Punch> punches_to_get(const Trying& trying) {
+  if (!trying.others()) return {};
+  std::vector<Punch> punches = trying.others()->punches;
+  std::ranges::stable_sort(punches, std::greater(),
+                           [](const Punch& one) { return one.angle.degrees(); });
+  std::vector<Punch> wanted;
+  for (const Punch& punch : punches)
+    if (!has(trying, punch) &&
+        std::ranges::none_of(wanted, [&](const Punch& one) { return are_alike(one, punch); }))
+      wanted.push_back(punch);
+  return wanted;
+}
+
+Proposal proposal_of(const Trying& trying, const Punch& punch) {
+  const Punch* same = own(trying, punch);
+  return {.kind = Kind::punch, .tools = {same ? same->id : punch.id}, .ears = same != nullptr};
 }
 
 /// The bluntest that does.
 void try_punches(Trying& trying) {
-  if (!trying.others()) return;
-  std::vector<Punch> punches = trying.others()->punches;
-  std::ranges::stable_sort(punches, std::greater(),
-                           [](const Punch& one) { return one.angle.degrees(); });
-  std::vector<const Punch*> tried;
-  for (const Punch& punch : punches) {
-    const bool alike = std::ranges::any_of(
-        tried, [&](const Punch* one) { return are_alike(*one, punch); });
-    if (has(trying, punch) || alike) continue;
-    tried.push_back(&punch);
-    if (!trying.can_bend(with(trying, punch))) continue;
-    const Punch* same = own(trying, punch);
-    trying.found.push_back(
-        {.kind = Kind::punch, .tools = {same ? same->id : punch.id}, .ears = same != nullptr});
-    return;
-  }
+  const std::vector<Punch> punches = punches_to_get(trying);
+  const auto does = std::ranges::find_if(punches, [&](const Punch& punch) {
+    return trying.can_bend(with_punch(trying.tools(), punch));
+  });
+  if (does != punches.end()) trying.propose(proposal_of(trying, *does));
 }
 
 /// Where a die is in the way or too wide.
 void try_dies(Trying& trying) {
-  const std::vector<BlockedBend> blocked = trying.blocked();
-  const bool by_die = std::ranges::any_of(blocked, [](const BlockedBend& one) {
+  const bool by_die = std::ranges::any_of(trying.blocked(), [](const BlockedBend& one) {
     return one.hits ? !is_above(one.hits->kind) : one.needed > one.reach;
   });
   if (!trying.others() || !by_die) return;
@@ -181,7 +193,7 @@ void try_dies(Trying& trying) {
     BrakeTools more = trying.tools();
     more.dies.push_back(die);
     if (!trying.can_bend(more)) continue;
-    trying.found.push_back({.kind = Kind::die, .tools = {die.id}});
+    trying.propose({.kind = Kind::die, .tools = {die.id}});
     return;
   }
 }
@@ -200,7 +212,7 @@ void try_lower_ears(Trying& trying) {
                                    kStepOfFoot * std::floor((low + high) / (2.0 * kStepOfFoot)));
     (does(middle) ? low : high) = middle;
   }
-  trying.found.push_back({.kind = Kind::lower_ears, .by = low});
+  trying.propose({.kind = Kind::lower_ears, .by = low});
 }
 
 /// To a millimetre.
@@ -216,23 +228,22 @@ void try_short_punch(Trying& trying) {
   };
   double little = std::floor(trying.options().shortfall.value_or(thickness)),
          enough = std::floor(most);
-  const std::vector<BlockedBend> blocked = trying.blocked();
-  const bool lacks = std::ranges::any_of(blocked, lacks_segments);
+  const bool lacks = std::ranges::any_of(trying.blocked(), lacks_segments);
   if (enough <= little || !(lacks || hits_punch(trying)) || !does(enough)) return;
   while (enough - little > 1.0 && !trying.is_spent()) {
     const double middle = std::floor(0.5 * (little + enough));
     (does(middle) ? enough : little) = middle;
   }
-  trying.found.push_back({.kind = Kind::short_punch, .by = enough});
+  trying.propose({.kind = Kind::short_punch, .by = enough});
 }
 
 void try_taller(Trying& trying) {
-  const std::vector<BlockedBend> hits = trying.hits();
+  const std::vector<std::string> ids = mapped(trying.tools().punches, &Punch::id);
   const auto does = [&](double by) {
-    return trying.can_bend(with_taller_punches(trying.tools(), by));
+    return trying.can_bend(with_taller_punches(trying.tools(), ids, by));
   };
   double deepest = 0.0;  // what is in the way, above
-  for (const BlockedBend& one : hits)
+  for (const BlockedBend& one : trying.hits())
     if (is_above(one.hits->kind)) deepest = std::max(deepest, one.depth);
   if (deepest == 0.0) return;
   double too_low = 0.0, enough = kStepOfPunch * std::ceil(deepest / kStepOfPunch);
@@ -246,7 +257,17 @@ void try_taller(Trying& trying) {
     (does(middle) ? enough : too_low) = middle;
   }
   if (trying.is_spent() && enough - too_low > kStepOfPunch) return;  // far more than is needed
-  trying.found.push_back({.kind = Kind::taller_punches, .by = enough});
+  const auto needed = fewest(ids, [&](std::span<const std::string> some) {
+    return trying.can_bend(with_taller_punches(trying.tools(), some, enough));
+  });
+  Proposal proposal{.kind = Kind::taller_punches, .by = enough};
+  if (needed.size() < ids.size()) proposal.tools.assign(needed.begin(), needed.end());
+  if (needed.size() == 1) {
+    proposal.tools = {needed.front()};
+    proposal.height = enough + height_of(*std::ranges::find(trying.tools().punches, needed.front(),
+                                                            &Punch::id));
+  }
+  trying.propose(std::move(proposal));
 }
 
 }  // namespace planish::brake_detail

@@ -2,6 +2,10 @@
 
 #include "proposing.hpp"
 
+#include <span>
+#include <string>
+#include <vector>
+
 namespace planish::brake_detail {
 
 /// Other tools, or the same used otherwise, with which a sheet can be bent: of each kind the least
@@ -13,5 +17,16 @@ void try_dies(Trying& trying);
 void try_lower_ears(Trying& trying);
 void try_short_punch(Trying& trying);
 void try_taller(Trying& trying);
+
+std::vector<std::string> ids_of(const BrakeTools& tools);
+/// With the segments of a common set besides, of these tools.
+BrakeTools with_segments(BrakeTools tools, std::span<const std::string> of);
+BrakeTools with_punch(BrakeTools tools, const Punch& punch);
+
+/// Punches of the other catalogue that the shop has not, the bluntest first, of those alike one;
+/// also those that it has without ears.
+std::vector<Punch> punches_to_get(const Trying& trying);
+/// To get it, or ears for one's own.
+Proposal proposal_of(const Trying& trying, const Punch& punch);
 
 }  // namespace planish::brake_detail

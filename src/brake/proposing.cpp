@@ -39,6 +39,12 @@ BrakeTools without_likes(BrakeTools tools, const Workpiece& work, const PlanOpti
   return tools;
 }
 
+std::vector<BlockedBend> in_the_way_of(const Plan& plan) {
+  std::vector<BlockedBend> all = plan.blocked;
+  all.insert(all.end(), plan.in_the_way.begin(), plan.in_the_way.end());
+  return all;
+}
+
 }  // namespace
 
 bool are_alike(const Punch& a, const Punch& b) {
@@ -62,11 +68,13 @@ Trying::Trying(const Sheet& sheet, const Layout& layout, const BrakeTools& tools
       others_(trying.others),
       progress_(progress),
       until_(trying.until),
-      left_(trying.checks) {
+      left_(trying.checks),
+      blocked_(in_the_way_of(plan)) {
   auto work = work_for(options, plan_.large);
   if (work) work_ = std::move(*work);
   tools_ = without_likes(tools, work_, options);
   obstacles_ = std::make_shared<ToolRoom>(tools_, options.clearance);
+  own_tools_ = tools_;
 }
 
 Result<Workpiece> Trying::work_for(const PlanOptions& options,
@@ -116,14 +124,31 @@ bool Trying::can_bend_in_full(const PlanOptions& options) {
   return can;
 }
 
-std::vector<BlockedBend> Trying::blocked() const {
-  std::vector<BlockedBend> all = plan_.blocked;
-  all.insert(all.end(), plan_.in_the_way.begin(), plan_.in_the_way.end());
-  return all;
+void Trying::propose(Proposal proposal) {
+  if (first_) proposal.also = {*first_};
+  found.push_back(std::move(proposal));
+}
+
+void Trying::change_first(BrakeTools tools, Proposal first) {
+  change_nothing_first();
+  tools_ = std::move(tools);
+  obstacles_ = std::make_shared<ToolRoom>(tools_, options_.clearance);
+  std::vector<BlockedBend> blocked;
+  if (!can_bend(work_, tools_, options_, &blocked) && !blocked.empty())
+    blocked_ = std::move(blocked);
+  first_ = std::move(first);
+}
+
+void Trying::change_nothing_first() {
+  if (!first_) return;
+  first_.reset();
+  tools_ = own_tools_;
+  obstacles_ = std::make_shared<ToolRoom>(tools_, options_.clearance);
+  blocked_ = in_the_way_of(plan_);
 }
 
 std::vector<BlockedBend> Trying::hits() const {
-  std::vector<BlockedBend> all = blocked();
+  std::vector<BlockedBend> all = blocked_;
   std::erase_if(all, [](const BlockedBend& one) { return !one.hits; });
   return all;
 }

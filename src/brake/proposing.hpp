@@ -22,8 +22,11 @@ class Trying {
          const Progress& progress);
 
   const BrakeTools& all_tools() const { return all_tools_; }
-  /// Without punches that stand and reach as another that is kept, and fit no other line.
+  /// Without punches that stand and reach as another that is kept, and fit no other line; as a
+  /// first change leaves them.
   const BrakeTools& tools() const { return tools_; }
+  /// The same before a first change.
+  const BrakeTools& own_tools() const { return own_tools_; }
   const PlanOptions& options() const { return options_; }
   const Plan& plan() const { return plan_; }
   const Workpiece& work() const { return work_; }
@@ -47,11 +50,18 @@ class Trying {
   void share_out(int shares, int of);
 
   /// What is in the way in some stage, and of that what hits a tool.
-  std::vector<BlockedBend> blocked() const;
+  const std::vector<BlockedBend>& blocked() const { return blocked_; }
   std::vector<BlockedBend> hits() const;
   /// −1: there is none.
   int body_of(FlangeId flange) const;
   int line_of(BendId bend) const;
+
+  /// Notes a change by which it can be bent.
+  void propose(Proposal proposal);
+  /// From now on a second change is looked for, beside a first one that gives these tools and does
+  /// not do by itself.
+  void change_first(BrakeTools tools, Proposal first);
+  void change_nothing_first();
 
   std::vector<Proposal> found = {};
   bool has(Proposal::Kind kind) const;
@@ -69,6 +79,9 @@ class Trying {
   std::int64_t left_, share_ = 0;  ///< of the work, of all kinds and of this one
   Workpiece work_;
   std::shared_ptr<ToolRoom> obstacles_;
+  BrakeTools own_tools_;                ///< before a first change
+  std::optional<Proposal> first_ = {};  ///< that change
+  std::vector<BlockedBend> blocked_;    ///< with it, or without
 };
 
 }  // namespace planish::brake_detail

@@ -45,6 +45,11 @@ constexpr Refusal no_tool_bears{
     code::no_tool,
     "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
     "Add such a tool, or change the bend."};
+constexpr Refusal rows_slightly_short{
+    code::no_tool,
+    "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
+    "Let the tools be {short} short of each end (`--shortfall`), or add segments.", "shortfall",
+    "{shortfall}"};
 constexpr Refusal no_tool_bears_large{
     code::no_tool,
     "{@bend} turns {angle} at an inside radius of {radius} in {thickness}, but there is {why}.",
@@ -56,8 +61,11 @@ constexpr Refusal press_too_short{code::press_too_small,
 constexpr Refusal press_too_weak{
     code::press_too_small,
     "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
-    "Bend it on a stronger press, or over a wider V if the shop has one."};
-
+    "Bend it on a stronger press."};
+constexpr Refusal press_too_weak_over_wide{
+    code::press_too_small,
+    "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",
+    "Bend it on a stronger press, or over such a V if its larger radius will do."};
 constexpr Refusal press_too_weak_over_usual{
     code::press_too_small,
     "{@bend}, {length} long in {thickness}, turns {angle}, but there is {why}.",

@@ -153,7 +153,8 @@ constexpr std::string_view kPerMetre = "kN/m";
 constexpr std::string_view kShortPress = "short_press", kWeakPress = "weak_press";
 constexpr std::string_view kWeakPressForHem = "weak_press_for_hem";
 constexpr std::string_view kWeakOverWanted = "weak_over_wanted";
-constexpr std::string_view kWeakOverUsual = "weak_over_usual";
+constexpr std::string_view kWeakOverUsual = "weak_over_usual", kWeakOverWide = "weak_over_wide";
+constexpr std::string_view kSlightlyShortRows = "slightly_short_rows";
 constexpr Sentence short_press{
     kShortPress,
     "no press long enough: it takes {span:6} of tools, and the machine holds {length:6}"};
@@ -161,6 +162,10 @@ constexpr Sentence weak_press{
     kWeakPress,
     "no press strong enough: even over a V of {opening} it takes {force}, and the machine has "
     "{most}"};
+constexpr Sentence weak_over_wide{
+    kWeakOverWide,
+    "no press strong enough: over a V of {opening} it takes {force}, and the machine has {most}, "
+    "enough over a V of {wider} or more"};
 constexpr Sentence weak_over_wanted{
     kWeakOverWanted,
     "no press strong enough: over the wanted V of {opening} it takes {force}, and the machine has "
@@ -183,7 +188,13 @@ constexpr Sentence no_sharp_die{kNoTool, "no die of {tool_angle} or less"};
 constexpr Sentence no_radius{
     kNoTool, "no punch and die that leave an inside radius within a third of {radius}"};
 constexpr Sentence few_segments{
-    kNoTool, "no punch and die whose segments together press a length of {length}"};
+    kNoTool,
+    "no punch and die whose segments together press a length of {length}: the longest press "
+    "{longest}"};
+constexpr Sentence slightly_short_rows{
+    kSlightlyShortRows,
+    "no punch and die whose segments together press a length of {length}: the longest press "
+    "{longest}"};
 constexpr Sentence no_strong_tools{
     kNoTool, "no punch and die that bear {force} over a V of {opening}: the strongest bear {most}"};
 constexpr Sentence strong_over_wider{

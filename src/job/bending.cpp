@@ -6,6 +6,7 @@
 #include "sentences.hpp"
 
 #include <planish/base/text.hpp>
+#include <planish/brake/bend_numbers.hpp>
 #include <planish/brake/codes.hpp>
 #include <planish/brake/proposals.hpp>
 #include <planish/shop/tools_json.hpp>

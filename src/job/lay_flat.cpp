@@ -11,6 +11,7 @@
 
 #include <planish/base/text.hpp>
 #include <planish/base/tolerance.hpp>
+#include <planish/brake/bend_numbers.hpp>
 #include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/sheet/codes.hpp>

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace planish::job {
 using namespace schema;
@@ -150,10 +149,6 @@ std::string strokes_text(const Plan& plan, const Report& report, const Units& un
 }
 
 }  // namespace
-
-bool has_order(const Plan& plan) {
-  return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
-}
 
 bool nothing_to_bend(const Plan& plan) { return has_order(plan) && plan.strokes.empty(); }
 
@@ -308,23 +303,19 @@ Json plan_json(const Plan& plan, const Report& report) {
   for (std::size_t s = 0; s < plan.strokes.size(); ++s)
     json["strokes"].push_back(stroke_json(plan.strokes[s], checks[s], report));
   json["stations"] = stations_json(plan.stations, report);
-  json["blocked"] = Json::array();
-  for (const BlockedBend& blocked : plan.blocked)
-    json["blocked"].push_back(blocked_json(blocked, report));
+  const auto in_the_way = [&](const std::vector<BlockedBend>& bends) {
+    return json_array(bends, [&](const BlockedBend& one) { return blocked_json(one, report); });
+  };
+  json["blocked"] = in_the_way(plan.blocked);
   if (!plan.unformed.empty()) json["unformed"] = bend_ids(report, plan.unformed);
-  if (!plan.in_the_way.empty()) {
-    json["in_the_way"] = Json::array();
-    for (const BlockedBend& blocked : plan.in_the_way)
-      json["in_the_way"].push_back(blocked_json(blocked, report));
-  }
+  if (!plan.in_the_way.empty()) json["in_the_way"] = in_the_way(plan.in_the_way);
   if (plan.status == PlanStatus::infeasible) json["proposals"] = proposals_json(plan, report);
   if (!plan.large.empty())
     json["large_radii"] = json_array(
         plan.large, [&](const LargeBend& large) { return large_json(large, report); });
   if (report.as_made) json["as_made"] = as_made_json(*report.as_made, report);
-  json["remarks"] = Json::array();
-  for (const Remark& remark : plan.remarks)
-    json["remarks"].push_back(remark_json(remark, Units(report.units)));
+  json["remarks"] = json_array(
+      plan.remarks, [&](const Remark& one) { return remark_json(one, Units(report.units)); });
   return json;
 }
 
@@ -364,36 +355,6 @@ std::string plan_text(const Plan& plan, const Report& report) {
                      counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
                      counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units)) +
          stations_text(plan, units) + as_made_text(report);
-}
-
-namespace {
-
-/// A bend formed by bumps has a line for each, as a transition's press lines.
-void draw_bumps(FlatPattern& flat, const Plan& plan) {
-  for (FlatBend& bend : flat.bends) {
-    const auto large = std::ranges::find(plan.large, bend.bend, &LargeBend::bend);
-    if (large == plan.large.end() || large->forming != Forming::bumps) continue;
-    const std::vector<Segment> middle = std::exchange(bend.lines, {});
-    bend.line_angles.clear();
-    for (int bump = 0; bump < large->bumps; ++bump)
-      for (const Segment& line : middle) {
-        const Vec2 along = (line.b - line.a).normalized();
-        const double aside = (bump + 0.5 - 0.5 * large->bumps) * large->pitch;
-        const Vec2 by = aside * Vec2(-along.y(), along.x());
-        bend.lines.push_back({line.a + by, line.b + by});
-        bend.line_angles.push_back(large->angle);
-      }
-  }
-}
-
-}  // namespace
-
-void number_bends(FlatPattern& flat, const Plan& plan) {
-  if (has_order(plan)) draw_bumps(flat, plan);
-  for (FlatBend& bend : flat.bends)
-    for (std::size_t s = plan.strokes.size(); s > 0; --s)
-      if (std::ranges::count(plan.strokes[s - 1].bends, bend.bend) > 0)
-        bend.stroke = static_cast<int>(s);
 }
 
 }  // namespace planish::job

@@ -10,8 +10,7 @@
 
 namespace planish::job {
 
-/// Whether there is an order of strokes; one without any stroke.
-bool has_order(const Plan& plan);
+/// Whether there is an order without any stroke.
 bool nothing_to_bend(const Plan& plan);
 
 /// "F3"
@@ -36,8 +35,5 @@ std::string_view status_word(const Plan& plan);
 
 /// The same for a terminal.
 std::string plan_text(const Plan& plan, const Report& report);
-
-/// Enters the first stroke that presses each bend; bends that none presses stay without.
-void number_bends(FlatPattern& flat, const Plan& plan);
 
 }  // namespace planish::job

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace planish::job {
 using namespace schema;
 namespace {
@@ -19,10 +21,38 @@ using Kind = Proposal::Kind;
 
 constexpr int kDigits = 6;  // of an opening that is given as an option
 
-const std::vector<std::string_view> kKinds{
-    "smaller_v",  "punch",     "taller_punches", "shorter_flange", "longer_flanges",
-    "swap",       "any_order", "split",          "rolled",         "segments",
-    "lower_ears", "die",       "short_punch"};
+struct Said {
+  std::string_view key, pattern;
+  std::string_view option = {};  ///< that does it
+};
+
+/// By kind.
+const std::vector<Said> kSaid{
+    {"smaller_v", "over a V of {opening} ({tools})", "opening"},
+    {"punch", "with the additional punch {tools}"},
+    {"taller_punches", "with punches {tools} {by} taller and the upper beam higher by the same"},
+    {"shorter_flange", "with {flanges} shorter by {by}"},
+    {"longer_flanges", "with {flanges} longer by {by}"},
+    {"swap", "with {bends} swapped in the order you gave"},
+    {"any_order", "in another order than you gave"},
+    {"split", "as two parts, cut at {bends}"},
+    {"rolled", "with {bends} rolled", "large_radii"},
+    {"segments", "with segments of 10 to 300 mm for {tools}"},
+    {"lower_ears", "with ears whose foot is {by} high"},
+    {"die", "with the additional die {tools}"},
+    {"short_punch", "with the punch up to {by} short of each end of a bend", "shortfall"}};
+
+const Said& said_of(const Proposal& proposal) { return kSaid[static_cast<int>(proposal.kind)]; }
+
+std::string_view pattern_of(const Proposal& proposal) {
+  if (proposal.ears) return "with ears for punch {tools}";
+  if (proposal.height > 0.0)
+    return "with punch {tools} {height} high instead of {before}, and the upper beam higher by the "
+           "same";
+  if (proposal.kind == Kind::taller_punches && proposal.tools.empty())
+    return "with all punches {by} taller and the upper beam higher by the same";
+  return said_of(proposal).pattern;
+}
 
 std::string with_unit(double mm, const Units& units) {
   return fmt::format("{} {}", units.short_text(mm), units.symbol());
@@ -53,95 +83,90 @@ Told told_of(const BlockedBend& blocked, const Report& report) {
   return told;
 }
 
-std::string proposal_sentence(const Proposal& proposal, const Report& report) {
+namespace {
+
+std::string one_sentence(const Proposal& proposal, const Report& report) {
   const Units units(report.units);
-  const std::string tools = fmt::format("{}", fmt::join(proposal.tools, ", "));
-  const std::vector<std::string> bends = bend_ids(report, proposal.bends);
-  switch (proposal.kind) {
-    case Kind::smaller_v:
-      return fmt::format("over a V of {} ({})", with_unit(proposal.opening, units), tools);
-    case Kind::punch:
-      return fmt::format("with {} {}", proposal.ears ? "ears for punch" : "the additional punch",
-                         tools);
-    case Kind::taller_punches:
-      return fmt::format("with punches {} taller and the upper beam higher by the same",
-                         with_unit(proposal.by, units));
-    case Kind::shorter_flange:
-    case Kind::longer_flanges:
-      return fmt::format("with {} {} by {}",
-                         fmt::join(mapped(proposal.flanges, flange_id), " and "),
-                         proposal.kind == Kind::shorter_flange ? "shorter" : "longer",
-                         with_unit(proposal.by, units));
-    case Kind::swap:
-      return fmt::format("with {} swapped in the order you gave", fmt::join(bends, " and "));
-    case Kind::any_order:
-      return "in another order than you gave";
-    case Kind::rolled:
-      return fmt::format("with {} rolled", fmt::join(bends, " and "));
-    case Kind::segments:
-      return fmt::format("with segments of 10 to 300 mm for {}", tools);
-    case Kind::die:
-      return "with the additional die " + tools;
-    case Kind::lower_ears:
-      return fmt::format("with ears whose foot is {} high", with_unit(proposal.by, units));
-    case Kind::short_punch:
-      return fmt::format("with the punch up to {} short of each end of a bend",
-                         with_unit(proposal.by, units));
-    case Kind::split:
-      break;
-  }
-  return fmt::format("as two parts, cut at {}", fmt::join(bends, ", "));
+  const auto all = [](const auto& names) { return fmt::format("{}", fmt::join(names, " and ")); };
+  return fmt::format(fmt::runtime(pattern_of(proposal)),
+                     fmt::arg("tools", fmt::format("{}", fmt::join(proposal.tools, ", "))),
+                     fmt::arg("opening", with_unit(proposal.opening, units)),
+                     fmt::arg("by", with_unit(proposal.by, units)),
+                     fmt::arg("height", with_unit(proposal.height, units)),
+                     fmt::arg("before", with_unit(proposal.height - proposal.by, units)),
+                     fmt::arg("flanges", all(mapped(proposal.flanges, flange_id))),
+                     fmt::arg("bends", all(bend_ids(report, proposal.bends))));
+}
+
+}  // namespace
+
+std::string proposal_sentence(const Proposal& proposal, const Report& report) {
+  std::string sentence;
+  for (const Proposal& first : proposal.also)
+    sentence += one_sentence(first, report) + " and ";
+  return sentence + one_sentence(proposal, report);
 }
 
 std::vector<Remedy> remedies_of(const std::vector<Proposal>& proposals, const Report& report) {
   return mapped(proposals, [&](const Proposal& proposal) {
     Remedy remedy{{}, {}, "Bend it " + proposal_sentence(proposal, report)};
-    if (proposal.kind == Kind::smaller_v) {
-      remedy.option = "opening";
-      remedy.value = number_text(proposal.opening, kDigits);
-    }
-    if (proposal.kind == Kind::short_punch) {
-      remedy.option = "shortfall";
-      remedy.value = number_text(proposal.by, kDigits);
-    }
-    if (proposal.kind == Kind::rolled) remedy.option = "large_radii", remedy.value = "roll";
+    remedy.option = proposal.also.empty() ? said_of(proposal).option : "";
+    if (!remedy.option.empty())
+      remedy.value = proposal.kind == Kind::rolled
+                         ? "roll"
+                         : number_text(std::max(proposal.opening, proposal.by), kDigits);
     return remedy;
   });
 }
 
-Json proposals_json(const Plan& plan, const Report& report) {
+namespace {
+
+Json proposal_json(const Proposal& proposal, const Report& report) {
   const Units units(report.units);
-  Json all = Json::array();
-  for (const Proposal& proposal : plan.proposals) {
-    Json json;
-    json["kind"] = kKinds[static_cast<int>(proposal.kind)];
-    json["sentence"] = proposal_sentence(proposal, report);
-    if (proposal.opening > 0.0) json["opening"] = number_json(units.length(proposal.opening));
-    if (proposal.by > 0.0) json["by"] = number_json(units.length(proposal.by));
-    if (!proposal.tools.empty()) json["tools"] = proposal.tools;
-    if (proposal.ears) json["ears"] = true;
-    if (!proposal.flanges.empty()) {
-      if (proposal.kind == Kind::shorter_flange)
-        json["flange"] = flange_id(proposal.flanges.front());
-      else
-        json["flanges"] = mapped(proposal.flanges, flange_id);
-    }
-    if (!proposal.bends.empty()) json["bends"] = bend_ids(report, proposal.bends);
-    all.push_back(std::move(json));
-  }
-  return all;
+  Json json;
+  json["kind"] = said_of(proposal).key;
+  json["sentence"] = proposal_sentence(proposal, report);
+  if (proposal.opening > 0.0) json["opening"] = number_json(units.length(proposal.opening));
+  if (proposal.by > 0.0) json["by"] = number_json(units.length(proposal.by));
+  if (proposal.height > 0.0) json["height"] = number_json(units.length(proposal.height));
+  if (!proposal.tools.empty()) json["tools"] = proposal.tools;
+  if (proposal.ears) json["ears"] = true;
+  if (proposal.kind == Kind::shorter_flange)
+    json["flange"] = flange_id(proposal.flanges.front());
+  else if (!proposal.flanges.empty())
+    json["flanges"] = mapped(proposal.flanges, flange_id);
+  if (!proposal.bends.empty()) json["bends"] = bend_ids(report, proposal.bends);
+  if (!proposal.also.empty())
+    json["also"] = mapped(proposal.also,
+                          [&](const Proposal& other) { return proposal_json(other, report); });
+  return json;
+}
+
+std::vector<Field> proposal_keys() {
+  return {required("kind", words(mapped(kSaid, &Said::key))),
+          required("sentence", text().said("goes on from \"it can be bent\"")),
+          optional("opening", measured_length().said("of the V")),
+          optional("by",
+                   measured_length().said("taller, shorter, longer or high, as the sentence says")),
+          optional("height", measured_length().said("of the one punch that is taller then")),
+          optional("tools", list(text()).said("the dies of that V; the punches; to have segments")),
+          optional("ears", flag().said("for a punch that the shop has")),
+          optional("flange", text()),
+          optional("flanges", list(text())),
+          optional("bends", list(text()))};
+}
+
+}  // namespace
+
+Json proposals_json(const Plan& plan, const Report& report) {
+  return mapped(plan.proposals, [&](const Proposal& one) { return proposal_json(one, report); });
 }
 
 Schema proposal_schema() {
-  return object(
-      {required("kind", words(kKinds)),
-       required("sentence", text().said("goes on from \"it can be bent\"")),
-       optional("opening", measured_length().said("of the V")),
-       optional("by",
-                measured_length().said("taller, shorter, longer or high, as the sentence says")),
-       optional("tools", list(text()).said("the dies of that V; the punch; to have segments")),
-       optional("ears", flag().said("for a punch that the shop has")), optional("flange", text()),
-       optional("flanges", list(text())), optional("bends", list(text()))});
+  auto keys = proposal_keys();
+  keys.push_back(optional(
+      "also", list(object(proposal_keys())).said("a second change that it takes besides")));
+  return object(std::move(keys));
 }
 
 std::string proposals_text(const Plan& plan, const Report& report) {

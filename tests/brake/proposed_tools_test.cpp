@@ -34,21 +34,6 @@ TEST(ProposedTools, NameAPunchThatWouldDo) {
             nullptr);
 }
 
-/// A tray of 160 by 120 by 30 with mitred lips: the last wall is bent between two of them.
-Sheet lipped_tray(double lip) {
-  const Turn turn{Angle::degrees(90), 1.0, BendDirection::up};
-  SheetBuilder builder(1.0);
-  const FaceId base = builder.flange(Frame{}, {rectangle(160, 120)});
-  for (int rim = 0; rim < 4; ++rim) {
-    const Rim foot = builder.bend(builder.rim(base, rim), turn);
-    const FaceId wall = builder.flange_behind(foot, {rectangle(foot.length, 28)});
-    const Rim top = builder.bend(builder.rim(wall, 2), turn);
-    const double w = top.length;
-    builder.flange_behind(top, {polygon({{0, 0}, {w, 0}, {w - lip - 1, lip}, {lip + 1, lip}})});
-  }
-  return builder.finish();
-}
-
 /// Between walls with lips the shop's own punch needs ears.
 TEST(ProposedTools, NameAPunchThatNeedsEars) {
   BrakeTools tools = plain_tools({.half_width = 4.0}, {.half_width = 9.0}), others = tools;

@@ -41,6 +41,21 @@ inline Sheet channel_of(double leg) {
   return strip({Straight{leg}, bent_up(), Straight{60}, bent_up(), Straight{leg}}, 80, 1.5);
 }
 
+/// A tray of 160 by 120 by 30 with mitred lips: the last wall is bent between two of them.
+inline Sheet lipped_tray(double lip) {
+  const Turn turn{Angle::degrees(90), 1.0, BendDirection::up};
+  SheetBuilder builder(1.0);
+  const FaceId base = builder.flange(Frame{}, {rectangle(160, 120)});
+  for (int rim = 0; rim < 4; ++rim) {
+    const Rim foot = builder.bend(builder.rim(base, rim), turn);
+    const FaceId wall = builder.flange_behind(foot, {rectangle(foot.length, 28)});
+    const Rim top = builder.bend(builder.rim(wall, 2), turn);
+    const double w = top.length;
+    builder.flange_behind(top, {polygon({{0, 0}, {w, 0}, {w - lip - 1, lip}, {lip + 1, lip}})});
+  }
+  return builder.finish();
+}
+
 /// check_test.cpp: a punch 2 b wide closes a channel whose first leg is at most
 /// web + r − (b − ε) / s long.
 inline double longest_leg(double half_width) { return 60.0 + 2.0 - (half_width - 0.05) / kSlope; }

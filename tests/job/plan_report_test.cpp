@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <sstream>
 
 namespace planish::job {
@@ -18,7 +17,6 @@ using test::planned_report;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::UnorderedElementsAre;
 
 Json plan_of(const Report& report) { return plan_json(*report.plan, report); }
 
@@ -269,50 +267,6 @@ TEST(PlanReport, SaysOnTheTerminalThatThereIsNone) {
   report.plan->proposals.clear();
   EXPECT_THAT(plan_text(*report.plan, report), HasSubstr("17 stages"));
   EXPECT_NE(plan_text(*report.plan, report), impossible);
-}
-
-TEST(PlanReport, NumbersBendsByTheFirstStrokeThatPressesThem) {
-  Report report = planned_report();
-  FlatBend third = report.flat.bends[0];
-  third.bend = BendId{2};
-  report.flat.bends.push_back(third);
-  report.plan->strokes = {test::stroke_at_20(), test::stroke_at_40(), test::stroke_at_20()};
-  number_bends(report.flat, *report.plan);
-  EXPECT_EQ(report.flat.bends[0].stroke, 2);
-  EXPECT_EQ(report.flat.bends[1].stroke, 1);
-  EXPECT_FALSE(report.flat.bends[2].stroke);
-}
-
-TEST(PlanReport, DrawsALineForEachBumpOfALargeBend) {
-  // Three of 10°, 4 mm apart, about the bend line at x = 20, which an opening interrupts.
-  Report report = planned_report();
-  report.flat.bends[1].lines = {{{20, 0}, {20, 25}}, {{20, 40}, {20, 60}}};
-  const LargeBend large{.bend = BendId{1},
-                        .forming = Forming::bumps,
-                        .bumps = 3,
-                        .pitch = 4.0,
-                        .angle = Angle::degrees(10)};
-  for (const Forming forming : {Forming::bumps, Forming::rolled}) {
-    FlatPattern flat = report.flat;
-    report.plan->large = {large};
-    report.plan->large[0].forming = forming;
-    number_bends(flat, *report.plan);
-    EXPECT_EQ(flat.bends[0].lines.size(), report.flat.bends[0].lines.size());
-    std::vector<std::array<double, 4>> lines;
-    for (const Segment& line : flat.bends[1].lines)
-      lines.push_back({line.a.x(), line.a.y(), line.b.x(), line.b.y()});
-    using Line = std::array<double, 4>;
-    if (forming == Forming::rolled) {
-      EXPECT_THAT(lines, ElementsAre(Line{20, 0, 20, 25}, Line{20, 40, 20, 60}));
-      continue;
-    }
-    EXPECT_THAT(lines, UnorderedElementsAre(Line{16, 0, 16, 25}, Line{16, 40, 16, 60},
-                                            Line{20, 0, 20, 25}, Line{20, 40, 20, 60},
-                                            Line{24, 0, 24, 25}, Line{24, 40, 24, 60}));
-    ASSERT_EQ(flat.bends[1].line_angles.size(), 6u);
-    for (const Angle angle : flat.bends[1].line_angles)
-      EXPECT_DOUBLE_EQ(angle.degrees(), 10.0);
-  }
 }
 
 }  // namespace

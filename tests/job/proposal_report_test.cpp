@@ -86,6 +86,33 @@ TEST(ProposalReport, IsARemedyEach) {
   EXPECT_EQ(remedies[8], (Remedy{"large_radii", "roll", "Bend it with B1 and B2 rolled"}));
 }
 
+/// The first change is said first; no option of one of them does by itself.
+TEST(ProposalReport, SaysBothOfTwoChanges) {
+  Report report = infeasible_report();
+  Proposal both{.kind = Kind::short_punch, .by = 3.0};
+  both.also = {{.kind = Kind::punch, .tools = {"P88"}, .ears = true}};
+  report.plan->proposals = {both};
+  EXPECT_EQ(proposal_sentence(both, report),
+            "with ears for punch P88 and with the punch up to 3 mm short of each end of a bend");
+  EXPECT_TRUE(remedies_of({both}, report).front().option.empty());
+  const Json rows = proposals_json(*report.plan, report);
+  EXPECT_FALSE(schema::first_mistake(schema::list(proposal_schema()), rows));
+  EXPECT_EQ(
+      rows[0]["also"],
+      Json::parse(R"([{"kind": "punch", "sentence": "with ears for punch P88", "tools": ["P88"],
+                                              "ears": true}])"));
+}
+
+TEST(ProposalReport, TellsHowHighAPunchHasToBe) {
+  const Report report = infeasible_report();
+  Proposal taller{.kind = Kind::taller_punches, .by = 30.0, .height = 150.0, .tools = {"P88"}};
+  EXPECT_EQ(proposal_sentence(taller, report),
+            "with punch P88 150 mm high instead of 120 mm, and the upper beam higher by the same");
+  taller.height = 0.0;
+  taller.tools = {};
+  EXPECT_THAT(proposal_sentence(taller, report), HasSubstr("all punches 30 mm taller"));
+}
+
 TEST(ProposalReport, IsALineEachOnTheTerminal) {
   Report report = infeasible_report();
   report.plan->proposals = one_of_each();

@@ -166,7 +166,7 @@ struct Proposal {
   enum class Kind {
     smaller_v,       ///< another wanted opening: `opening`, `tools` its dies
     punch,           ///< a punch of another catalogue besides, or `ears` for one's own: `tools`
-    taller_punches,  ///< all punches taller `by`, the upper beam as much higher
+    taller_punches,  ///< `tools`, or all, taller `by`, the upper beam as much higher
     shorter_flange,  ///< the one of `flanges` shorter `by`
     longer_flanges,  ///< each of `flanges` longer `by`
     swap,            ///< the two `bends` swapped in the order that was asked for
@@ -181,10 +181,12 @@ struct Proposal {
   Kind kind = Kind::smaller_v;
   double opening = 0.0;  ///< mm
   double by = 0.0;       ///< mm
+  double height = 0.0;   ///< mm: of the one punch that is taller then
   std::vector<std::string> tools = {};
   bool ears = false;
   std::vector<FlangeId> flanges = {};
   std::vector<BendId> bends = {};
+  std::vector<Proposal> also = {};  ///< a second change that it takes besides; it has none itself
 };
 
 /// The order in which a sheet is bent, or why there is none.
@@ -206,6 +208,9 @@ struct Plan {
   /// with the code `kFurthestStage`.
   std::vector<Remark> remarks;
 };
+
+/// Whether there is an order of strokes.
+bool has_order(const Plan& plan);
 
 /// Finds the cheapest order of strokes (math.md#press-brake). `layout` is that of the sheet, whose
 /// pattern `Stroke` refers to. Errors: `bad_tools`, `no_straight_bend` (nothing that a brake could
