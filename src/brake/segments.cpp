@@ -76,12 +76,14 @@ std::vector<Stretch> stretches_of(const RowRequest& request, const RowEars& ears
   return stretches;
 }
 
+/// In the middle, to a whole millimetre if there is room: rows are laid by a rule.
 double start_of_row(const Stretch& stretch, double length) {
   const auto& [pressed, room] = stretch;
   const double middle = 0.5 * (pressed.lo + pressed.hi - length);
   const double lo = std::max(room.lo, pressed.hi - length),
                hi = std::min(room.hi - length, pressed.lo);
-  return std::clamp(middle, lo, std::max(lo, hi));
+  const double start = std::clamp(middle, lo, std::max(lo, hi)), whole = std::round(start);
+  return whole >= lo && whole <= hi ? whole : start;
 }
 
 /// Fills stretches with segments, the outer ends with ears.

@@ -44,19 +44,26 @@ void write_distances(Page& page, const std::vector<double>& distances,
   }
 }
 
+bool is_upright(const Segment& line) {
+  return std::abs((line.b - line.a).normalized().x()) < kAlongAxis;
+}
+bool is_level(const Segment& line) {
+  return std::abs((line.b - line.a).normalized().y()) < kAlongAxis;
+}
+
 }  // namespace
+
+bool is_dimensioned(const Segment& line) { return is_upright(line) || is_level(line); }
 
 BendDistances bend_distances(const FlatPattern& flat) {
   const Box2 box = bounds(flat.outer.loop);
   BendDistances distances;
   for (const FlatBend& bend : flat.bends)
-    for (const Segment& line : bend.lines) {
-      const Vec2 along = (line.b - line.a).normalized();
-      if (std::abs(along.x()) < kAlongAxis)
+    for (const Segment& line : bend.lines)
+      if (is_upright(line))
         distances.from_left.push_back(line.a.x() - box.lo.x());
-      else if (std::abs(along.y()) < kAlongAxis)
+      else if (is_level(line))
         distances.from_below.push_back(line.a.y() - box.lo.y());
-    }
   keep_each_once(distances.from_left);
   keep_each_once(distances.from_below);
   return distances;

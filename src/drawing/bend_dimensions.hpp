@@ -14,6 +14,9 @@ struct BendDistances {
 };
 BendDistances bend_distances(const FlatPattern& flat);
 
+/// Whether a line is upright or level.
+bool is_dimensioned(const Segment& line);
+
 /// Places in order, each at least `gap` behind the one before and all from `low` to `high`, as near
 /// to those wanted as that goes. Empty if there is no room for all.
 std::vector<double> spread(std::vector<double> wanted, double gap, double low, double high);

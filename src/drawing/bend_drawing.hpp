@@ -22,6 +22,10 @@ std::string size_text(const BendDrawing& drawing, double mm);
 /// in the way of bends.
 void draw_flat_pattern(Page& page, const BendDrawing& drawing, const Rectangle& into);
 
+/// Lines that are pressed without a gauge and have no dimension there, since they are neither
+/// upright nor level: by stroke, from end to end, from the lower left corner of what is drawn.
+std::vector<std::string> lines_to_mark(const BendDrawing& drawing);
+
 /// "A", "B" …
 std::string station_name(std::size_t number);
 /// The stations of a set-up, from 0, over the width of the page, from `top` down.

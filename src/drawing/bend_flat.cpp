@@ -143,7 +143,7 @@ bool has_to_be_marked(const Stroke& stroke) { return !stroke.gauge && !stroke.fl
 void draw_flat_pattern(Page& page, const BendDrawing& drawing, const Rectangle& into) {
   const Box2 box = box_of(sampled(drawing.flat.outer.loop, 1.0));
   const bool marked = std::ranges::any_of(strokes_of(drawing), has_to_be_marked);
-  constexpr double kRoom = 9.0, kDistances = 18.0;  // mm: for dimensions
+  constexpr double kRoom = 9.0, kDistances = 25.0;  // mm: for dimensions
   const double beyond = marked ? kDistances : kRoom;
   const Rectangle inner{into.corner + Vec2(kRoom, kRoom),
                         into.size - Vec2(kRoom + beyond, kRoom + beyond)};
@@ -175,6 +175,22 @@ void draw_flat_pattern(Page& page, const BendDrawing& drawing, const Rectangle& 
             "strokes: the sheet from above, the workpiece before (light) and after; "
             "segments from the left end of the bend line",
             grey);
+}
+
+std::vector<std::string> lines_to_mark(const BendDrawing& drawing) {
+  const Vec2 corner = bounds(drawing.flat.outer.loop).lo;
+  const auto told = [&](const Vec2& point) {
+    const Vec2 from = point - corner;
+    return fmt::format("({}, {})", size_text(drawing, from.x()), size_text(drawing, from.y()));
+  };
+  std::vector<std::string> all;
+  for (std::size_t s = 0; s < strokes_of(drawing).size(); ++s) {
+    if (!has_to_be_marked(strokes_of(drawing)[s])) continue;
+    for (const Segment& line : pressed_lines(drawing, strokes_of(drawing)[s]))
+      if (!is_dimensioned(line))
+        all.push_back(fmt::format("{}: from {} to {}", s + 1, told(line.a), told(line.b)));
+  }
+  return all;
 }
 
 std::vector<FlangeName> flange_names(const Sheet& sheet, const Layout& layout) {

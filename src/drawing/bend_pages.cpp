@@ -295,6 +295,8 @@ std::vector<Page> bend_pages(const BendDrawing& drawing,
   pages.add(drawing.obstacles, {}, kAlert);
   pages.add(mapped(drawing.proposals, [](const std::string& one) { return "– " + one; }),
             "It can be bent", kBlack);
+  pages.add(lines_to_mark(drawing),
+            "Lines to mark by stroke: ends, right and up from the lower left corner", kBlack);
   for (std::size_t s = 0; s < pictures.size(); ++s)
     pages.add(pictures[s], s);
   pages.add(drawing.notes, "To know", kBlack);

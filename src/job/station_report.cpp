@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <numeric>
 #include <utility>
 
 namespace planish::job {
@@ -82,25 +83,40 @@ Schema station_schema() {
                  optional("die_rows", rows), required("strokes", list(whole(1)))});
 }
 
+namespace {
+
+/// "100 + 15, gap 126.5, 200"
+std::string rows_text(const std::vector<SegmentRow>& rows, const Units& units) {
+  std::string text;
+  double end = 0.0;
+  for (const SegmentRow& row : rows) {
+    if (!text.empty()) text += fmt::format(", gap {}, ", units.length_text(row.from - end));
+    text += text_of(row, [&](double one) { return units.short_text(one); });
+    end = std::accumulate(row.segments.begin(), row.segments.end(), row.from);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string stations_text(const Plan& plan, const Units& units) {
   if (plan.stations.empty()) return {};
-  using Align = Table::Align;
-  Table table({{"set-up", Align::right},
+  const Table::Column from{"from", Table::Align::right};
+  Table table({{"set-up", Table::Align::right},
                {"punch"},
+               from,
+               {"segments"},
                {"die"},
-               {"from", Align::right},
+               from,
                {"segments"},
                {"strokes"}});
-  for (const Station& station : plan.stations) {
-    std::string segments;
-    for (const SegmentRow& row : station.punch_rows)
-      segments += (segments.empty() ? "" : ", gap, ") +
-                  text_of(row, [&](double one) { return units.short_text(one); });
+  for (const Station& station : plan.stations)
     table.add(
-        {std::to_string(station.set_up + 1), station.punch, station.die,
-         units.length_text(station.punch_rows.front().from), segments,
+        {std::to_string(station.set_up + 1), station.punch,
+         units.length_text(station.punch_rows.front().from), rows_text(station.punch_rows, units),
+         station.die, units.length_text(station.die_rows.front().from),
+         rows_text(station.die_rows, units),
          fmt::format("{}", fmt::join(mapped(station.strokes, [](int s) { return s + 1; }), " "))});
-  }
   return table.text();
 }
 

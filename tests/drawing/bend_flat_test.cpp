@@ -47,6 +47,18 @@ TEST_F(BendFlat, DimensionLinesThatAreToBeMarked) {
   EXPECT_EQ(times(pages(), distance), 0);
 }
 
+/// Of a line that lies askew the two ends are told, from the corner of what is drawn.
+TEST_F(BendFlat, TellTheEndsOfLinesAskew) {
+  take(l_bracket());
+  FlatBend& bend = flat_.pattern.bends[0];
+  const Vec2 corner = bounds(flat_.pattern.outer.loop).lo;
+  bend.lines = {{corner + Vec2(10.0, 0.0), corner + Vec2(20.5, 25.0)}};
+  EXPECT_EQ(times(pages(), "1: from (10.0, 0.0) to (20.5, 25.0)"), 1);
+  EXPECT_EQ(times(pages(LengthUnit::inch), "1: from (0.394, 0.000) to (0.807, 0.984)"), 1);
+  plan_.strokes[0].gauge = GaugeStop{20.0, bend.lines.front()};
+  EXPECT_EQ(times(pages(), "1: from (10.0, 0.0) to (20.5, 25.0)"), 0);
+}
+
 /// A square stands on its corner: it is a blank of 10 by 10, and √2 times as wide as it is drawn.
 TEST_F(BendFlat, TellExtentsAsDrawnFromTheBlank) {
   const auto drawn = [](double degrees) {

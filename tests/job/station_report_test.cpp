@@ -40,7 +40,7 @@ TEST(StationReport, TellsThemInATable) {
   plan.stations = two_stations();
   const std::string text = stations_text(plan, schema::Units(LengthUnit::mm));
   EXPECT_NE(text.find("50.8 + right ear 25.4"), std::string::npos) << text;
-  EXPECT_NE(text.find("25.4, gap, 25.4"), std::string::npos) << text;
+  EXPECT_NE(text.find("25.4, gap 228.600, 25.4"), std::string::npos) << text;
   EXPECT_NE(text.find("1 3"), std::string::npos) << text;
 }
 
