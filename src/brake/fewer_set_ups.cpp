@@ -16,6 +16,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 
 namespace planish::brake_detail {
 namespace {
@@ -124,10 +125,10 @@ class BedSearch {
 
   /// The strokes of a stage, one for all tools that stand on the same bed.
   void offer(int stage, int before) {
-    std::set<std::tuple<LineSet, int, double>> offered;
+    std::unordered_map<LineSet, std::set<std::pair<int, double>>, LineSetHash> offered;
     for (const Offer& offer : book_.offers(stage)) {
       const KnownChoice& known = book_.choice(offer.choice);
-      if (!offered.emplace(known.choice.lines, known.set_up, known.cost).second) continue;
+      if (!offered[known.choice.lines].emplace(known.set_up, known.cost).second) continue;
       Node node{stage, offer.choice, before, known.cost};
       if (before >= 0)
         node.cost += nodes_[before].cost + book_.change(set_up(before), known.set_up);
