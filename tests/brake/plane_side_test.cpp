@@ -103,21 +103,6 @@ TEST(PlaneSide, CountsAsItIsAlongHalfOfTheLine) {
   }
 }
 
-/// Two tabs at one edge of a base, each with a lip: bend 1 and 3 are the tabs', 2 and 4 the lips'.
-Sheet tabs_with_lips(double first, double second) {
-  SheetBuilder builder(1.0);
-  const FaceId base = builder.flange(
-      Frame{},
-      {polygon({{0, 0}, {40, 0}, {40, 5}, {60, 5}, {60, 0}, {100, 0}, {100, 60}, {0, 60}})});
-  for (const auto& [border, lip] : {std::pair{0, first}, std::pair{4, second}}) {
-    const Rim foot = builder.bend(builder.rim(base, border), bent(1.0));
-    const FaceId tab = builder.flange_behind(foot, {rectangle(foot.length, 30)});
-    const Rim edge = builder.bend(builder.rim(tab, 2), bent(1.0));
-    builder.flange_behind(edge, {rectangle(edge.length, lip)});
-  }
-  return builder.finish();
-}
-
 /// Of lines pressed together each is borne by its own sides, whatever is formed on the way from one
 /// to the other, and whatever was asked before.
 TEST(PlaneSide, BearsEachOfTheLinesPressedTogether) {

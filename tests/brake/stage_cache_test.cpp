@@ -100,6 +100,10 @@ TEST(StageCache, AnswersAsIfNothingHadBeenAskedBefore) {
   Room narrow(box({70.0, 45.0, 30.0}), tools), wide(z_profile(), tools, options);
   expect_same_answers(narrow.inputs());
   expect_same_answers(wide.inputs());
+  // Lines are pressed together whether or not others are formed on the way from one to the other.
+  Room tabs(tabs_with_lips(20.0, 12.0),
+            tools_with_gauge(plain_tools({.half_width = 4.0}, {.half_width = 9.0})));
+  expect_same_answers(tabs.inputs());
 }
 
 TEST(StageCache, KnowsClosedHems) {

@@ -69,6 +69,21 @@ Sheet lipped_base(double lip) {
   return builder.finish();
 }
 
+Sheet tabs_with_lips(double first, double second) {
+  const Turn turn{Angle::degrees(90), 1.0, BendDirection::up};
+  SheetBuilder builder(1.0);
+  const FaceId base = builder.flange(
+      Frame{},
+      {polygon({{0, 0}, {40, 0}, {40, 5}, {60, 5}, {60, 0}, {120, 0}, {120, 60}, {0, 60}})});
+  for (const auto& [border, lip] : {std::pair{0, first}, std::pair{4, second}}) {
+    const Rim foot = builder.bend(builder.rim(base, border), turn);
+    const FaceId tab = builder.flange_behind(foot, {rectangle(foot.length, 30)});
+    const Rim edge = builder.bend(builder.rim(tab, 2), turn);
+    builder.flange_behind(edge, {rectangle(edge.length, lip)});
+  }
+  return builder.finish();
+}
+
 Room::Room(Sheet sheet, BrakeTools tools, const PlanOptions& options,
            const FlattenOptions& flattening)
     : sheet_(std::move(sheet)), tools_(std::move(tools)) {
