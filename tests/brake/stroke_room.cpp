@@ -71,6 +71,7 @@ Sheet lipped_base(double lip) {
 
 Sheet tabs_with_lips(double first, double second) {
   const Turn turn{Angle::degrees(90), 1.0, BendDirection::up};
+  const Turn down{Angle::degrees(90), 1.0, BendDirection::down};
   SheetBuilder builder(1.0);
   const FaceId base = builder.flange(
       Frame{},
@@ -78,7 +79,7 @@ Sheet tabs_with_lips(double first, double second) {
   for (const auto& [border, lip] : {std::pair{0, first}, std::pair{4, second}}) {
     const Rim foot = builder.bend(builder.rim(base, border), turn);
     const FaceId tab = builder.flange_behind(foot, {rectangle(foot.length, 30)});
-    const Rim edge = builder.bend(builder.rim(tab, 2), turn);
+    const Rim edge = builder.bend(builder.rim(tab, 2), down);
     builder.flange_behind(edge, {rectangle(edge.length, lip)});
   }
   return builder.finish();

@@ -40,8 +40,8 @@ BrakeTools plain_tools(const PlainPunch& upper = {}, const PlainDie& lower = {})
 /// wall's, 3 the lip's.
 Sheet lipped_base(double lip);
 
-/// Two tabs at one edge of a base, each with a lip of that length: bends 1 and 3 are the tabs', 2
-/// and 4 the lips'; r 1, t 1.
+/// Two tabs bent up at one edge of a base, each with a lip of that length bent down: bends 1 and 3
+/// are the tabs', 2 and 4 the lips'; r 1, t 1.
 Sheet tabs_with_lips(double first, double second);
 
 /// A sheet made ready for strokes; its tools live as long as it does.
