@@ -62,16 +62,29 @@ class Laying {
     if (with) now_ = std::move(*with);
   }
 
+  /// Where the stations begin: in the middle of the bed, and farther apart than they need be as far
+  /// as it is free, since the operator puts the sheet there by eye.
+  std::vector<double> spread_out() const {
+    constexpr double kFarEnough = 100.0;  // mm
+    std::vector<double> starts = starts_of(now_.stations, inputs_.options.clearance);
+    const auto count = static_cast<double>(now_.stations.size());
+    const double free = std::max(inputs_.tools.machine.length - starts.back(), 0.0);
+    const double apart = std::floor(std::min(free / (count + 1.0), kFarEnough));
+    const double first = std::floor(0.5 * (free - (count - 1.0) * apart));
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      starts[i] += first + apart * static_cast<double>(i);
+    return starts;
+  }
+
   /// Closes a set-up.
   void write() {
     if (now_.stations.empty()) return;
-    const std::vector<double> starts = starts_of(now_.stations);
-    const double first = std::floor(0.5 * (inputs_.tools.machine.length - starts.back()));
+    const std::vector<double> starts = spread_out();
     for (std::size_t i = 0; i < now_.stations.size(); ++i) {
       const StationTools& tools = now_.stations[i];
       Station station{bed_.set_ups, inputs_.tools.punches[tools.punch].id,
                       inputs_.tools.dies[tools.die].id};
-      const double by = std::max(first, 0.0) + starts[i] - tools.tools.lo;
+      const double by = starts[i] - tools.tools.lo;
       station.punch_rows = moved(tools.rows[0], by);
       station.die_rows = moved(tools.rows[1], by);
       for (const StationTools::Made& made : tools.strokes) {

@@ -189,7 +189,8 @@ class BedSearch {
   /// Whether a way to the same stage and set-up is known that is no dearer, with fewer lines to
   /// stand for and as much room left, or with a bed cleared besides.
   bool is_known(const Node& node, const OnBed& bed) {
-    Way way{node.cost, no_lines(cache_.inputs().lines()), starts_of(bed.stations).back()};
+    Way way{node.cost, no_lines(cache_.inputs().lines()),
+            starts_of(bed.stations, cache_.inputs().options.clearance).back()};
     for (const WantedPtr& stroke : bed.strokes)
       way.on_bed = joined(std::move(way.on_bed), stroke->chosen()->choice.lines);
     auto& ways = reached_[{formed_after(node), book_.choice(node.choice).set_up}];

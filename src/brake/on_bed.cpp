@@ -24,6 +24,7 @@ struct Manner {
   bool looks_ahead = false;  ///< its rows keep clear of the walls of later strokes on alike lines
   bool shares_die = false;   ///< over a die that stands already, rather than over one of its own
   bool from_last = false;    ///< between walls the last row chooses its segments first
+  bool shortest = false;     ///< its rows stand on ears if they are shorter then
 };
 
 bool is_alike(const Demand& a, const Demand& b) {
@@ -115,6 +116,7 @@ class SetUpTools {
       request.blocked_foot = demand.foot_walls;
     }
     request.from_last = manner_.from_last;
+    request.shortest = manner_.shortest;
     auto rows = manner_.looks_ahead ? tool_rows(left, looking_ahead(request, above, demand))
                                     : std::vector<ToolRow>();
     if (rows.empty()) rows = tool_rows(left, request);
@@ -165,9 +167,12 @@ class SetUpTools {
 
 /// Puts stations in an order in which they find room: that of their first strokes, or the one that
 /// takes the least.
-bool arrange(std::vector<StationTools>& stations, double length) {
+bool arrange(std::vector<StationTools>& stations, const StrokeInputs& inputs) {
   constexpr std::size_t kMostOrdered = 6;  // 720 orders
-  const auto fits = [&] { return starts_of(stations).back() <= length + kSameLength; };
+  const auto end_of = [&](const std::vector<StationTools>& all) {
+    return starts_of(all, inputs.options.clearance).back();
+  };
+  const auto fits = [&] { return end_of(stations) <= inputs.tools.machine.length + kSameLength; };
   std::ranges::stable_sort(stations, {}, &StationTools::first_stroke);
   if (fits()) return true;
   if (stations.size() > kMostOrdered) return false;
@@ -177,7 +182,7 @@ bool arrange(std::vector<StationTools>& stations, double length) {
   std::vector<StationTools> best = stations;
   do {
     stations = mapped(order, [&](std::size_t i) { return all[i]; });
-    if (starts_of(stations).back() < starts_of(best).back()) best = stations;
+    if (end_of(stations) < end_of(best)) best = stations;
   } while (std::ranges::next_permutation(order).found);
   stations = best;
   return fits();
@@ -216,25 +221,36 @@ std::vector<Ways> orders_of(const Ways& strokes) {
   return orders;
 }
 
-bool presses_apart(const std::vector<DemandPtr>& ways) {
-  return std::ranges::any_of(ways, [](const DemandPtr& way) { return way->pieces.size() > 1; });
+/// The manners in which strokes may be laid, the plain one first.
+std::vector<Manner> manners_for(const StrokeInputs& inputs, const Ways& strokes) {
+  const auto any = [&](const auto& is) {
+    return std::ranges::any_of(strokes | std::views::join, is);
+  };
+  const bool apart = any([](const DemandPtr& way) { return way->pieces.size() > 1; });
+  const bool eared = any([&](const DemandPtr& way) {
+    return inputs.tools.punches[way->choice.punch].ears.has_value();
+  });
+  std::vector<Manner> manners;
+  for (const bool from_last : {false, true})
+    for (const bool shares_die : {false, true})
+      for (const bool looks_ahead : {false, true})
+        if (apart || !from_last) manners.push_back({looks_ahead, shares_die, from_last});
+  if (eared)
+    for (const bool shares_die : {false, true})
+      manners.push_back({true, shares_die, false, true});
+  return manners;
 }
 
 /// Stations for all strokes on an empty bed; none if none of the orders and manners finds room.
 std::vector<StationTools> laid(StageCache& cache, const Ways& strokes) {
-  const double length = cache.inputs().tools.machine.length;
   const auto orders = orders_of(strokes);
-  for (const bool from_last : {false, true}) {
-    if (from_last && !std::ranges::any_of(strokes, presses_apart)) break;
-    for (const auto& [looks_ahead, shares_die] : {std::pair(false, false), std::pair(true, false),
-                                                  std::pair(false, true), std::pair(true, true)})
-      for (const Ways& order : orders) {
-        SetUpTools tools(cache, order, {looks_ahead, shares_die, from_last});
-        if (!tools.serve_all()) continue;
-        std::vector<StationTools> stations = tools.stations();
-        if (arrange(stations, length)) return stations;
-      }
-  }
+  for (const Manner& manner : manners_for(cache.inputs(), strokes))
+    for (const Ways& order : orders) {
+      SetUpTools tools(cache, order, manner);
+      if (!tools.serve_all()) continue;
+      std::vector<StationTools> stations = tools.stations();
+      if (arrange(stations, cache.inputs())) return stations;
+    }
   return {};
 }
 
@@ -251,7 +267,7 @@ Ways as_they_stand(const OnBed& bed) {
 
 }  // namespace
 
-std::vector<double> starts_of(const std::vector<StationTools>& stations) {
+std::vector<double> starts_of(const std::vector<StationTools>& stations, double clearance) {
   std::vector<double> starts{0.0};
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const StationTools& one = stations[i];
@@ -259,7 +275,7 @@ std::vector<double> starts_of(const std::vector<StationTools>& stations) {
     const double beyond = one.reach.hi - one.tools.hi;
     const bool last = i + 1 == stations.size();
     const double before = last ? 0.0 : stations[i + 1].tools.lo - stations[i + 1].reach.lo;
-    starts.push_back(last ? end : std::ceil(end + std::max(beyond, before)));
+    starts.push_back(last ? end : std::ceil(end + std::max(beyond, before) + clearance));
   }
   return starts;
 }
@@ -294,7 +310,7 @@ std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before, WantedP
   with.strokes.push_back(stroke);
   for (StationTools& station : with.stations)
     if (station_serves(station, chosen, shortfall(cache.inputs()))) {
-      if (arrange(with.stations, cache.inputs().tools.machine.length)) return with;
+      if (arrange(with.stations, cache.inputs())) return with;
       break;
     }
   const auto stands = [&](const Ways& strokes) {

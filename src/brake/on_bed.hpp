@@ -35,9 +35,9 @@ struct OnBed {
   std::vector<StationTools> stations;  ///< from the left
 };
 
-/// Where stations begin on the bed, each as near to the one before as the workpieces allow; the
-/// last is where the bed must end.
-std::vector<double> starts_of(const std::vector<StationTools>& stations);
+/// Where stations begin on the bed, each as near to the one before as the workpieces and a
+/// clearance allow; the last is where the bed must end.
+std::vector<double> starts_of(const std::vector<StationTools>& stations, double clearance = 0.0);
 
 /// The set-up with one stroke more, if need be with other tools that cost the same, for it or for
 /// those before; empty if its tools find no room beside the others, or none at all on an empty bed.

@@ -162,6 +162,7 @@ std::vector<Punch> punches_to_get(const Trying& trying) {
     if (!has(trying, punch) &&
         std::ranges::none_of(wanted, [&](const Punch& one) { return are_alike(one, punch); }))
       wanted.push_back(punch);
+  std::ranges::stable_partition(wanted, [&](const Punch& one) { return own(trying, one); });
   return wanted;
 }
 

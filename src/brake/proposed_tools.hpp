@@ -23,8 +23,8 @@ std::vector<std::string> ids_of(const BrakeTools& tools);
 BrakeTools with_segments(BrakeTools tools, std::span<const std::string> of);
 BrakeTools with_punch(BrakeTools tools, const Punch& punch);
 
-/// Punches of the other catalogue that the shop has not, the bluntest first, of those alike one;
-/// also those that it has without ears.
+/// Punches of the other catalogue that the shop has not, of those alike one: first those that it
+/// has, but without ears, then the bluntest.
 std::vector<Punch> punches_to_get(const Trying& trying);
 /// To get it, or ears for one's own.
 Proposal proposal_of(const Trying& trying, const Punch& punch);

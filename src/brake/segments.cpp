@@ -13,13 +13,15 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace planish::brake_detail {
 namespace {
 
 constexpr std::size_t kMostSums = 200'000;
 constexpr std::size_t kMostSegments = 64;
-constexpr double kFar = 1e9;  // mm
+constexpr double kFar = 1e9;           // mm
+constexpr double kClearOfWalls = 5.0;  // mm: nobody sets tools nearer if there is room
 
 /// What a row must press, and where it may stand.
 struct Stretch {
@@ -76,14 +78,22 @@ std::vector<Stretch> stretches_of(const RowRequest& request, const RowEars& ears
   return stretches;
 }
 
-/// In the middle, to a whole millimetre if there is room: rows are laid by a rule.
+/// In the middle of what is pressed, as far as it stays clear of what blocks; with less room than
+/// that, as far from there as it can. To a whole millimetre where that goes: rows are laid by a
+/// rule.
 double start_of_row(const Stretch& stretch, double length) {
   const auto& [pressed, room] = stretch;
-  const double middle = 0.5 * (pressed.lo + pressed.hi - length);
-  const double lo = std::max(room.lo, pressed.hi - length),
-               hi = std::min(room.hi - length, pressed.lo);
-  const double start = std::clamp(middle, lo, std::max(lo, hi)), whole = std::round(start);
-  return whole >= lo && whole <= hi ? whole : start;
+  const double least = pressed.hi - length, most = pressed.lo;  // so that it is pressed
+  Interval range{std::max(room.lo + kClearOfWalls, least),
+                 std::min(room.hi - kClearOfWalls - length, most)};
+  double start = 0.5 * (pressed.lo + pressed.hi - length);
+  if (range.lo > range.hi) {
+    range = {std::max(room.lo, least), std::min(room.hi - length, most)};
+    start = 0.5 * (room.lo + room.hi - length);
+  }
+  start = std::clamp(start, range.lo, std::max(range.lo, range.hi));
+  const double whole = std::round(start);
+  return whole >= range.lo && whole <= range.hi ? whole : start;
 }
 
 /// Fills stretches with segments, the outer ends with ears.
@@ -175,15 +185,18 @@ std::vector<RowEars> choices_of(const RowEars& ears) {
   return choices;
 }
 
-/// By which rows are preferred: how long they are together, and of how many segments.
-std::pair<long long, std::size_t> size_of(const std::vector<ToolRow>& rows) {
+/// By which rows are preferred: with few ears, unless the shortest are wanted, then how long they
+/// are together, and of how many segments.
+std::tuple<int, long long, std::size_t> size_of(const std::vector<ToolRow>& rows, bool shortest) {
+  int ears = 0;
   double length = 0.0;
   std::size_t count = 0;
   for (const ToolRow& row : rows) {
+    ears += (row.ears.lo > 0.0 ? 1 : 0) + (row.ears.hi > 0.0 ? 1 : 0);
     length += row.length();
     count += row.segments.size();
   }
-  return {rounded(length), count};
+  return {shortest ? 0 : ears, rounded(length), count};
 }
 
 }  // namespace
@@ -271,7 +284,8 @@ std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& re
     std::vector<ToolRow> rows = Filling(std::move(stretches), ears).rows(segments);
     if (rows.empty() || !come_free(rows, request)) continue;
     if (extent(rows.back()).hi - rows.front().from > request.longest + kSameLength) continue;
-    if (best.empty() || size_of(rows) < size_of(best)) best = std::move(rows);
+    if (best.empty() || size_of(rows, request.shortest) < size_of(best, request.shortest))
+      best = std::move(rows);
   }
   return best;
 }

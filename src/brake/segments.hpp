@@ -47,6 +47,7 @@ struct RowRequest {
   RowEars ears = {};              ///< that there are
   std::vector<Interval> blocked_foot = {};  ///< where not even the foot of an ear may stand
   bool from_last = false;  ///< between walls the last row chooses its segments first
+  bool shortest = false;   ///< rows, though they stand on ears that longer ones do without
 };
 
 /// The lengths that segments add up to: each with one way to do it, with few segments. Of more than
@@ -77,10 +78,10 @@ class SegmentSums {
 bool has_room(const RowRequest& request);
 
 /// Rows of segments that together press every piece: one row where nothing is in its way, else one
-/// for each stretch between what blocks. Each row is as short as it can be, in the middle of what
-/// it presses as far as there is room. Ears are segments like others but stand at the outer ends,
-/// and can be pushed together from below what is above their feet. Empty: no choice of segments
-/// does it.
+/// for each stretch between what blocks. Each row is as short as it can be, with as few ears as
+/// there need be, in the middle of what it presses as far as there is room. Ears are segments like
+/// others but stand at the outer ends, and can be pushed together from below what is above their
+/// feet. Empty: no choice of segments does it.
 std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request);
 
 }  // namespace planish::brake_detail

@@ -62,10 +62,10 @@ std::vector<Kept> keeping_away(const Rows& rows, const Demand& demand) {
 }
 
 /// A tool may stand in a wall as deep as anything may.
-bool is_clear(const Interval& tool, const Interval& wall, double at) {
+bool is_clear(const Interval& tool, const Interval& wall, double at, double by) {
   constexpr double kFound = 0.02;  // mm: to which the walls of two strokes are found
-  return tool.hi <= wall.lo + at + kPenetration + kFound ||
-         tool.lo >= wall.hi + at - kPenetration - kFound;
+  const double in = kPenetration + kFound - by;
+  return tool.hi <= wall.lo + at + in || tool.lo >= wall.hi + at - in;
 }
 
 bool is_within(const Interval& pressed, const Interval& tool, double at) {
@@ -74,7 +74,7 @@ bool is_within(const Interval& pressed, const Interval& tool, double at) {
 
 }  // namespace
 
-bool StationTools::stands(const Demand& demand, double shortfall, double at) const {
+bool StationTools::stands(const Demand& demand, double shortfall, double at, double by) const {
   for (const std::vector<ToolRow>& kind : rows)
     for (const Interval& piece : demand.pieces) {
       const Interval pressed = covered(piece, shortfall);
@@ -83,10 +83,12 @@ bool StationTools::stands(const Demand& demand, double shortfall, double at) con
         return false;
     }
   return std::ranges::all_of(keeping_away(rows, demand), [&](const Kept& one) {
-    return std::ranges::all_of(one.walls,
-                               [&](const Interval& wall) { return is_clear(one.tool, wall, at); });
+    return std::ranges::all_of(
+        one.walls, [&](const Interval& wall) { return is_clear(one.tool, wall, at, by); });
   });
 }
+
+constexpr double kClearly = 5.0;  // mm: from what is beside a line, if there is room
 
 std::optional<double> StationTools::where(const Demand& demand, double shortfall) const {
   std::vector<double> ways{
@@ -105,7 +107,7 @@ std::optional<double> StationTools::where(const Demand& demand, double shortfall
     }
   const auto can = [&](double at) { return stands(demand, shortfall, at); };
   const double middle = ways.front();
-  if (can(middle)) return middle;
+  if (stands(demand, shortfall, middle, kClearly)) return middle;
   std::erase_if(ways, [&](double at) { return !can(at); });
   if (ways.empty()) return std::nullopt;
   const auto [least, most] = std::ranges::minmax(ways);

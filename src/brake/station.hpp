@@ -45,10 +45,11 @@ struct StationTools {
 
   int first_stroke() const;
 
-  /// Whether the rows press the line of a stroke from there and are in nothing's way.
-  bool stands(const Demand& demand, double shortfall, double at) const;
-  /// Where the line of a stroke may begin: in the middle of the rows, else in the middle between
-  /// the places where one or the other end just does.
+  /// Whether the rows press the line of a stroke from there and are clear `by` of what is beside
+  /// it.
+  bool stands(const Demand& demand, double shortfall, double at, double by = 0.0) const;
+  /// Where the line of a stroke may begin: in the middle of the rows if that is clear, else in the
+  /// middle between the places where one or the other end just does.
   std::optional<double> where(const Demand& demand, double shortfall) const;
   void add(std::shared_ptr<const Demand> demand, double at);
   /// Stands punches of their own for a stroke, given along its line, over the die beside those that

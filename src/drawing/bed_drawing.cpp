@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 
 // A set-up as it stands on the bed, seen by the operator: the punches above the dies, each segment
 // for itself, to scale along the bed; below it the words of each station.
@@ -64,11 +65,31 @@ std::vector<Vec2> front_of(const Vec2& a, const Vec2& b, double left_back, doubl
   return corners;
 }
 
+double end_of(const SegmentRow& row) {
+  return std::accumulate(row.segments.begin(), row.segments.end(), row.from);
+}
+
+/// The part of the bed that is drawn: about the tools, a fifth of it at least.
+Interval drawn_of(const BendDrawing& drawing, int set_up) {
+  constexpr double kWider = 1.2, kLeast = 0.2;  // than what tools take; of the bed
+  Interval tools{drawing.bed, 0.0};
+  for (const Station& station : drawing.plan->stations) {
+    if (station.set_up != set_up) continue;
+    for (const auto* rows : {&station.punch_rows, &station.die_rows})
+      tools = {std::min(tools.lo, rows->front().from), std::max(tools.hi, end_of(rows->back()))};
+  }
+  const double length = std::clamp(kWider * (tools.hi - tools.lo), kLeast * drawing.bed,
+                                   drawing.bed);
+  const double from = std::clamp(0.5 * (tools.lo + tools.hi - length), 0.0, drawing.bed - length);
+  return {from, from + length};
+}
+
 /// The segments of a row, each for itself, as far down the page as told.
-void draw_rows(Page& page, const std::vector<SegmentRow>& rows, double scale, double top,
+void draw_rows(Page& page, const std::vector<SegmentRow>& rows, const Interval& drawn, double top,
                const Colour& fill) {
+  const double scale = kInner / (drawn.hi - drawn.lo);
   for (const SegmentRow& row : rows) {
-    double from = row.from;
+    double from = row.from - drawn.lo;
     for (std::size_t i = 0; i < row.segments.size(); ++i) {
       const double length = row.segments[i];
       const Vec2 a(kEdge + scale * from, top), b(kEdge + scale * (from + length), top + kTool);
@@ -98,25 +119,25 @@ double height_of_bed(const BendDrawing& drawing, int set_up) {
 
 void draw_bed(Page& page, const BendDrawing& drawing, int set_up, double top) {
   const schema::Units units(drawing.units);
+  const Interval drawn = drawn_of(drawing, set_up);
   page.text({kEdge, top + kTitle - 2.0},
-            fmt::format("Set-up {} on the bed of {} {}, from your left", set_up + 1,
-                        units.short_text(drawing.bed), units.symbol()),
+            fmt::format("Set-up {} on the bed of {} {}, from your left{}", set_up + 1,
+                        units.short_text(drawing.bed), units.symbol(),
+                        drawn.hi - drawn.lo < drawing.bed ? " (drawn where tools stand)" : ""),
             {.size = 3.8, .bold = true});
-  const double scale = kInner / drawing.bed, punches = top + kTitle + kNamesAbove;
+  const double scale = kInner / (drawn.hi - drawn.lo), punches = top + kTitle + kNamesAbove;
   double words = punches + 2.0 * kTool + kWords;
   for (const double y : {punches, punches + kTool, punches + 2.0 * kTool})
     page.line({kEdge, y}, {kEdge + kInner, y}, {.stroke = kPageGrey, .width = 0.15});
   for (std::size_t i = 0; i < drawing.plan->stations.size(); ++i) {
     const Station& station = drawing.plan->stations[i];
     if (station.set_up != set_up) continue;
-    draw_rows(page, station.punch_rows, scale, punches, kPunch);
-    draw_rows(page, station.die_rows, scale, punches + kTool, kDie);
-    const SegmentRow& last = station.punch_rows.back();
-    double end = last.from;
-    for (const double length : last.segments)
-      end += length;
-    page.text({kEdge + 0.5 * scale * (station.punch_rows.front().from + end), punches - 1.0},
-              station_name(i), {.size = 3.2, .bold = true, .anchor = TextAnchor::middle});
+    draw_rows(page, station.punch_rows, drawn, punches, kPunch);
+    draw_rows(page, station.die_rows, drawn, punches + kTool, kDie);
+    const double middle = 0.5 *
+                          (station.punch_rows.front().from + end_of(station.punch_rows.back()));
+    page.text({kEdge + scale * (middle - drawn.lo), punches - 1.0}, station_name(i),
+              {.size = 3.2, .bold = true, .anchor = TextAnchor::middle});
     for (const std::string& text : words_of(drawing, i)) {
       page.text({kEdge, words}, text, {.size = fitting_size(text, kInner, 3.2)});
       words += kWords;

@@ -101,10 +101,12 @@ void add_stop(Lines& lines, const BendDrawing& drawing, const Stroke& stroke) {
   if (stop.flange || stop.fold) {
     const std::string at = stop.flange ? fmt::format("on F{}", index_of(*stop.flange) + 1)
                                        : "on the fold of " + bend_of(drawing, *stop.fold).id;
-    lines.emplace_back(
-        fmt::format("  {}, fingers {} {}", at, with_unit(drawing, std::abs(stop.height)),
-                    stop.height < 0.0 ? "down" : "up"),
-        kSmall);
+    const std::string height = with_unit(drawing, std::abs(stop.height));
+    const bool is_level = std::abs(stop.height) < kShown;
+    lines.emplace_back(is_level ? "  " + at
+                                : fmt::format("  {}, fingers {} {}", at, height,
+                                              stop.height < 0.0 ? "down" : "up"),
+                       kSmall);
   }
   if (!stop.is_square())
     lines.emplace_back(
@@ -145,8 +147,8 @@ Lines lines_of(const BendDrawing& drawing, std::size_t s) {
   if (!stroke.flattening) force += ", " + with_unit(drawing, stroke.clearance) + " clear";
   lines.emplace_back(std::move(force), kPlain);
   if (stroke.on_ears) {
-    lines.emplace_back("lips over ears: take what is", kSmall);
-    lines.emplace_back("between them out, push them in", kSmall);
+    lines.emplace_back("lips over ears: take plain", kSmall);
+    lines.emplace_back("segments out, push ears in", kSmall);
   }
   return lines;
 }

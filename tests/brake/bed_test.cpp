@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -112,23 +113,37 @@ TEST(Bed, SegmentsStandOnce) {
   EXPECT_NEAR(apart.cost, together.cost + options.weights.tool_change, 1e-9);
 }
 
-/// Two stations of a box stand so far apart that the box does not reach from one to the other; a
-/// bed that is too short for both takes two set-ups.
-TEST(Bed, StationsKeepTheWorkpieceClear) {
-  const Sheet sheet = box({70.0, 45.0, 30.0});
+/// The shortest bed on which a box of 70 × 45 takes one set-up, to a millimetre.
+double shortest_bed(const PlanOptions& options) {
   BrakeTools tools = plain_tools();
+  double little = 100.0, enough = 500.0;
+  while (enough - little > 1.0) {
+    tools.machine.length = std::round(0.5 * (little + enough));
+    const Plan plan = planned(box({70.0, 45.0, 30.0}), tools, options);
+    (plan.tool_changes == 0 ? enough : little) = tools.machine.length;
+  }
+  return enough;
+}
+
+double taken(const Plan& plan) {
+  return end_of(plan.stations.back().punch_rows) - plan.stations.front().punch_rows[0].from;
+}
+
+/// Two stations of a box stand so far apart that the box does not reach from one to the other; a
+/// bed that is too short for both takes two set-ups, and on a long one they stand farther apart.
+TEST(Bed, StationsKeepTheWorkpieceClear) {
   PlanOptions options;
   options.begin_with = {BendId(0), BendId(2)};
-  const Plan wide = planned(sheet, tools, options);
-  ASSERT_EQ(wide.stations.size(), 2u);
-  const double needed = end_of(wide.stations[1].punch_rows) - wide.stations[0].punch_rows[0].from;
+  BrakeTools tools = plain_tools();
+  tools.machine.length = shortest_bed(options);
+  const Plan tight = planned(box({70.0, 45.0, 30.0}), tools, options);
+  ASSERT_EQ(tight.stations.size(), 2u);
   // Rows of 65 and 40; the flat box is 70 + 2 · 30 long and more, its walls count twice.
-  EXPECT_GT(needed, 65.0 + 40.0);
-  tools.machine.length = needed - 2.0;
-  const Plan narrow = planned(sheet, tools, options);
-  EXPECT_EQ(narrow.tool_changes, 1);
-  tools.machine.length = needed + 1.0;
-  EXPECT_EQ(planned(sheet, tools, options).tool_changes, 0);
+  EXPECT_GT(taken(tight), 65.0 + 40.0);
+  EXPECT_NEAR(taken(tight), tools.machine.length, 2.0);
+  tools.machine.length = 3000.0;
+  const Plan wide = planned(box({70.0, 45.0, 30.0}), tools, options);
+  EXPECT_NEAR(taken(wide), taken(tight) + 100.0, 2.0);
 }
 
 /// Tools of other heights or openings would meet while these press; flat ones for a hem too.

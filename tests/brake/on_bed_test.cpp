@@ -65,6 +65,7 @@ TEST(OnBed, StandsSideBySide) {
   const std::vector<double> starts = starts_of(laid.bed.stations);
   ASSERT_EQ(starts.size(), 3u);
   EXPECT_GT(starts[1], starts[0] + 70.0) << "the box reaches beyond its line";
+  EXPECT_EQ(starts_of(laid.bed.stations, 3.0)[1], starts[1] + 3.0) << "with a clearance";
 }
 
 /// Lips at either end of a line, each in the way of one row: a row with both ears stands for both.

@@ -79,6 +79,19 @@ TEST(Segments, StandBetweenWallsAndBridgeGaps) {
   EXPECT_TRUE(tool_rows(sums, {{{0, 105}, {120, 225}}, 0, {{108, 115}}, 1000}).empty());
 }
 
+/// A row that may stand anywhere in a room is not pushed against its end: 5 mm are kept, or with
+/// less room than that the middle.
+TEST(Segments, KeepClearOfWallsWithRoom) {
+  const SegmentSums sums({100});
+  const auto from = [&](const Interval& left, const Interval& right) {
+    return tool_rows(sums, {{{20, 80}}, 0, {left, right}, 1000})[0].from;
+  };
+  EXPECT_EQ(from({-500, -100}, {300, 400}), 0.0) << "in the middle";
+  EXPECT_EQ(from({-500, -2}, {300, 400}), 3.0);
+  EXPECT_EQ(from({-500, 5}, {300, 400}), 10.0);
+  EXPECT_EQ(from({-500, -3}, {101.6, 400}), -1.0) << "2.3 to each side, to a whole millimetre";
+}
+
 /// Which row chooses first decides who gets the shorter one; either way nothing stands twice.
 TEST(Segments, AreChosenFromEitherEnd) {
   const SegmentSums sums({50, 45, 45});

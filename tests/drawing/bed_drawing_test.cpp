@@ -23,8 +23,10 @@ class BedDrawing : public PlannedPages {
 
 TEST_F(BedDrawing, SaysWhatStandsWhereInEachSetUp) {
   const auto drawn = pages();
-  EXPECT_EQ(times(drawn, "Set-up 1 on the bed of 1860 mm, from your left"), 1);
-  EXPECT_EQ(times(drawn, "Set-up 2 on the bed of 1860 mm, from your left"), 1);
+  EXPECT_EQ(
+      times(drawn, "Set-up 1 on the bed of 1860 mm, from your left (drawn where tools stand)"), 1);
+  EXPECT_EQ(
+      times(drawn, "Set-up 2 on the bed of 1860 mm, from your left (drawn where tools stand)"), 1);
   EXPECT_EQ(times(drawn, "A  punch P88: 40 + 15 from 100.0; die V16: 60 from 90.0; stroke 1"), 1);
   EXPECT_EQ(times(drawn, "B  punch F180: 100 from 200.0; die F180: 100 from 200.0; stroke 2"), 1);
 }
@@ -43,7 +45,8 @@ TEST_F(BedDrawing, WrapsALongListOfSegments) {
   EXPECT_GE(found, 30u);
 }
 
-/// Segments are drawn to scale: a tenth here, 12 mm from the edge of the page.
+/// Segments are drawn to scale, 12 mm from the edge of the page: of the bed a fifth about the
+/// tools, half as large here, from its end and from 64 mm on.
 TEST_F(BedDrawing, DrawsSegmentsToScale) {
   std::vector<Interval> found;
   for (const Page& page : pages())
@@ -56,9 +59,9 @@ TEST_F(BedDrawing, DrawsSegmentsToScale) {
       return std::abs(one.lo - lo) < 1e-9 && std::abs(one.hi - hi) < 1e-9;
     });
   };
-  EXPECT_TRUE(has(22.0, 26.0) && has(26.0, 27.5)) << "the punch's segments";
-  EXPECT_TRUE(has(21.0, 27.0)) << "the die's";
-  EXPECT_TRUE(has(32.0, 42.0)) << "of the second set-up";
+  EXPECT_TRUE(has(62.0, 82.0) && has(82.0, 89.5)) << "the punch's segments";
+  EXPECT_TRUE(has(57.0, 87.0)) << "the die's";
+  EXPECT_TRUE(has(80.0, 130.0)) << "of the second set-up";
 }
 
 TEST(StationName, IsALetter) {
