@@ -157,12 +157,12 @@ std::vector<Punch> punches_to_get(const Trying& trying) {
   std::vector<Punch> punches = trying.others()->punches;
   std::ranges::stable_sort(punches, std::greater(),
                            [](const Punch& one) { return one.angle.degrees(); });
+  std::ranges::stable_partition(punches, [&](const Punch& one) { return own(trying, one); });
   std::vector<Punch> wanted;
   for (const Punch& punch : punches)
     if (!has(trying, punch) &&
         std::ranges::none_of(wanted, [&](const Punch& one) { return are_alike(one, punch); }))
       wanted.push_back(punch);
-  std::ranges::stable_partition(wanted, [&](const Punch& one) { return own(trying, one); });
   return wanted;
 }
 

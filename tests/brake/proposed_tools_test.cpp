@@ -39,6 +39,9 @@ TEST(ProposedTools, NameAPunchThatNeedsEars) {
   BrakeTools tools = plain_tools({.half_width = 4.0}, {.half_width = 9.0}), others = tools;
   others.punches[0].id = "other";
   others.punches[0].ears = Ears{50.0, 50.0, 25.0, 20.0};
+  // One with another tip would do as well.
+  others.punches.insert(others.punches.begin(), others.punches[0]);
+  others.punches[0].tip_radius += 0.1;
   const Tried all = tried(lipped_tray(18.0), tools, {}, &others);
   const Proposal* eared = all.of(Kind::punch);
   ASSERT_NE(eared, nullptr);
