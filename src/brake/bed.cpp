@@ -79,6 +79,7 @@ class Laying {
   /// Closes a set-up.
   void write() {
     if (now_.stations.empty()) return;
+    now_ = with_least_to_lay(cache_, std::move(now_));
     const std::vector<double> starts = spread_out();
     for (std::size_t i = 0; i < now_.stations.size(); ++i) {
       const StationTools& tools = now_.stations[i];

@@ -12,6 +12,7 @@
 #include <map>
 #include <numeric>
 #include <ranges>
+#include <tuple>
 
 namespace planish::brake_detail {
 namespace {
@@ -241,17 +242,41 @@ std::vector<Manner> manners_for(const StrokeInputs& inputs, const Ways& strokes)
   return manners;
 }
 
-/// Stations for all strokes on an empty bed; none if none of the orders and manners finds room.
-std::vector<StationTools> laid(StageCache& cache, const Ways& strokes) {
+/// Offers the stations of each order and manner that finds room on an empty bed, until one is
+/// taken.
+template <typename Take>
+void lay(StageCache& cache, const Ways& strokes, const Take& take) {
   const auto orders = orders_of(strokes);
   for (const Manner& manner : manners_for(cache.inputs(), strokes))
     for (const Ways& order : orders) {
       SetUpTools tools(cache, order, manner);
       if (!tools.serve_all()) continue;
       std::vector<StationTools> stations = tools.stations();
-      if (arrange(stations, cache.inputs())) return stations;
+      if (arrange(stations, cache.inputs()) && take(std::move(stations))) return;
     }
-  return {};
+}
+
+/// Stations for all strokes on an empty bed; none if none of the orders and manners finds room.
+std::vector<StationTools> laid(StageCache& cache, const Ways& strokes) {
+  std::vector<StationTools> first;
+  lay(cache, strokes, [&](std::vector<StationTools> stations) {
+    first = std::move(stations);
+    return true;
+  });
+  return first;
+}
+
+/// What there is to lay: stations, ears, mm of tools.
+std::tuple<std::size_t, int, double> work_of(const std::vector<StationTools>& stations) {
+  int ears = 0;
+  double length = 0.0;
+  for (const StationTools& station : stations)
+    for (const std::vector<ToolRow>& rows : station.rows)
+      for (const ToolRow& row : rows) {
+        ears += (row.ears.lo > 0.0 ? 1 : 0) + (row.ears.hi > 0.0 ? 1 : 0);
+        length += row.length();
+      }
+  return {stations.size(), ears, length};
 }
 
 /// As the strokes stand on the bed.
@@ -329,6 +354,14 @@ std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before, WantedP
   const bool has_others = std::ranges::any_of(ways, [](const auto& one) { return one.size() > 1; });
   if (has_others && stands(ways)) return with;
   return std::nullopt;
+}
+
+OnBed with_least_to_lay(StageCache& cache, OnBed bed) {
+  lay(cache, as_they_stand(bed), [&](std::vector<StationTools> stations) {
+    if (work_of(stations) < work_of(bed.stations)) bed.stations = std::move(stations);
+    return false;
+  });
+  return bed;
 }
 
 }  // namespace planish::brake_detail

@@ -43,4 +43,8 @@ std::vector<double> starts_of(const std::vector<StationTools>& stations, double 
 /// those before; empty if its tools find no room beside the others, or none at all on an empty bed.
 std::optional<OnBed> with_stroke(StageCache& cache, const OnBed& before, WantedPtr stroke);
 
+/// The same strokes with the same tools, laid with as few stations as is found, and of those ways
+/// that with the fewest ears and the shortest rows.
+OnBed with_least_to_lay(StageCache& cache, OnBed bed);
+
 }  // namespace planish::brake_detail

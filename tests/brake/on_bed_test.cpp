@@ -95,5 +95,31 @@ TEST(OnBed, RowsLookAheadToLaterWalls) {
   EXPECT_TRUE(both->stations[0].rows[0].front().ears.hi > 0.0);
 }
 
+/// Over a die of 200 in the middle of the first line nothing else has room where the second has a
+/// wall beside it, so that one takes the die of 400; moved aside it serves both.
+TEST(OnBed, IsLaidWithAsFewStationsAsThereCanBe) {
+  Room room(u_channel(), plain_tools({.segments = {100, 100}}, {.segments = {200, 400}}));
+  auto way = room.ways(1, {});
+  ASSERT_FALSE(way.empty());
+  OnBed bed;
+  for (const bool wall : {false, true}) {
+    auto made = std::make_shared<Demand>();
+    made->stroke = wall ? 1 : 0;
+    made->choice = way.front();
+    made->pieces = {{0.0, 90.0}};
+    made->part = {0.0, 90.0};
+    if (wall) made->walls[1] = {{100.0, 150.0}};
+    auto with = with_stroke(room.cache(), bed, std::make_shared<Wanted>(std::move(made)));
+    ASSERT_TRUE(with);
+    bed = std::move(*with);
+  }
+  EXPECT_EQ(bed.stations.size(), 2u);
+  const OnBed least = with_least_to_lay(room.cache(), bed);
+  ASSERT_EQ(least.stations.size(), 1u);
+  EXPECT_EQ(least.stations[0].rows[1].front().segments, std::vector<double>{200});
+  for (const StationTools::Made& made : least.stations[0].strokes)
+    EXPECT_TRUE(least.stations[0].stands(*made.demand, 1.5, made.at));
+}
+
 }  // namespace
 }  // namespace planish::test
