@@ -58,7 +58,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
                                .proposals = {}};
   for (const BlockedBend& blocked : obstacles_of(report)) {
     drawing.blocked.push_back(blocked.bend);
-    drawing.obstacles.push_back(told_of(blocked, report).sentence);
+    drawing.obstacles.push_back(in_units(told_of(blocked, report), report.units).sentence);
   }
   if (!report.sheet.faces.empty())
     drawing.flanges = drawing::flange_names(report.sheet, report.layout);
@@ -68,7 +68,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
   drawing.checks = mapped(checks_of(report, report.plan->strokes), named);
   for (const Remark& remark : report.plan->remarks)
     if (remark.code != kFurthestStage)
-      drawing.notes.push_back(capitalized(remark.told.sentence) + ".");
+      drawing.notes.push_back(capitalized(in_units(remark.told, report.units).sentence) + ".");
   return drawing;
 }
 
