@@ -275,7 +275,7 @@ class Trials {
     if (!is_narrow_ && !milled_) return why;
     for (const double thickness : stated_) {
       const std::string text = trimmed_number(thickness, 4);
-      Told change = tell("Take it for a sheet of {thickness:6}",
+      Told change = tell("Take it for a sheet of {thickness}",
                          {{"thickness", thickness, unit::mm}});
       why.remedies.push_back(
           {"thickness", text, std::move(change.sentence), std::move(change.named)});

@@ -58,7 +58,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
                                .proposals = {}};
   for (const BlockedBend& blocked : obstacles_of(report)) {
     drawing.blocked.push_back(blocked.bend);
-    drawing.obstacles.push_back(in_units(told_of(blocked, report), report.units).sentence);
+    drawing.obstacles.push_back(told_of(blocked, report).sentence);
   }
   if (!report.sheet.faces.empty())
     drawing.flanges = drawing::flange_names(report.sheet, report.layout);
