@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -34,15 +35,53 @@ Slot slot_of(std::string_view inside) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string quantity_text(const Quantity& quantity, std::string_view format) {
-  constexpr int kDigits = 4;
-  if (!format.empty() && !is_digit(format.front())) return counted(quantity.value, format);
-  const bool whole = quantity.unit.empty() && std::trunc(quantity.value) == quantity.value;
-  const int digits = !format.empty() ? std::atoi(std::string(format).c_str())
-                     : whole         ? 12
-                                     : kDigits;
+/// A text and what it names; a template with its slots filled.
+struct Filled {
+  std::string text;
+  std::vector<Named> named = {};
+};
+
+constexpr int kShownDigits = 4;
+
+/// As `named` shows its quantity, with the value and unit of another.
+std::string quantity_text(const Named& named, const Quantity& quantity) {
+  if (!named.shows_unit) return number_text(quantity.value, named.digits);
   const char* space = quantity.unit.empty() || quantity.unit == unit::degrees ? "" : " ";
-  return fmt::format("{}{}{}", number_text(quantity.value, digits), space, quantity.unit);
+  return fmt::format("{}{}{}", number_text(quantity.value, named.digits), space, quantity.unit);
+}
+
+Filled filled(const Quantity& quantity, std::string_view format) {
+  const bool bare = format == "number", digits = !format.empty() && is_digit(format.front());
+  if (!format.empty() && !digits && !bare) return {counted(quantity.value, format)};
+  const bool whole = quantity.unit.empty() && std::trunc(quantity.value) == quantity.value;
+  Named named{.quantity = quantity, .shows_unit = !bare};
+  named.digits = digits ? std::atoi(std::string(format).c_str()) : whole ? 12 : kShownDigits;
+  named.text = quantity_text(named, quantity);
+  Filled filling{named.text};
+  if (!quantity.unit.empty()) filling.named.push_back(std::move(named));
+  return filling;
+}
+
+/// A quantity of lengths in another unit; any other as it is.
+Quantity in_unit(const Quantity& quantity, LengthUnit unit) {
+  using Spellings = std::array<std::string_view, 3>;  // of the length, its square and its cube
+  constexpr Spellings kMillimetres{unit::mm, unit::mm2, unit::mm3}, kInches{"in", "in²", "in³"},
+      kMetres{"m", "m²", "m³"};
+  const auto found = std::ranges::find(kMillimetres, quantity.unit);
+  if (found == kMillimetres.end() || unit == LengthUnit::mm) return quantity;
+  const auto power = found - kMillimetres.begin();
+  const Spellings& spelled = unit == LengthUnit::inch ? kInches : kMetres;
+  return {quantity.value / std::pow(millimetres_in(unit), power + 1), spelled.at(power)};
+}
+
+/// A part of a sentence in another unit; nothing if it has none.
+std::optional<std::string> in_unit(const Named& named, LengthUnit unit) {
+  if (named.quantity) return quantity_text(named, in_unit(*named.quantity, unit));
+  if (named.place.kind != PlaceKind::point || named.place.at.empty()) return std::nullopt;
+  Place point = named.place;
+  for (double& x : point.at)
+    x /= millimetres_in(unit);
+  return text_of(point);
 }
 
 std::string places_text(const std::vector<const Place*>& places, std::string_view format) {
@@ -58,36 +97,43 @@ std::string places_text(const std::vector<const Place*>& places, std::string_vie
   return alike && !bare ? fmt::format("{} {}", many, listed(names)) : listed(names);
 }
 
-std::optional<std::string> text_in(const Slot& slot, const Facts& facts) {
+/// With the names in it moved to behind `before`.
+void append_named(std::vector<Named>& to, const std::vector<Named>& named, std::size_t before) {
+  for (Named one : named) {
+    one.at += before;
+    to.push_back(std::move(one));
+  }
+}
+
+std::string_view between(std::size_t i, std::size_t count) {
+  return i == 0 ? "" : i + 1 == count ? " and " : ", ";
+}
+
+Filled list_of(const std::vector<Filled>& all) {
+  Filled list;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    list.text += between(i, all.size());
+    append_named(list.named, all[i].named, list.text.size());
+    list.text += all[i].text;
+  }
+  return list;
+}
+
+std::optional<Filled> filled(const Slot& slot, const Facts& facts) {
   std::vector<const Place*> places;
-  std::vector<std::string> texts;
+  std::vector<Filled> texts;
   for (const Fact& fact : facts) {
     if (fact.name() != slot.name) continue;
     if (fact.place()) places.push_back(fact.place());
-    if (fact.quantity()) texts.push_back(quantity_text(*fact.quantity(), slot.format));
-    if (fact.words()) texts.push_back(*fact.words());
+    if (fact.quantity()) texts.push_back(filled(*fact.quantity(), slot.format));
+    if (fact.words()) texts.push_back({fact.words()->sentence, fact.words()->named});
   }
-  if (slot.is_place)
-    return places.empty() ? std::nullopt : std::optional(places_text(places, slot.format));
-  return texts.empty() ? std::nullopt : std::optional(listed(texts));
+  if (!slot.is_place) return texts.empty() ? std::nullopt : std::optional(list_of(texts));
+  if (places.empty()) return std::nullopt;
+  Filled filling{places_text(places, slot.format)};
+  if (places.size() == 1) filling.named.push_back({0, filling.text, {}, *places.front()});
+  return filling;
 }
-
-/// The only place of a name.
-const Place* one_place(std::string_view name, const Facts& facts) {
-  const Place* found = nullptr;
-  for (const Fact& fact : facts) {
-    if (fact.name() != name || !fact.place()) continue;
-    if (found) return nullptr;
-    found = fact.place();
-  }
-  return found;
-}
-
-/// A template with its slots filled, and what it names.
-struct Filled {
-  std::string text;
-  std::vector<Named> named;
-};
 
 class Filling {
  public:
@@ -122,10 +168,9 @@ class Filling {
   std::size_t slot(std::string_view pattern, std::size_t open) {
     const std::size_t close = std::min(pattern.find('}', open), pattern.size() - 1);
     const Slot slot = slot_of(pattern.substr(open + 1, close - open - 1));
-    const auto filling = text_in(slot, facts_);
-    const Place* place = slot.is_place && filling ? one_place(slot.name, facts_) : nullptr;
-    if (place) named_.push_back({text_.size(), *filling, {}, *place});
-    text_ += filling ? *filling : std::string(pattern.substr(open, close - open + 1));
+    const auto filling = filled(slot, facts_);
+    if (filling) append_named(named_, filling->named, text_.size());
+    text_ += filling ? filling->text : std::string(pattern.substr(open, close - open + 1));
     return close + 1;
   }
 
@@ -137,11 +182,22 @@ class Filling {
 
 Filled filled(std::string_view pattern, const Facts& facts) { return Filling(facts).fill(pattern); }
 
-/// With the names in it moved to behind `before`.
-void append_named(std::vector<Named>& to, const std::vector<Named>& named, std::size_t before) {
-  for (Named one : named) {
-    one.at += before;
-    to.push_back(std::move(one));
+/// Whether a part still stands where it was; not where someone has written the sentence anew.
+bool stands(const Named& named, std::string_view text) {
+  return named.at <= text.size() && text.substr(named.at, named.text.size()) == named.text;
+}
+
+/// Spells parts of a sentence in another way, where `spelled` knows one.
+template <typename Spell>
+void respell(std::string& sentence, std::vector<Named>& all, const Spell& spelled) {
+  std::size_t grown = 0;  // of the sentence so far; may wrap, and back again
+  for (Named& named : all) {
+    named.at += grown;
+    const std::optional<std::string> text = spelled(named);
+    if (!text) continue;
+    sentence.replace(named.at, named.text.size(), *text);
+    grown += text->size() - named.text.size();
+    named.text = *text;
   }
 }
 
@@ -158,10 +214,7 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<Named>& al
     done = at;
   };
   for (const Named& named : all) {
-    // A message that someone has written anew has no such parts any more.
-    if (named.at < done || named.at > text.size() ||
-        text.substr(named.at, named.text.size()) != named.text)
-      continue;
+    if (named.quantity || named.at < done || !stands(named, text)) continue;
     plain_until(named.at);
     done += named.text.size();
     pieces.push_back({named.text, named.option});
@@ -214,10 +267,8 @@ std::string number_text(double value, int digits) {
 
 std::string listed(std::span<const std::string> words) {
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text.append(between(i, words.size())).append(words[i]);
   return text;
 }
 
@@ -234,31 +285,48 @@ Error error_of(const Refusal& refusal, const Facts& facts, std::string where) {
   }
   if (!change.empty() || !refusal.option.empty())
     error.remedies.push_back(
-        {std::string(refusal.option), filled(refusal.value, facts).text, change});
+        {std::string(refusal.option), filled(refusal.value, facts).text, change, named});
   return error;
 }
 
 std::vector<Piece> wording(const Told& told) { return pieces_of(told.sentence, told.named); }
 std::vector<Piece> wording(const Error& error) { return pieces_of(error.message, error.named); }
 
-void say_before(Error& error, std::string_view text) {
-  error.message.insert(0, text);
-  for (Named& named : error.named)
-    named.at += text.size();
+void say_before(Error& error, const Told& words) {
+  std::vector<Named> named = words.named;
+  append_named(named, error.named, words.sentence.size());
+  error.named = std::move(named);
+  error.message.insert(0, words.sentence);
 }
+void say_before(Error& error, std::string_view text) { say_before(error, Told{std::string(text)}); }
 
 void rename_place(Error& error, const Place& from, const Place& to) {
-  std::size_t grown = 0;  // of the sentence so far
-  for (Named& named : error.named) {
-    named.at += grown;
-    if (!named.option.empty() || named.place != from) continue;
-    const std::string name = text_of(to);
-    error.message.replace(named.at, named.text.size(), name);
-    grown += name.size() - named.text.size();  // may wrap, and back again
-    named.text = name;
+  respell(error.message, error.named, [&](Named& named) -> std::optional<std::string> {
+    if (!named.option.empty() || named.quantity || named.place != from) return std::nullopt;
     named.place = to;
-  }
+    return text_of(to);
+  });
 }
+
+void say_in(LengthUnit unit, std::string& sentence, std::vector<Named>& named) {
+  respell(sentence, named, [&](const Named& one) {
+    return stands(one, sentence) ? in_unit(one, unit) : std::nullopt;
+  });
+}
+
+Told in_units(Told told, LengthUnit unit) {
+  say_in(unit, told.sentence, told.named);
+  return told;
+}
+
+Error in_units(Error error, LengthUnit unit) {
+  say_in(unit, error.message, error.named);
+  for (Remedy& remedy : error.remedies)
+    say_in(unit, remedy.change, remedy.named);
+  return error;
+}
+
+Told words_of(const Error& error) { return {error.message, {}, {}, error.named}; }
 
 void say_after(Told& told, std::string_view between, const Told& more) {
   told.sentence += between;
@@ -268,9 +336,10 @@ void say_after(Told& told, std::string_view between, const Told& more) {
   told.numbers.insert(told.numbers.end(), more.numbers.begin(), more.numbers.end());
 }
 
-void say_after(Error& error, const Error& more) {
+void say_after(Error& error, const Told& more) {
   append_named(error.named, more.named, error.message.size() + 1);
-  error.message += " " + more.message;
+  error.message += " " + more.sentence;
 }
+void say_after(Error& error, const Error& more) { say_after(error, words_of(more)); }
 
 }  // namespace planish

@@ -40,6 +40,11 @@ class Packing {
     for (auto& one : list)
       each(one);
   }
+  template <typename Value, typename Each>
+  void maybe(std::optional<Value>& value, const Each& each) {
+    whole(value ? 1 : 0, 0, 1);
+    if (value) each(*value);
+  }
   void id(Place::Id& id) {
     whole(id.index(), 0, 2);
     if (const int* number = std::get_if<int>(&id)) whole(*number, -kMostWhole, kMostWhole);
@@ -78,6 +83,12 @@ class Unpacking {
     for (whole(left, 0, std::ssize(texts_)); left > 0 && fine_; --left)
       each(list.emplace_back());
   }
+  template <typename Value, typename Each>
+  void maybe(std::optional<Value>& value, const Each& each) {
+    int known = 0;
+    whole(known, 0, 1);
+    if (known == 1) each(value.emplace());
+  }
   void id(Place::Id& id) {
     int kind = 0;
     whole(kind, 0, 2);
@@ -110,25 +121,39 @@ void pass(Way& way, Place& place) {
 }
 
 template <typename Way>
+void pass(Way& way, Quantity& quantity) {
+  way.number(quantity.value);
+  way.unit(quantity.unit);
+}
+
+template <typename Way>
+void pass(Way& way, std::vector<Named>& all) {
+  way.list(all, [&](Named& named) {
+    way.whole(named.at, 0, kMostWhole);
+    way.text(named.text);
+    way.text(named.option);
+    pass(way, named.place);
+    way.maybe(named.quantity, [&](Quantity& quantity) { pass(way, quantity); });
+    way.whole(named.digits, 0, kMostWhole);
+    way.whole(named.shows_unit, 0, 1);
+  });
+}
+
+template <typename Way>
 void pass(Way& way, Error& error) {
   way.text(error.message);
   way.text(error.where);
   way.list(error.places, [&](Place& place) { pass(way, place); });
   way.list(error.numbers, [&](NamedQuantity& number) {
     way.text(number.name);
-    way.number(number.quantity.value);
-    way.unit(number.quantity.unit);
+    pass(way, number.quantity);
   });
   way.list(error.remedies, [&](Remedy& remedy) {
     for (std::string* text : {&remedy.option, &remedy.value, &remedy.change})
       way.text(*text);
+    pass(way, remedy.named);
   });
-  way.list(error.named, [&](Named& named) {
-    way.whole(named.at, 0, kMostWhole);
-    way.text(named.text);
-    way.text(named.option);
-    pass(way, named.place);
-  });
+  pass(way, error.named);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class Remarks {
   void add(const say::Sentence& sentence, const Facts& numbers, const std::vector<BendId>& bends) {
     std::string key(sentence.code);
     for (const Fact& fact : numbers)
-      key += " " + (fact.quantity() ? number_text(fact.quantity()->value) : *fact.words());
+      key += " " + (fact.quantity() ? number_text(fact.quantity()->value) : fact.words()->sentence);
     auto known = std::ranges::find(all_, key, &One::key);
     if (known == all_.end()) known = all_.insert(known, {key, sentence, numbers});
     for (const BendId bend : bends)

@@ -50,9 +50,8 @@ void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>&
   }
 }
 
-int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines,
-                   const Skins& skins, Skin skin) {
-  const Groups groups = group_faces(model, outlines, skins, skin);
+std::vector<DividedFlange> divided_flanges(const SolidModel& model, const Skins& skins,
+                                           const Groups& groups) {
   const auto opposite = [&](const Group& group) {
     std::set<int> faces;
     for (const int f : group.faces)
@@ -70,14 +69,20 @@ int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines
                                }) &&
            std::ranges::any_of(opposite(a), [&](int f) { return below.contains(f); });
   };
-  int pieces = 0;
+  std::vector<DividedFlange> divided;
   for (size_t i = 0; i < groups.rows.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       if (are_pieces(groups.rows[i], groups.rows[j])) {
-        ++pieces;
+        divided.push_back({groups.rows[j].leader, groups.rows[i].leader});
         break;
       }
-  return pieces;
+  return divided;
+}
+
+int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines,
+                   const Skins& skins, Skin skin) {
+  const Groups groups = group_faces(model, outlines, skins, skin);
+  return static_cast<int>(divided_flanges(model, skins, groups).size());
 }
 
 Skins without_divided(const SolidModel& model, const std::vector<Outline>& outlines, Skins skins,

@@ -16,8 +16,16 @@ void add_divided(Skins& skins, const SolidModel& model, const std::vector<bool>&
 /// Whether two planes are one, to the digits of a file or `spread`, and look the same way.
 bool in_plane_of(const SolidModel& model, int face, int other, double spread);
 
-/// Flanges of a skin, beyond the first, that lie in one plane and opposite one face, and have a
-/// wall in common.
+/// A flange that a groove divides, by the faces on both sides of it: they lie in one plane and
+/// opposite one face, and have a wall in common.
+struct DividedFlange {
+  int face = -1, piece = -1;
+};
+
+/// Those of a skin, one for each piece beyond the first.
+std::vector<DividedFlange> divided_flanges(const SolidModel& model, const Skins& skins,
+                                           const Groups& groups);
+/// Their number.
 int divided_pieces(const SolidModel& model, const std::vector<Outline>& outlines,
                    const Skins& skins, Skin skin);
 

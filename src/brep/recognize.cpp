@@ -14,8 +14,6 @@
 #include <planish/brep/step.hpp>
 #include <planish/sheet/rip.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -103,6 +101,10 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
   skins = without_divided(model, outlines, std::move(skins), skin);
   const Rim rim = find_rim(model, outlines, skins);
   const Groups groups = group_faces(model, outlines, skins, skin);
+  // What is left of them hangs on bends, and no outline goes round all pieces.
+  if (const auto divided = divided_flanges(model, skins, groups); !divided.empty())
+    return fail(refuse::flange_divided, {{"face", face_place(model, divided.front().face)},
+                                         {"face", face_place(model, divided.front().piece)}});
   auto sheet = assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
   if (!sheet || reading.start != SkinStart::milled) return sheet;
   // What stands out of a rim belongs to a body that only has one.
@@ -273,8 +275,10 @@ class Trials {
     if (!is_narrow_ && !milled_) return why;
     for (const double thickness : stated_) {
       const std::string text = trimmed_number(thickness, 4);
+      Told change = tell("Take it for a sheet of {thickness}",
+                         {{"thickness", thickness, unit::mm}});
       why.remedies.push_back(
-          {"thickness", text, fmt::format("Take it for a sheet of {} mm", text)});
+          {"thickness", text, std::move(change.sentence), std::move(change.named)});
     }
     return why;
   }

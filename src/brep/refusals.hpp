@@ -110,6 +110,11 @@ constexpr Refusal other_thickness{
 constexpr Refusal beyond_sheet{
     code::not_a_sheet,
     "At {@face} the body extends beyond the sheet of {thickness}: it is not made of one sheet."};
+constexpr Refusal flange_divided{
+    code::unsupported_shape,
+    "{@face} are one flange, which a groove or pocket divides that crosses the tangent line of a "
+    "bend and does not go through.",
+    "Leave it out of the solid: it is milled after cutting."};
 constexpr Refusal recess_at_rim{
     code::not_a_sheet, "The recess at {@face} cuts into the outer contour on one skin only."};
 constexpr Refusal curved_joint{

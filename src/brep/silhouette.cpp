@@ -6,6 +6,7 @@
 #include "plane_opening.hpp"
 #include "projection.hpp"
 #include "skin_outlines.hpp"
+#include "threads.hpp"
 #include "united_regions.hpp"
 
 #include <planish/base/id_vector.hpp>
@@ -182,13 +183,14 @@ std::vector<int> loops_along(const Recognition& of, const RimPart& part, int fac
 }
 
 /// Whether the cut of an opening leaves open what no face covers that looks this way: otherwise
-/// ledges overlap, or blind bores lie beside it.
+/// ledges overlap, or blind bores lie beside it. Ledges of threads overlap as well.
 bool is_covered_otherwise(const Slab& slab, const RimPart& part, const std::vector<int>& seen) {
   const Recognition& of = slab.of;
   const LoopRef &here = loops_here(of, part).front(), &there = loops_there(of, part).front();
   if (!goes_round(of, part, here) || !goes_round(of, part, there)) return false;
   const PlaneOpening opening = opening_between(of, part, here, there, slab.plane);
   const BorderLoop cut = narrower_cut(of, opening, slab.plane).value_or(opening.mine);
+  if (thread_about(of, part, slab.plane, cut)) return false;
   constexpr double kOff = 1e-5;  // mm all round: more than files round
   const double covered = sum_of(seen,
                                 [&](int f) { return projected_area(of.model, f, slab.plane); });

@@ -8,7 +8,8 @@
 #include <numbers>
 
 // A thread is told from what is turned by its helices: edges that rise in proportion to their turn
-// and keep their distance from the axis. Edges of turned walls are level.
+// and keep their distance from the axis. Edges of turned walls are level. Some programs model it as
+// rings: alike grooves between cones, one above the other.
 
 namespace planish::brep {
 namespace {
@@ -40,13 +41,53 @@ std::optional<double> helix_radius(const SpaceCurve& curve, const Frame& plane,
   return radius;
 }
 
+/// A cone about the axis: of the circles at its ends the heights and the radii, the lower first.
+struct Ring {
+  double low = 0.0, high = 0.0, from = 0.0, to = 0.0;
+};
+std::optional<Ring> ring_of(const SolidModel& model, int face, const Frame& plane,
+                            const Vec2& centre) {
+  std::vector<Vec2> ends;  // radius, height
+  for (const auto& loop : model.faces[face].loops)
+    for (const CoEdge& use : loop) {
+      const SpaceCurve& curve = model.edges[use.edge].curve;
+      if (curve.kind != SpaceCurve::Kind::circle) continue;
+      const Vec3 middle = plane.local(curve.circle.origin);
+      if ((middle.head<2>() - centre).norm() <= kWiderOutline)
+        ends.emplace_back(curve.radius, middle.z());
+    }
+  if (ends.size() < 2) return {};
+  const auto [low, high] = std::ranges::minmax(ends, {}, [](const Vec2& end) { return end.y(); });
+  if (std::abs(high.x() - low.x()) <= kWiderOutline) return {};
+  return Ring{low.y(), high.y(), low.x(), high.x()};
+}
+
+/// How far rings go from the axis: two grooves at least, as wide as each other; else 0.
+double rings_radius(const Recognition& of, const RimPart& part, const Frame& plane,
+                    const Vec2& centre) {
+  std::vector<Ring> rings;
+  for (const int f : part.faces)
+    if (const auto ring = ring_of(of.model, f, plane, centre)) rings.push_back(*ring);
+  std::ranges::sort(rings, {}, &Ring::low);
+  double radius = 0.0;
+  int grooves = 0;
+  for (size_t i = 1; i < rings.size(); ++i) {
+    const Ring &below = rings[i - 1], &above = rings[i];
+    if (below.to <= below.from || above.to >= above.from) continue;
+    if (grooves > 0 && std::abs(below.to - radius) > kWiderOutline) return 0.0;
+    radius = below.to;
+    ++grooves;
+  }
+  return grooves > 1 ? radius : 0.0;
+}
+
 }  // namespace
 
 std::optional<BorderLoop> thread_about(const Recognition& of, const RimPart& part,
                                        const Frame& plane, const BorderLoop& core) {
   const auto* arc = core.size() == 1 ? std::get_if<Arc>(&core.front().curve) : nullptr;
   if (!arc) return {};
-  double radius = 0.0;
+  double radius = rings_radius(of, part, plane, arc->center);
   for (const int edge : wall_edges(of, part))
     radius = std::max(radius,
                       helix_radius(of.model.edges[edge].curve, plane, arc->center).value_or(0.0));

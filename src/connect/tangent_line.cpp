@@ -319,7 +319,7 @@ Error with_free_apex(Error error, const TangentLine& line, const char* key) {
   Told told = tell(level ? "With nothing given the bend would be a cylinder."
                          : "With nothing given the apex would be at {free_apex:6}.",
                    facts);
-  error.message += " " + told.sentence;
+  say_after(error, told);
   std::ranges::move(told.numbers, std::back_inserter(error.numbers));
   error.where = key;
   return error;

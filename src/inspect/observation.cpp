@@ -21,11 +21,11 @@ std::string term_text(double factor, const char* name) {
 }
 
 /// The limit of a breach: what information misses is only a rule of thumb.
-std::string limit_text(Severity severity, const Facts& facts) {
+Told limit_words(Severity severity, const Facts& facts) {
   const bool usual = severity == Severity::info;
   if (std::ranges::none_of(facts, [](const Fact& fact) { return fact.name() == "rule"; }))
-    return tell(usual ? say::usual_anyway : say::needed_anyway, facts).sentence;
-  return tell(usual ? say::usual : say::needed, facts).sentence;
+    return tell(usual ? say::usual_anyway : say::needed_anyway, facts);
+  return tell(usual ? say::usual : say::needed, facts);
 }
 
 /// The same where all of them are information.
@@ -75,13 +75,14 @@ Finding finding_of(const char* code, std::vector<const Observation*> alike) {
     return a->excess < b->excess;
   });
   const FindingPlace& worst = alike.front()->place;
-  Finding result{code, worst.severity, worst.message, {},
-                 {},   worst.places,   worst.numbers, remedies_of(code)};
+  Finding result{code,         worst.severity, worst.message,     {},         {},
+                 worst.places, worst.numbers,  remedies_of(code), worst.named};
   if (alike.size() > 1) {
     Told many = told("{count} {what}; the worst: {worst}", {{"count", alike.size()},
                                                             {"what", many_of(code, worst.severity)},
-                                                            {"worst", worst.message}});
+                                                            {"worst", words_of(worst)}});
     result.message = std::move(many.sentence);
+    result.named = std::move(many.named);
     result.numbers.insert(result.numbers.begin(), many.numbers.begin(), many.numbers.end());
   }
   for (const Observation* one : alike) {
@@ -121,10 +122,14 @@ Told told(say::Sentence sentence, const Facts& facts) {
 }
 
 FindingPlace breach(Severity severity, say::Sentence sentence, Facts facts, std::vector<Vec2> at) {
-  facts.emplace_back("limit", limit_text(severity, facts));
+  facts.emplace_back("limit", limit_words(severity, facts));
   Told text = told(sentence, facts);
-  return {severity, std::move(text.sentence), std::move(at), std::move(text.places),
-          std::move(text.numbers)};
+  return {severity,
+          std::move(text.sentence),
+          std::move(at),
+          std::move(text.places),
+          std::move(text.numbers),
+          std::move(text.named)};
 }
 
 std::string factors_text(double t_factor, double r_factor) {
@@ -134,3 +139,19 @@ std::string factors_text(double t_factor, double r_factor) {
 }
 
 }  // namespace planish::inspect_detail
+
+namespace planish {
+
+Told words_of(const Finding& finding) { return {finding.message, {}, {}, finding.named}; }
+Told words_of(const FindingPlace& place) { return {place.message, {}, {}, place.named}; }
+
+Finding in_units(Finding finding, LengthUnit unit) {
+  say_in(unit, finding.message, finding.named);
+  for (FindingPlace& place : finding.places)
+    say_in(unit, place.message, place.named);
+  for (Remedy& remedy : finding.remedies)
+    say_in(unit, remedy.change, remedy.named);
+  return finding;
+}
+
+}  // namespace planish

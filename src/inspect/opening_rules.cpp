@@ -15,7 +15,7 @@ namespace {
 
 Facts facts_of(const Opening& opening, double measured, double wanted, double factor) {
   return {{"opening", place::point(opening.center)},
-          {"size", opening.size_text},
+          {"size", opening.size},
           {"measured", measured, unit::mm},
           {"wanted", wanted, unit::mm},
           {"rule", factors_text(factor)}};
@@ -34,7 +34,7 @@ Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b
   const bool through = limits_cut == 2;
   const Facts facts{{"bend", workpiece.place_of(b)},
                     {"opening", place::point(opening.center)},
-                    {"size", opening.size_text}};
+                    {"size", opening.size}};
   return {"opening_in_bend", breach(through ? Severity::info : Severity::warning,
                                     through ? say::opening_through_bend : say::opening_in_bend,
                                     facts, {opening.center})};
@@ -152,7 +152,7 @@ std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece
     if (n.other < i && nearest[n.other].other == i) continue;  // reported with the other
     Facts facts = facts_of(openings[i], n.gap.distance, limit, rules.opening_to_opening_t);
     facts.emplace_back("other", place::point(openings[n.other].center));
-    facts.emplace_back("other_size", openings[n.other].size_text);
+    facts.emplace_back("other_size", openings[n.other].size);
     result.push_back({"opening_to_opening",
                       breach(severity_of(n.gap.distance, limit, kHalf, rules),
                              is_thin ? say::openings_near_in_thin_sheet : say::openings_near, facts,

@@ -101,7 +101,7 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const
     const double width = 2.0 * inscribed_radius(opening, 0.5 * limit);
     if (width >= limit - kDrawn) continue;
     const Facts facts{{"opening", place::point(opening.center)},
-                      {"size", opening.size_text},
+                      {"size", opening.size},
                       {"measured", width, unit::mm},
                       {"wanted", limit, unit::mm},
                       {"rule", factors_text(rules.smallest_opening_t)}};

@@ -61,7 +61,8 @@ Finding overlap_told(say::Sentence sentence, const Facts& facts, std::vector<Vec
           {},
           std::move(text.places),
           std::move(text.numbers),
-          {{"write_overlapping", "true", "Write it anyway"}}};
+          {{"write_overlapping", "true", "Write it anyway"}},
+          std::move(text.named)};
 }
 
 Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, PartId>& parts,

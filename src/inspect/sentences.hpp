@@ -13,6 +13,10 @@ constexpr Sentence usual = "the rule of thumb is {wanted} ({rule})";
 constexpr Sentence needed_anyway = "at least {wanted} is needed";
 constexpr Sentence usual_anyway = "the rule of thumb is {wanted}";
 
+// How large an opening is.
+constexpr Sentence diameter = "Ø {across}";
+constexpr Sentence size = "{long:number} × {wide}";
+
 // Flanges and bends.
 constexpr Sentence
     low_flange = "the flange at {@bend} is {measured:5} high from the outside of the bend; {limit}";

@@ -109,25 +109,25 @@ std::vector<BendSide> limits_of(const FlatBend& bend, size_t id) {
   return sides;
 }
 
-/// Size texts, computed once for all openings of one shape (equal in number of curves, length and
-/// area).
+/// Sizes in words, computed once for all openings of one shape (equal in number of curves, length
+/// and area).
 class SizeTeller {
  public:
-  std::string operator()(const Loop& loop) {
+  Told operator()(const Loop& loop) {
     if (const Arc* arc = loop.size() == 1 ? std::get_if<Arc>(&loop.front()) : nullptr;
         arc && std::abs(arc->sweep) > std::numbers::pi * 1.999)
-      return fmt::format("Ø {} mm", number_text(2.0 * arc->radius));
+      return tell(say::diameter, {{"across", 2.0 * arc->radius, unit::mm}});
     const auto rounded = [](double value) { return std::llround(value / kDrawn); };
-    std::string& text = known_[{loop.size(), rounded(length(loop)), rounded(signed_area(loop))}];
-    if (text.empty()) {
+    Told& words = known_[{loop.size(), rounded(length(loop)), rounded(signed_area(loop))}];
+    if (words.sentence.empty()) {
       const Vec2 size = smallest_rectangle(sampled(loop, 0.1 * kDrawn)).size;
-      text = fmt::format("{} × {} mm", number_text(size.x()), number_text(size.y()));
+      words = tell(say::size, {{"long", size.x(), unit::mm}, {"wide", size.y(), unit::mm}});
     }
-    return text;
+    return words;
   }
 
  private:
-  std::map<std::tuple<size_t, long long, long long>, std::string> known_;
+  std::map<std::tuple<size_t, long long, long long>, Told> known_;
 };
 
 bool at_loop(const Opening& opening, const Vec2& p) {
@@ -149,9 +149,9 @@ std::set<BendId> bends_cut(const Sheet& sheet, const Contour& contour) {
   return result;
 }
 
-Opening opening_of(const Contour& contour, SizeTeller& size_text) {
+Opening opening_of(const Contour& contour, SizeTeller& size) {
   Opening opening{
-      &contour.loop, BoxedLoop(contour.loop), Vec2::Zero(), size_text(contour.loop), false, {}, {}};
+      &contour.loop, BoxedLoop(contour.loop), Vec2::Zero(), size(contour.loop), false, {}, {}};
   opening.center = 0.5 * (opening.boxed.box.lo + opening.boxed.box.hi);
   // Twice the area by half the length is the mean width.
   opening.is_cut = 2.0 * std::abs(signed_area(contour.loop)) <= kDrawnOnce * length(contour.loop);
@@ -218,9 +218,9 @@ Workpiece::Workpiece(const Sheet& made, const FlatPattern& flat)
   }
   tangent_index = BoxTree2(std::move(boxes));
   zone_index = BoxTree2(zones);
-  SizeTeller size_text;
+  SizeTeller size;
   for (const Contour& contour : flat.openings) {
-    openings.push_back(opening_of(contour, size_text));
+    openings.push_back(opening_of(contour, size));
     relate(openings.back(), sheet, contour, *this);
   }
   contours = RingIndex(contour_rings(flat, openings));

@@ -40,7 +40,7 @@ struct Opening {
   const Loop* loop = nullptr;
   BoxedLoop boxed;
   Vec2 center = Vec2::Zero();
-  std::string size_text;        ///< "Ø 6 mm", "12 × 4 mm"
+  Told size;                    ///< "Ø 6 mm", "12 × 4 mm"
   bool is_cut = false;          ///< a slit, drawn and cut as one line
   std::set<size_t> bounds;      ///< bends that end at it: it is a relief, or the window of a tab
   std::set<size_t> reaches_in;  ///< bends from whose zone it takes material

@@ -67,8 +67,9 @@ Json scene_json(const CheckedStroke& checked) {
 
 /// A sentence, and its pieces.
 void add_sentence(Json& json, const Told& told, const Report& report) {
-  json["sentence"] = told.sentence;
-  json["wording"] = wording_json(wording(told), Units(report.units));
+  const Told said = in_units(told, report.units);
+  json["sentence"] = said.sentence;
+  json["wording"] = wording_json(wording(said), Units(report.units));
 }
 
 Json blocked_stroke_json(const BlockedBend& blocked, const Report& report) {
@@ -120,7 +121,7 @@ Json planned_order_json(const Plan& plan, const Bending& bending, const Report& 
   if (plan.status == PlanStatus::gave_up) add_sentence(json, no_plan_found(plan), report);
   json["notes"] = Json::array();
   for (const Remark& remark : plan.remarks)
-    json["notes"].push_back(remark.told.sentence);
+    json["notes"].push_back(in_units(remark.told, report.units).sentence);
   return json;
 }
 

@@ -68,7 +68,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
   drawing.checks = mapped(checks_of(report, report.plan->strokes), named);
   for (const Remark& remark : report.plan->remarks)
     if (remark.code != kFurthestStage)
-      drawing.notes.push_back(capitalized(remark.told.sentence) + ".");
+      drawing.notes.push_back(capitalized(in_units(remark.told, report.units).sentence) + ".");
   return drawing;
 }
 

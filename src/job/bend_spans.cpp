@@ -23,42 +23,34 @@ namespace {
 constexpr double kManyTimes = 5.0;
 constexpr double kHalfTurn = 180.0;
 
-using Said = std::optional<std::string>;
-
-std::string between(const FittedBend& bend, const PlateStructure& structure) {
-  return fmt::format("between \"{}\" and \"{}\"", structure.plates[bend.plates[0]].id,
-                     structure.plates[bend.plates[1]].id);
-}
+using Said = std::optional<Told>;
 
 Said round_the_back(const FittedBend& bend) {
   if (bend.edge_kind == EdgeKind::facing || bend.frame.parallel()) return std::nullopt;
   if (bend.angle.degrees() <= kHalfTurn) return std::nullopt;
-  return fmt::format(
-      "turns {}° round the back of the plates; edges that face each other would need {}°",
-      number_text(bend.angle.degrees()), number_text(kHalfTurn - bend.frame.beta.degrees()));
+  return tell(say::round_the_back,
+              {{"turn", bend.angle.degrees(), unit::degrees},
+               {"other", kHalfTurn - bend.frame.beta.degrees(), unit::degrees}});
 }
 
 Said long_span(const FittedBend& bend) {
   if (bend.reach <= kManyTimes * bend.joined) return std::nullopt;
-  return fmt::format("is {} mm long from plate to plate and {} mm wide: {} times as long as wide",
-                     number_text(bend.reach), number_text(bend.joined),
-                     number_text(bend.reach / bend.joined, 3));
+  return tell(say::long_span, {{"reach", bend.reach, unit::mm},
+                               {"wide", bend.joined, unit::mm},
+                               {"times", bend.reach / bend.joined, unit::none}});
 }
 
 Said unused_edge(const FittedBend& bend) {
   const double unused = std::min(bend.unused[0], bend.unused[1]);
   if (unused <= bend.joined) return std::nullopt;
-  return fmt::format(
-      "is {} mm wide, and the edges of the plates on its tangent lines have {} and {} mm more",
-      number_text(bend.joined), number_text(bend.unused[0]), number_text(bend.unused[1]));
+  return tell(say::unused_edge, {{"wide", bend.joined, unit::mm},
+                                 {"first", bend.unused[0], unit::mm},
+                                 {"second", bend.unused[1], unit::mm}});
 }
 
 Said edges_beside(const FittedBend& bend) {
   if (!bend.beside) return std::nullopt;
-  return fmt::format(
-      "joins edges that lie beside each other, {} mm apart along the bend, so it never runs "
-      "straight from one plate to the other",
-      number_text(*bend.beside));
+  return tell(say::edges_beside, {{"apart", *bend.beside, unit::mm}});
 }
 
 Vec2 middle_of(const FlatBend& bend) {
@@ -66,13 +58,18 @@ Vec2 middle_of(const FlatBend& bend) {
   return 0.5 * (line.a + line.b);
 }
 
+Told between(const FittedBend& bend, const FlatBend& flat, const PlateStructure& structure) {
+  Facts facts{{"bend", place::at(place::bend(flat.id), middle_of(flat))}};
+  for (const int plate : bend.plates)
+    facts.emplace_back("plate", place::plate(structure.plates[plate].id));
+  return tell(say::between_plates, facts);
+}
+
 /// Why a bend is not the shortest.
 std::optional<Finding> shorter_bend(const ConnectReport& report, const FittedBend& bend,
                                     const FlatBend& flat) {
   if (!bend.passed_over) return std::nullopt;
   const PassedOver& shorter = *bend.passed_over;
-  std::string reason = continued(shorter.why.message);
-  if (reason.ends_with('.')) reason.pop_back();
   const auto edges_of = [&](std::size_t side) {
     return fmt::format("edges {} of \"{}\"", fmt::join(shorter.edges[side], ", "),
                        report.connection.structure.plates[bend.plates[side]].id);
@@ -82,7 +79,7 @@ std::optional<Finding> shorter_bend(const ConnectReport& report, const FittedBen
                      {"span", bend.span, unit::mm},
                      {"other", fmt::format("{} and {}", edges_of(0), edges_of(1))},
                      {"shorter", shorter.span, unit::mm},
-                     {"reason", reason}},
+                     {"reason", going_on(shorter.why)}},
                     {middle_of(flat)});
 }
 
@@ -159,12 +156,12 @@ std::vector<Finding> span_findings(const ConnectReport& report) {
       const auto& bends = report.connection.bends;
       const auto bend = std::ranges::find(bends, flat.bend, &FittedBend::bend);
       if (bend == bends.end() || bend->plates.size() != 2 || flat.lines.empty()) continue;
-      if (const Said said = look.said(*bend))
-        findings.push_back(
-            {look.code,
-             Severity::warning,
-             fmt::format("{} {} {}", flat.id, between(*bend, report.connection.structure), *said),
-             {middle_of(flat)}});
+      const Said said = look.said(*bend);
+      if (!said) continue;
+      Told told = between(*bend, flat, report.connection.structure);
+      say_after(told, " ", *said);
+      findings.push_back(
+          finding_of(look.code, Severity::warning, std::move(told), {middle_of(flat)}));
     }
   for (const FlatBend& flat : report.flat.bends)
     for (const FittedBend& bend : report.connection.bends)

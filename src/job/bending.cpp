@@ -75,7 +75,7 @@ void find_ungauged(Report& report, const Plan& plan) {
   for (const auto& [sentence, reason] : by_reason) {
     Facts facts = mapped(reason.second,
                          [&](BendId bend) { return Fact("bend", part_place(report.flat, bend)); });
-    facts.emplace_back("why", sentence);
+    facts.emplace_back("why", Told{sentence, {}, {}, reason.first.named});
     Finding finding = finding_of("no_gauge_edge", Severity::info, say::no_gauge_edge, facts, {});
     finding.numbers.insert(finding.numbers.end(), reason.first.numbers.begin(),
                            reason.first.numbers.end());
@@ -107,15 +107,16 @@ Error cannot_bend(const Report& report, const Plan& plan, const Bending& bending
 
 /// The same where bending is only looked into: the pattern is right, and other tools may bend it.
 Finding cannot_bend_finding(Error why, std::vector<Vec2> at) {
-  if (why.message.ends_with('.')) why.message.pop_back();  // findings have no full stop
+  Told words = going_on(why);
   return {"cannot_bend",
           Severity::warning,
-          continued(std::move(why.message)),
+          std::move(words.sentence),
           std::move(at),
           {},
           std::move(why.places),
           std::move(why.numbers),
-          std::move(why.remedies)};
+          std::move(why.remedies),
+          std::move(words.named)};
 }
 
 /// "; it can be bent over a V of 10 mm, or as two parts, cut at B6".
@@ -146,14 +147,15 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
     report.findings.push_back({.code = "no_plan",
                                .message = std::move(told.sentence),
                                .at = {},
-                               .numbers = std::move(told.numbers)});
+                               .numbers = std::move(told.numbers),
+                               .named = std::move(told.named)});
   }
   find_rolled(report, plan);
   number_bends(report.flat, plan);
   if (only_finding) return std::nullopt;
   find_ungauged(report, plan);
   for (const Remark& remark : plan.remarks)
-    report.notes.push_back(remark.told.sentence);
+    report.notes.push_back(in_units(remark.told, report.units).sentence);
   report.plan = std::move(plan);
   return refusal;
 }

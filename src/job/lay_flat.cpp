@@ -321,8 +321,15 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
   report.not_as_made = lay_as_made(report, drawn, given, progress);
   if (report.not_as_made)
     report.notes.push_back(
-        tell(say::no_made_flat, {{"why", report.not_as_made->message}}).sentence);
+        in_units(tell(say::no_made_flat, {{"why", words_of(*report.not_as_made)}}), report.units)
+            .sentence);
   return std::nullopt;
+}
+
+void say_in_its_units(Report& report) {
+  for (Finding& finding : report.findings)
+    finding = in_units(std::move(finding), report.units);
+  if (report.refusal) report.refusal = in_units(std::move(*report.refusal), report.units);
 }
 
 Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,

@@ -51,16 +51,21 @@ Result<Recognized> found_sheet(const Body& body, RecognizeOptions options = {},
 /// What is looked for, as a request says.
 RecognizeOptions sought_by(const Request& request);
 
-/// The report that `fill` completes, with the time it took. An error with exit status 4 is the
-/// report's refusal; any other leaves nothing to show.
+/// Writes the sentences of findings and refusal in the report's unit.
+void say_in_its_units(Report& report);
+
+/// The report that `fill` completes, its sentences in its unit, with the time it took. An error
+/// with exit status 4 is the report's refusal; any other leaves nothing to show.
 template <typename R, typename Fill>
 Outcome<R> reported(R report, const Fill& fill) {
   const auto start = std::chrono::steady_clock::now();
   std::optional<Error> error = fill(report);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  if (error && error->code.status != ExitStatus::refused) return fail(std::move(*error));
+  if (error && error->code.status != ExitStatus::refused)
+    return fail(in_units(std::move(*error), report.units));
   report.unfold_seconds = taken.count();
   report.refusal = std::move(error);
+  say_in_its_units(report);
   return report;
 }
 

@@ -107,7 +107,7 @@ Schema blocked_schema() {
 
 Json remark_json(const Remark& remark, const Units& units) {
   return {{"code", remark.code},
-          {"message", remark.told.sentence},
+          {"message", in_units(remark.told, units.unit()).sentence},
           {"places", places_json(remark.told.places, units)},
           {"numbers", numbers_json(remark.told.numbers)}};
 }
@@ -218,7 +218,7 @@ Json blocked_json(const BlockedBend& blocked, const Report& report) {
   if (blocked.through) json["through"] = true;
   json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
   if (blocked.why) {
-    json["why"] = blocked.why->told.sentence;
+    json["why"] = in_units(blocked.why->told, report.units).sentence;
     json["remark"] = remark_json(*blocked.why, units);
   }
   return json;

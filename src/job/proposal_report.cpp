@@ -61,13 +61,12 @@ std::string with_unit(double mm, const Units& units) {
 }  // namespace
 
 Told told_of(const BlockedBend& blocked, const Report& report) {
-  const Units units(report.units);
   Facts facts{{"bend", part_place(report.flat, blocked.bend)}};
   Told told = tell(say::only_bend, facts);
   if (blocked.hits) {
     if (blocked.with) facts.emplace_back("flange", part_place(report.flat, *blocked.with));
     facts.emplace_back("tool", text_of(*blocked.hits));
-    facts.emplace_back("depth", units.length(blocked.depth), units.symbol());
+    facts.emplace_back("depth", blocked.depth, unit::mm);
     // With a clearance that is wanted a tool may be in the way without being hit.
     const auto of = [&](std::string_view flange, std::string_view part) {
       return tell(blocked.with ? flange : part, facts);
@@ -80,7 +79,7 @@ Told told_of(const BlockedBend& blocked, const Report& report) {
                 tell(say::at_turn, {{"turn", blocked.at_turn->degrees(), unit::degrees}}));
   }
   if (blocked.why) say_after(told, blocked.hits ? "; " : ": ", blocked.why->told);
-  return told;
+  return in_units(std::move(told), report.units);
 }
 
 namespace {

@@ -113,6 +113,24 @@ constexpr std::string_view seam_edges =
     "the seam lies in a fold, where square edges meet on the inside first, {depth:3} deep: bevel "
     "them, or move the seam";
 
+// Strips of a slit sheet.
+constexpr std::string_view strip_tight =
+    "{@strip} is bent to a radius of {radius} at {@ridge}; the material allows {least}";
+constexpr std::string_view strip_creased =
+    "{@strip} is creased at {@ridge}: its inside radius there is {inside}, less than its "
+    "thickness";
+constexpr std::string_view gap_missed = "{@strip} end {gap} apart, which is not the gap asked for";
+constexpr std::string_view
+    strips_cross = "{@strip} runs through {@other}: move the curves or anchors apart";
+constexpr std::string_view scan_far =
+    "{@strip} stays {off} from its scanned points on average: check their units, their position "
+    "and the strip that they belong to";
+constexpr std::string_view crosses_image = "{@strip} runs through its mirror image";
+constexpr std::string_view
+    below_ground = "{@strip} goes {deep} below the ground; no shape above it was found";
+constexpr std::string_view
+    not_converged = "{@strip} ends where it must, but is not finished and could be smoother";
+
 // Bending. What is in the way of a bend goes on from another sentence, or is a line by itself.
 constexpr std::string_view flange_hits = "{@bend:id}: {@flange} hits {tool} by {depth}";
 constexpr std::string_view
@@ -150,6 +168,18 @@ constexpr std::string_view joints_left_open =
 constexpr std::string_view joints_left_open_more =
     "{count:joint} of plates that touch stay open, since a bend there would close a loop that does "
     "not lie flat: {first} and {more} more";
+constexpr std::string_view between_plates = "{@bend:id} between {@plate:id}";
+constexpr std::string_view round_the_back =
+    "turns {turn} round the back of the plates; edges that face each other would need {other}";
+constexpr std::string_view long_span =
+    "is {reach} long from plate to plate and {wide} wide: {times:3} times as long as "
+    "wide";
+constexpr std::string_view unused_edge =
+    "is {wide} wide, and the edges of the plates on its tangent lines have {first} and {second} "
+    "more";
+constexpr std::string_view edges_beside =
+    "joins edges that lie beside each other, {apart} apart along the bend, so it never runs "
+    "straight from one plate to the other";
 constexpr std::string_view shorter_bend =
     "{@bend} has a span of {span}; that of {other} would have {shorter}, but does not hold: "
     "{reason}";
@@ -167,22 +197,31 @@ constexpr std::string_view no_gauge_edge = "the back gauge has nothing to touch 
 
 namespace planish::job {
 
+/// The message of an error where another sentence goes on with it: no capital, no full stop.
+inline Told going_on(const Error& why) {
+  Told words = words_of(why);
+  words.sentence = continued(std::move(words.sentence));
+  if (words.sentence.ends_with('.')) words.sentence.pop_back();
+  return words;
+}
+
 /// A finding with its data.
-inline Finding finding_of(std::string code, Severity severity, std::string_view pattern,
-                          const Facts& facts, std::vector<Vec2> at) {
-  Told told = tell(pattern, facts);
+inline Finding finding_of(std::string code, Severity severity, Told told, std::vector<Vec2> at) {
   Finding finding{std::move(code), severity, continued(std::move(told.sentence)), std::move(at)};
   finding.about = std::move(told.places);
   finding.numbers = std::move(told.numbers);
+  finding.named = std::move(told.named);
   return finding;
+}
+inline Finding finding_of(std::string code, Severity severity, std::string_view pattern,
+                          const Facts& facts, std::vector<Vec2> at) {
+  return finding_of(std::move(code), severity, tell(pattern, facts), std::move(at));
 }
 
 /// A finding about an error that is none of the whole, with its data.
 inline Finding finding_of(std::string code, std::string_view pattern, const Error& why,
                           Facts facts = {}) {
-  std::string reason = continued(why.message);
-  if (reason.ends_with('.')) reason.pop_back();
-  facts.emplace_back("reason", std::move(reason));
+  facts.emplace_back("reason", going_on(why));
   Finding finding = finding_of(std::move(code), Severity::warning, pattern, facts, {});
   finding.about = why.places;
   finding.numbers = why.numbers;

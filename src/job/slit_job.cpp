@@ -108,72 +108,56 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
 constexpr double kFarOff = 0.1;   // from a scan, of a strip's length
 constexpr double kUnseen = 1e-5;  // of a gap, likewise
 
-template <typename Add>
-void add_tight(const Add& add, const StripState& strip, std::size_t i, const SlitSheet& sheet) {
+/// A finding about a strip, at one of its ridges.
+void add(SlitReport& report, const char* code, std::string_view pattern, std::size_t strip,
+         int ridge, Facts facts = {}) {
+  const Vec2 at = flat_middle(report, strip, ridge);
+  facts.insert(facts.begin(), {"strip", place::at(place::strip(static_cast<int>(strip)), at)});
+  report.findings.push_back(finding_of(code, Severity::warning, pattern, facts, {at}));
+}
+
+void add_tight(SlitReport& report, std::size_t i) {
+  const StripState& strip = report.strips[i];
+  const SlitSheet& sheet = report.design.sheet;
   const double inside = std::max(0.0, strip.min_radius - 0.5 * sheet.thickness);
+  const Fact ridge("ridge", place::ridge(strip.tightest_ridge));
   if (strip.too_tight)
-    add("min_radius",
-        fmt::format("strip {} is bent to a radius of {} mm at ridge {}; the material allows {} mm",
-                    i + 1, number_text(strip.min_radius), strip.tightest_ridge + 1,
-                    number_text(sheet.min_radius())),
-        i, strip.tightest_ridge);
+    add(report, "min_radius", say::strip_tight, i, strip.tightest_ridge,
+        {{"radius", strip.min_radius, unit::mm}, ridge, {"least", sheet.min_radius(), unit::mm}});
   else if (inside < sheet.thickness)
-    add("creased",
-        fmt::format("strip {} is creased at ridge {}: its inside radius there is {} mm, less than "
-                    "its thickness",
-                    i + 1, strip.tightest_ridge + 1, number_text(inside)),
-        i, strip.tightest_ridge);
+    add(report, "creased", say::strip_creased, i, strip.tightest_ridge,
+        {ridge, {"inside", inside, unit::mm}});
 }
 
 /// A gap to the next strip that is not as the coupling asks for.
-template <typename Add>
-void add_gap(const Add& add, const SlitReport& report, std::size_t i, int last) {
+void add_gap(SlitReport& report, std::size_t i, int last) {
   const auto& coupling = report.design.coupling;
   if (!coupling || !coupling->gap || i + 1 >= report.strips.size()) return;
   const double gap = gap_between(report.folded.strips[i], report.folded.strips[i + 1]);
   const double unseen = kUnseen * length_of(report.design.sheet, i);
   if (gap < (*coupling->gap)[0] - unseen || gap > (*coupling->gap)[1] + unseen)
-    add("gap_missed",
-        fmt::format("strips {} and {} end {} mm apart, which is not the gap asked for", i + 1,
-                    i + 2, number_text(gap)),
-        i, last);
+    add(report, "gap_missed", say::gap_missed, i, last,
+        {{"strip", place::strip(static_cast<int>(i) + 1)}, {"gap", gap, unit::mm}});
 }
 
-/// Findings about strips that end where they must. They count from 1, as all messages do.
+/// Findings about strips that end where they must.
 void add_findings(SlitReport& report) {
-  const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
-    report.findings.push_back(
-        {code, Severity::warning, std::move(message), {flat_middle(report, strip, ridge)}});
-  };
   std::vector<Vec2> at;
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
-    add_tight(add, strip, i, report.design.sheet);
+    add_tight(report, i);
     for (const int other : strip.crosses)
-      add("strips_cross",
-          fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i + 1,
-                      other + 1),
-          i, last / 2);
+      add(report, "strips_cross", say::strips_cross, i, last / 2, {{"other", place::strip(other)}});
     if (strip.scan_distance > kFarOff * length_of(report.design.sheet, i))
-      add("scan_far",
-          fmt::format("strip {} stays {} mm from its scanned points on average: check their "
-                      "units, their position and the strip that they belong to",
-                      i + 1, number_text(strip.scan_distance)),
-          i, last);
-    if (strip.crosses_plane)
-      add("strips_cross", fmt::format("strip {} runs through its mirror image", i + 1), i, last);
+      add(report, "scan_far", say::scan_far, i, last, {{"off", strip.scan_distance, unit::mm}});
+    if (strip.crosses_plane) add(report, "strips_cross", say::crosses_image, i, last);
     if (strip.below_ground > 0.0)
-      add("below_ground",
-          fmt::format("strip {} goes {} mm below the ground; no shape above it was found", i + 1,
-                      number_text(strip.below_ground)),
-          i, last / 2);
-    add_gap(add, report, i, last);
+      add(report, "below_ground", say::below_ground, i, last / 2,
+          {{"deep", strip.below_ground, unit::mm}});
+    add_gap(report, i, last);
     if (strip.status == StripStatus::open)
-      add("not_converged",
-          fmt::format("strip {} ends where it must, but is not finished and could be smoother",
-                      i + 1),
-          i, last / 2);
+      add(report, "not_converged", say::not_converged, i, last / 2);
     at.push_back(flat_middle(report, i, strip.tightest_ridge));
   }
   for (Finding& finding : equilibrium_findings(report, at))

@@ -109,12 +109,19 @@ std::vector<Finding> strip_meetings(const SlitReport& report, const Sheet& sheet
     facts.emplace_back("pair", name_of(pair.second, pair.first));
     Finding one = finding_of("strips_press", Severity::info, say::strips_press, facts,
                              places(meeting));
-    pressed.push_back({one.severity, one.message, one.at, one.about, one.numbers});
+    pressed.push_back({one.severity, one.message, one.at, one.about, one.numbers, one.named});
   }
   if (pressed.empty()) return findings;
   const FindingPlace& worst = pressed.front();
-  findings.push_back({"strips_press", Severity::info, worst.message, worst.at, pressed,
-                      worst.places, worst.numbers});
+  findings.push_back({"strips_press",
+                      Severity::info,
+                      worst.message,
+                      worst.at,
+                      pressed,
+                      worst.places,
+                      worst.numbers,
+                      {},
+                      worst.named});
   return findings;
 }
 

@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 // A transition to its report, piece by piece. The folded solid comes from sheets of its own, with
 // tips cut off and the seam open (transition.md#output), so where it fails the net is still
 // written. Tolerances follow the use: nets are compared with closed forms, solids written to a
@@ -101,6 +103,7 @@ void advise_halves(TransitionPiece& piece, std::optional<Error>& wrong) {
 
 /// The report of a single piece becomes the whole's; of several pieces, only the findings.
 void gather(TransitionReport& report) {
+  std::ranges::for_each(report.pieces, say_in_its_units);
   if (report.pieces.size() == 1) {
     static_cast<Report&>(report) = report.pieces.front();
     return;

@@ -148,7 +148,9 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
 
 /// The refusal for the first of so many findings.
 Error refusal_with(const Refusal& refusal, const Finding& first, Facts facts) {
-  facts.emplace_back("what", capitalized(first.message));
+  Told what = words_of(first);
+  what.sentence = capitalized(std::move(what.sentence));
+  facts.emplace_back("what", std::move(what));
   Error error = error_of(refusal, facts,
                          first.at.empty() ? std::string() : place_text(first.at.front()));
   error.places = first.about;

@@ -86,9 +86,10 @@ std::string sums_of(const std::string& what, const Totals& totals, const std::st
 
 drawing::ListedGroup group_of(const PartList& list, const PartGroup& group,
                               const std::string& currency) {
+  const schema::Units units(list.parts[group.first].units);
   drawing::ListedGroup listed_group{
       (group.material == kUnknown ? "" : group.material + ", ") +
-          fmt::format("{:g} mm", group.thickness),
+          fmt::format("{} {}", units.short_text(group.thickness), units.symbol()),
       {},
       sums_of("Together", totals_of(list, group.first, group.end), currency)};
   for (std::size_t i = group.first; i < group.end; ++i)

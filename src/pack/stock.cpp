@@ -1,5 +1,6 @@
 #include "stock.hpp"
 
+#include <planish/base/message.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/sheet/csv.hpp>
 
@@ -13,6 +14,13 @@
 // it needs, and the rest is laid.
 
 namespace planish::pack {
+namespace {
+
+constexpr std::string_view fits_nowhere =
+    "{part} does not fit on a sheet of {length:number} × {width}: with its margin it needs "
+    "{long:number} × {wide}";
+
+}  // namespace
 
 Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
                                  const Progress& progress) {
@@ -35,10 +43,12 @@ Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
     }
     for (const TooLarge& large : nesting->too_large) {
       const PackPart& part = list.parts[group.first + static_cast<std::size_t>(large.part)];
-      result.notes.push_back(
-          fmt::format("{} does not fit on a sheet of {:g} × {:g} mm: with its margin it needs "
-                      "{:.1f} × {:.1f} mm",
-                      part.stem, stock.length, stock.width, large.needed.x(), large.needed.y()));
+      const Told told = tell(fits_nowhere, {{"part", part.stem},
+                                            {"length", stock.length, unit::mm},
+                                            {"width", stock.width, unit::mm},
+                                            {"long", large.needed.x(), unit::mm},
+                                            {"wide", large.needed.y(), unit::mm}});
+      result.notes.push_back(in_units(told, part.units).sentence);
     }
   }
   return result;

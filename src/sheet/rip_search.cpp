@@ -180,7 +180,7 @@ Error opened_by(const std::vector<int>& rips, const Sheet& sheet, const Error& c
     facts.emplace_back("next", edge_at(sheet, joint_at(sheet, rips[i]), rips[i]));
   Error refusal = error_of(rips.size() == 1 ? refuse::one_rip : refuse::many_rips, facts,
                            text_of(place::edge(rips.front())) + " " + between_faces(sheet, first));
-  say_before(refusal, closed.message);
+  say_before(refusal, words_of(closed));
   refusal.numbers.insert(refusal.numbers.begin(), closed.numbers.begin(), closed.numbers.end());
   return refusal;
 }

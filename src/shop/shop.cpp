@@ -39,7 +39,8 @@ Finding shop_warning(std::string code, std::string_view pattern, const Facts& fa
           .message = continued(std::move(told.sentence)),
           .at = std::move(at),
           .about = std::move(told.places),
-          .numbers = std::move(told.numbers)};
+          .numbers = std::move(told.numbers),
+          .named = std::move(told.named)};
 }
 
 Finding gauge_finding(const ShopChoice& choice, double thickness) {
@@ -83,15 +84,17 @@ std::vector<Finding> radius_findings(const ShopPart& part, const ShopChoice& cho
                                 {"gauge", gauge.thickness, unit::mm},
                                 {"usual", gauge.inside_radius, unit::mm}},
                                {line_middle(bend)});
-    places.push_back({one.severity, one.message, one.at, one.about, one.numbers});
+    places.push_back({one.severity, one.message, one.at, one.about, one.numbers, one.named});
     if (off <= worst) continue;
     worst = off;
     finding = std::move(one);
   }
   if (places.empty()) return {};
-  if (places.size() > 1)
-    finding.message = tell(say::other_radii, {{"count", places.size()}, {"worst", finding.message}})
-                          .sentence;
+  if (places.size() > 1) {
+    Told many = tell(say::other_radii, {{"count", places.size()}, {"worst", words_of(finding)}});
+    finding.message = std::move(many.sentence);
+    finding.named = std::move(many.named);
+  }
   finding.places = std::move(places);
   return {finding};
 }

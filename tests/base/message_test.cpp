@@ -68,6 +68,38 @@ TEST(SayAfter, MovesWhatTheSecondSentenceNames) {
             (std::vector<std::string>{"at ", "face 3", "; set ", "`root`", " at ", "bend B1"}));
 }
 
+TEST(InUnits, LengthsAreasAndVolumesAreInInches) {
+  const Told told = tell("{@bend}: {a}, {b:6}, {c}, {d}, {e}, {n:hole}",
+                         {{"bend", place::bend("B1")},
+                          {"a", 25.4, unit::mm},
+                          {"b", 3225.8, unit::mm2},
+                          {"c", 16387.064, unit::mm3},
+                          {"d", 90.0, unit::degrees},
+                          {"e", 2.0, unit::kilonewtons},
+                          {"n", 3}});
+  EXPECT_EQ(in_units(told, LengthUnit::inch).sentence,
+            "Bend B1: 1 in, 5 in², 1 in³, 90°, 2 kN, 3 holes");
+  EXPECT_EQ(in_units(told, LengthUnit::m).sentence,
+            "Bend B1: 0.0254 m, 0.0032258 m², 1.639e-05 m³, 90°, 2 kN, 3 holes");
+  EXPECT_EQ(in_units(told, LengthUnit::mm).sentence, told.sentence);
+}
+
+TEST(InUnits, ANumberWithoutItsUnitIsConvertedToo) {
+  const Told told = tell("{a:number} × {b}", {{"a", 304.8, unit::mm}, {"b", 25.4, unit::mm}});
+  EXPECT_EQ(told.sentence, "304.8 × 25.4 mm");
+  EXPECT_EQ(in_units(told, LengthUnit::inch).sentence, "12 × 1 in");
+}
+
+TEST(InUnits, SentencesWithinSentencesAndListsAreToo) {
+  const Told inner = tell("between {near}", {{"near", 25.4, unit::mm}, {"near", 50.8, unit::mm}});
+  const Told outer = tell("at {@p}; the worst: {worst}; set `root`",
+                          {{"p", Place{PlaceKind::point, {}, {254.0, 12.7}}}, {"worst", inner}});
+  const Told inches = in_units(outer, LengthUnit::inch);
+  EXPECT_EQ(inches.sentence, "at (10, 0.5); the worst: between 1 in and 2 in; set `root`");
+  EXPECT_EQ(inches.named.back().text, "`root`");
+  EXPECT_EQ(inches.sentence.substr(inches.named.back().at), "`root`");
+}
+
 TEST(Tell, NamesBodiesAndTheWholeOfAFile) {
   EXPECT_EQ(said("{@body} differ", {{"body", place::body(2)}, {"body", place::body(5)}}),
             "Bodies 2 and 5 differ");

@@ -14,6 +14,7 @@ Error full_error() {
                   Place{PlaceKind::point, {}, {0.1, -2.5, 1e-300}}};
   error.numbers = {{"radius", {1.0 / 3.0, unit::mm}}, {"count", {3.0, unit::none}}};
   error.remedies = {{"relief", "square", "Cut a square relief"}, {"", "", "draw it wider"}};
+  error.remedies[1].named = {{0, "2 mm", {}, {}, Quantity{2.0, unit::mm}, 4, false}};
   error.named = {{5, "B1", {}, place::bend("B1")}, {11, "tight", "relief", {}}};
   return error;
 }

@@ -42,7 +42,25 @@ TEST(Fail, NamesTheOptionThatHelpsWithItsValue) {
   const Result<void> failed = fail(kClosed, {{"edge", place::edge(21)}, {"number", 21}});
   EXPECT_EQ(failed.error().message, "The tube is closed. Rip edge 21.");
   ASSERT_EQ(failed.error().remedies.size(), 1);
-  EXPECT_EQ(failed.error().remedies[0], (Remedy{"rip_edges", "21", "Rip edge 21."}));
+  EXPECT_EQ(failed.error().remedies[0],
+            (Remedy{"rip_edges", "21", "Rip edge 21.", {{4, "edge 21", {}, place::edge(21)}}}));
+}
+
+TEST(InUnits, AnErrorAndItsRemedySpeakInInches) {
+  constexpr Refusal kLow{code::unsupported_shape, "{@bend} is {high} high.", "Give it {least}."};
+  const Result<void> failed = fail(
+      kLow, {{"bend", place::bend("B1")}, {"high", 5.08, unit::mm}, {"least", 25.4, unit::mm}});
+  Error error = in_units(failed.error(), LengthUnit::inch);
+  EXPECT_EQ(error.message, "Bend B1 is 0.2 in high. Give it 1 in.");
+  EXPECT_EQ(error.remedies[0].change, "Give it 1 in.");
+  EXPECT_EQ(error.numbers[0].quantity, (Quantity{5.08, unit::mm})) << "data stay in mm";
+  say_before(error, failed.error().message + " ");
+  EXPECT_EQ(in_units(error, LengthUnit::m).message,
+            "Bend B1 is 5.08 mm high. Give it 25.4 mm. Bend B1 is 0.00508 m high. Give it 0.0254 "
+            "m.")
+      << "what is only text stays";
+  EXPECT_EQ(in_units(in_units(error, LengthUnit::inch), LengthUnit::m).message,
+            in_units(error, LengthUnit::m).message);
 }
 
 TEST(Fail, SaysWhereByAPointerIfThereIsOne) { EXPECT_EQ(too_tight().error().where, "/bends/1"); }

@@ -109,5 +109,19 @@ TEST(DividedSkins, AreReadAlongTheSkinThatIsWhole) {
   expect_whole(part, 60 * (60 + 30 + 4.5 * pi / 2), 0);
 }
 
+TEST(DividedSkins, OnBothSkinsBesideABendHaveNoOutline) {
+  // A corner of the flange hangs on the bend alone, on each skin one.
+  TopoDS_Shape part = bent_bracket({kThickness, 3, 60, 30, 60});
+  for (const auto& [from, to] : {std::pair{gp_Pnt(48, -1, -1), gp_Pnt(52, 14, 1.2)},
+                                 {gp_Pnt(50, 10, -1), gp_Pnt(61, 14, 1.2)},
+                                 {gp_Pnt(48, 46, 1.8), gp_Pnt(52, 61, 4)},
+                                 {gp_Pnt(50, 46, 1.8), gp_Pnt(61, 50, 4)}})
+    part = BRepAlgoAPI_Cut(part, BRepPrimAPI_MakeBox(from, to).Shape()).Shape();
+  const auto seen = unfolded_shape(part);
+  ASSERT_FALSE(seen);
+  EXPECT_EQ(seen.error().code, code::unsupported_shape) << seen.error().message;
+  EXPECT_EQ(seen.error().places.size(), 2);
+}
+
 }  // namespace
 }  // namespace planish::test

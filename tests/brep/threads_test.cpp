@@ -83,6 +83,38 @@ TEST(Threads, AreDrawnAsTheirNominalCircleAndCutAsTheirCore) {
     }
 }
 
+/// Cones one above the other, as wide as the nominal diameter every pitch.
+TopoDS_Shape ringed(const Metric& of, double thickness) {
+  TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(upright(-4), of.core() / 2, thickness + 8).Shape();
+  const double depth = (of.nominal - of.core()) / 2, r = of.nominal / 2, high = 0.45 * of.pitch;
+  for (double z = of.pitch / 2; z < thickness; z += of.pitch)
+    for (const double up : {-1.0, 1.0})
+      tool = BRepAlgoAPI_Fuse(
+          tool,
+          BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(30, 20, z), gp_Dir(0, 0, up)), r, r - depth, high)
+              .Shape());
+  return tool;
+}
+
+TEST(Threads, MayBeModelledAsRings) {
+  for (const auto& [metric, thickness] : {std::pair{Metric{6, 1}, 3.0}, {Metric{8, 1.25}, 2.5}})
+    for (const double sunk : {0.0, 0.8}) {
+      TopoDS_Shape part = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(60, 40, thickness).Shape(),
+                                          ringed(metric, thickness));
+      const double r = metric.nominal / 2 + sunk;
+      if (sunk > 0.0)
+        part = BRepAlgoAPI_Cut(
+            part, BRepPrimAPI_MakeCone(upright(thickness - 0.4), r - 0.4, r, 0.4).Shape());
+      const auto seen = unfolded_shape(part);
+      ASSERT_TRUE(seen) << seen.error().message;
+      EXPECT_NEAR(seen->flat.area, 60 * 40 - pi / 4 * metric.core() * metric.core(), 1e-6);
+      const auto& features = seen->flat.features;
+      ASSERT_EQ(features.size(), sunk > 0.0 ? 2u : 1u);
+      EXPECT_EQ(features.back().kind, "thread");
+      EXPECT_NEAR(length(features.back().outlines.front()), pi * metric.nominal, 1e-9);
+    }
+}
+
 TEST(Threads, AreNotSeenInTurnedHoles) {
   TopoDS_Shape part = BRepPrimAPI_MakeBox(60, 40, 3).Shape();
   for (const auto& [z, radius] : {std::pair{-1.0, 2.5}, {0.6, 3.0}, {1.6, 3.0}})

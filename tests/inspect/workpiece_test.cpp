@@ -40,8 +40,8 @@ TEST(Workpiece, TellsWindowsFromOpeningsInTheBend) {
   EXPECT_TRUE(workpiece.openings[0].reaches_in.empty());
   EXPECT_TRUE(workpiece.openings[1].reaches_in.contains(0));
   EXPECT_TRUE(workpiece.openings[2].bounds.empty() && workpiece.openings[2].reaches_in.empty());
-  EXPECT_EQ(workpiece.openings[0].size_text, "8 × 8 mm");
-  EXPECT_EQ(workpiece.openings[1].size_text, "Ø 6 mm");
+  EXPECT_EQ(workpiece.openings[0].size.sentence, "8 × 8 mm");
+  EXPECT_EQ(workpiece.openings[1].size.sentence, "Ø 6 mm");
 }
 
 TEST(Workpiece, IsJoinedByMaterialOnlyWhereNothingIsCutOut) {
@@ -168,7 +168,7 @@ TEST(Workpiece, KeepsTheSidesOfEachBendTogether) {
 std::string size_of(const Loop& loop) {
   FlatPattern pattern = flat_plate(rectangle(200, 120));
   open(pattern, loop);
-  return Workpiece({}, pattern).openings.at(0).size_text;
+  return Workpiece({}, pattern).openings.at(0).size.sentence;
 }
 
 TEST(Workpiece, NamesSizesOfOpeningsTheLongerSideFirstAtAnyAngle) {
@@ -193,7 +193,7 @@ TEST(Workpiece, NamesEachSizeAlthoughEqualOnesAreMeasuredOnce) {
   const Workpiece workpiece({}, pattern);
   std::vector<std::string> texts;
   for (const Opening& opening : workpiece.openings)
-    texts.push_back(opening.size_text);
+    texts.push_back(opening.size.sentence);
   EXPECT_EQ(texts, (std::vector<std::string>{"12 × 10 mm", "12 × 10 mm", "13 × 9 mm", "15 × 8 mm",
                                              "12 × 6 mm"}));
   EXPECT_LT((workpiece.openings[3].center - Vec2(110, 60)).norm(), 1e-12);

@@ -82,7 +82,7 @@ TEST(SpanFindings, NameEdgesThatAreHardlyUsed) {
   const auto report = connected({kFloor, rectangle("B", {160, 110, 10}, {200, 0, 0}, {0, 0, 60})});
   EXPECT_THAT(said(report, "unused_edge"),
               HasSubstr("is 40 mm wide, and the edges of the plates on its tangent lines have 160 "
-                        "and 160 mm more"));
+                        "mm and 160 mm more"));
   // A short wall on a long floor uses all of its own edge.
   EXPECT_EQ(said(connected({kFloor, rectangle("B", {160, 110, 10}, {40, 0, 0}, {0, 0, 60})}),
                  "unused_edge"),

@@ -158,6 +158,10 @@ TEST(BlockedBend, HasAsDataWhatItSays) {
   }
   EXPECT_EQ(whole, told.sentence);
   EXPECT_EQ(named, told.places);
+  Report inches = infeasible_report();
+  inches.units = LengthUnit::inch;
+  const Told same = told_of(inches.plan->blocked.front(), inches);
+  EXPECT_EQ(same.numbers[0].quantity, told.numbers[0].quantity);
 }
 
 }  // namespace

@@ -150,14 +150,14 @@ TEST(Verdict, TellsWhereAVolumeIsNotMissed) {
 
 TEST(Verdict, ShowsAnOpeningThatIsNotWhatTheSolidLacks) {
   Certificate certificate = perfect();
-  certificate.opening_error = 0.1;
+  certificate.opening_error = 0.04;
   certificate.opening_error_at = {7, 8};
   const auto found = doubts_of(certificate);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "opening_size");
   EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
   EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
-  certificate.opening_error = 0.6;
+  certificate.opening_error = 0.06;
   EXPECT_EQ(disbelief(certificate, kVolume, {})->code, code::pattern_wrong);
 }
 
@@ -165,14 +165,14 @@ TEST(Verdict, ShowsWhereTheSolidReachesBeyondTheOutline) {
   Certificate certificate = perfect();
   certificate.outline_error = 0.009;
   EXPECT_TRUE(doubts_of(certificate).empty());
-  certificate.outline_error = 0.4;
+  certificate.outline_error = 0.04;
   certificate.outline_error_at = {7, 8};
   const auto found = doubts_of(certificate);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "outline_size");
   EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
   EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
-  certificate.outline_error = 0.6;
+  certificate.outline_error = 0.06;
   EXPECT_EQ(disbelief(certificate, kVolume, {})->code, code::pattern_wrong);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/code.hpp>
+#include <planish/base/length_unit.hpp>
 #include <planish/base/place.hpp>
 
 #include <concepts>
@@ -34,12 +35,34 @@ struct NamedQuantity {
   Quantity quantity;
 };
 
+/// A part of a sentence that can be spelled in another way: an option of the program, a place, or a
+/// quantity with its unit.
+struct Named {
+  std::size_t at = 0;  ///< bytes of the sentence before it
+  std::string text = {};
+  std::string option = {};  ///< the option's name as requests spell it; empty: another part
+  Place place = {};
+  std::optional<Quantity> quantity = {};  ///< empty: an option or a place
+  int digits = 0;                         ///< significant ones of the quantity
+  bool shows_unit = true;                 ///< likewise
+  friend bool operator==(const Named&, const Named&) = default;
+};
+
+/// A sentence made from data, beside the data.
+struct Told {
+  std::string sentence;
+  std::vector<Place> places = {};           ///< in the order of the facts
+  std::vector<NamedQuantity> numbers = {};  ///< likewise
+  std::vector<Named> named = {};            ///< in the order of the sentence
+};
+
 /// What would help: an option of the program and its value, or a change to the input in words, or
 /// both: then `change` says what the option does.
 struct Remedy {
   std::string option = {};  ///< name of the option as requests spell it: "rip_edges"
   std::string value = {};
   std::string change = {};
+  std::vector<Named> named = {};  ///< in `change`
   friend bool operator==(const Remedy&, const Remedy&) = default;
 };
 
@@ -47,7 +70,8 @@ struct Remedy {
 std::string flag_of(std::string_view option);
 
 /// One value that fills a template: a place, a quantity or words, under the name that the template
-/// uses. Several facts of one name make a list.
+/// uses. Several facts of one name make a list. Words may be a sentence of their own: then what
+/// they name is named in the whole.
 class Fact {
  public:
   Fact(std::string_view name, Place place) : name_(name), value_(std::move(place)) {}
@@ -57,31 +81,22 @@ class Fact {
   template <typename Count>
   requires std::integral<Count> Fact(std::string_view name, Count count)
       : name_(name), value_(Quantity{static_cast<double>(count), unit::none}) {}
-  Fact(std::string_view name, std::string words) : name_(name), value_(std::move(words)) {}
+  Fact(std::string_view name, Told words) : name_(name), value_(std::move(words)) {}
+  Fact(std::string_view name, std::string words) : Fact(name, Told{std::move(words)}) {}
   Fact(std::string_view name, std::string_view words) : Fact(name, std::string(words)) {}
   Fact(std::string_view name, const char* words) : Fact(name, std::string(words)) {}
 
   std::string_view name() const { return name_; }
   const Place* place() const { return std::get_if<Place>(&value_); }
   const Quantity* quantity() const { return std::get_if<Quantity>(&value_); }
-  const std::string* words() const { return std::get_if<std::string>(&value_); }
+  const Told* words() const { return std::get_if<Told>(&value_); }
 
  private:
   std::string_view name_;
-  std::variant<Place, Quantity, std::string> value_;
+  std::variant<Place, Quantity, Told> value_;
 };
 
 using Facts = std::vector<Fact>;
-
-/// A part of a sentence that front ends may spell their own way: an option of the program, or a
-/// place.
-struct Named {
-  std::size_t at = 0;  ///< bytes of the sentence before it
-  std::string text = {};
-  std::string option = {};  ///< the option's name as requests spell it; empty: it is a place
-  Place place = {};
-  friend bool operator==(const Named&, const Named&) = default;
-};
 
 /// A piece of a sentence: plain text if it names nothing.
 struct Piece {
@@ -90,20 +105,14 @@ struct Piece {
   std::optional<Place> place = {};
 };
 
-/// A sentence made from data, beside the data.
-struct Told {
-  std::string sentence;
-  std::vector<Place> places;           ///< in the order of the facts
-  std::vector<NamedQuantity> numbers;  ///< likewise
-  std::vector<Named> named = {};       ///< in the order of the sentence
-};
-
 /// Fills a template. In it stands
 /// - `{@name}` for a place, or all places of that name: "face 12", "faces 3, 5 and 12";
 /// `{@name:id}`
 ///   for the same without the kind: "12", "3, 5 and 12";
 /// - `{name}` for a quantity with its unit, to four significant digits, or for words;
-/// - `{name:6}` for a quantity to six digits;
+/// - `{name:6}` for a quantity to six digits; `{name:number}` for one without its unit, where the
+/// next
+///   one shows it: "12 × 4 mm";
 /// - `{name:bend}` for a count and its noun: "1 bend", "3 bends"; `{name:body/bodies}` where the
 ///   plural is irregular;
 /// - `` `name` `` for an option by its name in requests, in backticks that stay: `` `{option}` ``
@@ -114,6 +123,11 @@ Told tell(std::string_view pattern, const Facts& facts);
 
 /// The sentence in pieces, of which a front end spells options and places its own way.
 std::vector<Piece> wording(const Told& told);
+
+/// Writes the lengths, areas and volumes of a sentence in another unit, and the coordinates of its
+/// points; what someone has written anew stays.
+void say_in(LengthUnit unit, std::string& sentence, std::vector<Named>& named);
+Told in_units(Told told, LengthUnit unit);
 
 /// Puts another sentence with its data behind one, with `between` between them.
 void say_after(Told& told, std::string_view between, const Told& more);

@@ -22,7 +22,7 @@ struct Error {
   std::vector<Place> places = {};
   std::vector<NamedQuantity> numbers = {};
   std::vector<Remedy> remedies = {};  ///< the best first
-  std::vector<Named> named = {};      ///< the parts of `message` that are places and options
+  std::vector<Named> named = {};      ///< what `message` names
 };
 
 /// The error of a refusal, its sentences made from the facts. `where` is the first pointer among
@@ -32,14 +32,22 @@ Error error_of(const Refusal& refusal, const Facts& facts, std::string where = {
 /// The message in pieces, of which a front end spells options and places its own way.
 std::vector<Piece> wording(const Error& error);
 
+/// The message as words of another sentence, without its data.
+Told words_of(const Error& error);
+
+/// The error with its sentences in another unit. Its numbers and options stay in mm.
+Error in_units(Error error, LengthUnit unit);
+
 /// Puts a text before the message.
 void say_before(Error& error, std::string_view text);
+void say_before(Error& error, const Told& words);
 
 /// Names a place in the message by another one.
 void rename_place(Error& error, const Place& from, const Place& to);
 
-/// Puts another message behind it, with a blank between.
+/// Puts another message or words behind it, with a blank between, without their data.
 void say_after(Error& error, const Error& more);
+void say_after(Error& error, const Told& more);
 
 /// A value or an `Error`. Not to be dropped.
 template <typename T>

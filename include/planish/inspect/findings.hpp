@@ -19,6 +19,7 @@ struct FindingPlace {
   std::vector<Vec2> at;            ///< the points in the pattern: of two openings, one on each
   std::vector<Place> places = {};  ///< what it is about: a bend, a flange
   std::vector<NamedQuantity> numbers = {};
+  std::vector<Named> named = {};  ///< what `message` names
 };
 
 /// One observation about a flat pattern. Codes: "overlap", and one for each rule: "flange_height",
@@ -35,7 +36,15 @@ struct Finding {
   std::vector<Place> about = {};          ///< what the message names: flanges, bends, faces, points
   std::vector<NamedQuantity> numbers = {};
   std::vector<Remedy> remedies = {};  ///< what would do away with it, the best first
+  std::vector<Named> named = {};      ///< what `message` names
 };
+
+/// The message as words of another sentence, without its data.
+Told words_of(const Finding& finding);
+Told words_of(const FindingPlace& place);
+
+/// The finding with its sentences in another unit.
+Finding in_units(Finding finding, LengthUnit unit);
 
 /// How openings and the outer contour are cut. The limits of a rule depend on it.
 enum class Process { laser, punch };

@@ -30,7 +30,7 @@ struct CertificateBounds {
   double refold_warning = 0.02;      ///< mm; twice that, since two borders meet in a corner
   double refold_refusal = 0.5;       ///< mm
   double opening_warning = 0.01;     ///< mm all round; of outlines too
-  double opening_refusal = 0.5;      ///< mm all round; of outlines too
+  double opening_refusal = 0.05;     ///< mm all round; likewise: half of a kerf, which is seen
 };
 
 /// How much of a request is computed. `draft`: only the sheet and its flat pattern, for display

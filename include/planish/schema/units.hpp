@@ -12,6 +12,7 @@ class Units {
  public:
   explicit Units(LengthUnit unit) : unit_(unit), millimetres_(millimetres_in(unit)) {}
 
+  LengthUnit unit() const { return unit_; }
   double length(double mm) const { return mm / millimetres_; }
   double area(double mm2) const { return mm2 / (millimetres_ * millimetres_); }
   double volume(double mm3) const { return mm3 / (millimetres_ * millimetres_ * millimetres_); }
