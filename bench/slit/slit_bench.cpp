@@ -104,4 +104,22 @@ BENCHMARK(StripsOfAWideSheet)
     ->Unit(benchmark::kMillisecond)
     ->Complexity(benchmark::oN);
 
+/// Strips of 40 ridges, all of them one system.
+void CoupledStrips(benchmark::State& state) {
+  SlitDesign design = chair(static_cast<int>(state.range(0)));
+  design.ridges = 40;
+  design.coupling = SlitCoupling{};
+  for (auto _ : state) {
+    auto session = SlitSession::start(design);
+    if (!session || !session->solve()->converged) return state.SkipWithError("not solved");
+  }
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(CoupledStrips)
+    ->Arg(10)
+    ->Arg(30)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oN);
+
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace planish::slit_detail {
 
-/// A symmetric matrix of dense blocks on the diagonal, with others of low rank: strips touch each
-/// other in few places. Blocks may be empty.
+/// A symmetric matrix of dense blocks on the diagonal. Those beside it are products of few columns,
+/// the *faces* of their rows, since strips touch each other in few places. Blocks may be empty.
 class BlockMatrix {
  public:
   /// `sizes` of the blocks on the diagonal.
@@ -24,16 +24,26 @@ class BlockMatrix {
   Eigen::MatrixXd& on_diagonal(int row) { return diagonal_[row]; }
   const Eigen::MatrixXd& on_diagonal(int row) const { return diagonal_[row]; }
 
-  /// The block `of_row` · `of_column`ᵀ beside the diagonal.
-  struct Coupling {
-    int column = 0;  ///< before the row
-    Eigen::MatrixXd of_row, of_column;
+  /// Some columns of a row's face.
+  struct Part {
+    int row = 0;
+    Eigen::Index first = 0, count = 0;
   };
-  /// Adds such a block. At most one for each row and column; either row first.
-  void couple(int row, int column, Eigen::MatrixXd of_row, Eigen::MatrixXd of_column);
+  /// More columns of a row's face, by which it is coupled to other rows.
+  Part face_part(int row, const Eigen::MatrixXd& columns);
+  const Eigen::MatrixXd& face(int row) const { return faces_[row]; }
+
+  /// A term of the block in the row of `low` and the column of `high`: columns of `low` · `middle`
+  /// · columns of `high`ᵀ.
+  struct Coupling {
+    Part low, high;  ///< `high` before `low`
+    Eigen::MatrixXd middle;
+  };
+  /// Adds such a term and its mirror image; either row first.
+  void couple(const Part& a, const Part& b, const Eigen::MatrixXd& middle);
+  /// The same of columns of their own: `of_row` · `of_column`ᵀ.
+  void couple(int row, int column, const Eigen::MatrixXd& of_row, const Eigen::MatrixXd& of_column);
   const std::vector<Coupling>& beside(int row) const { return beside_[row]; }
-  /// Instead of all that are there, in the order of columns.
-  void set_beside(int row, std::vector<Coupling> blocks) { beside_[row] = std::move(blocks); }
 
   Eigen::VectorXd times(const Eigen::VectorXd& v) const;
   /// No eigenvalue is larger in absolute value (Gershgorin).
@@ -41,12 +51,12 @@ class BlockMatrix {
 
  private:
   std::vector<int> sizes_, begins_;
-  std::vector<Eigen::MatrixXd> diagonal_;
-  std::vector<std::vector<Coupling>> beside_;  ///< by row, in the order of columns
+  std::vector<Eigen::MatrixXd> diagonal_, faces_;
+  std::vector<std::vector<Coupling>> beside_;  ///< by row
 };
 
-/// Of a positive definite matrix: L Lᵀ. O(rows × size² × (size + rank)) where neighbours touch
-/// only.
+/// Of a positive definite matrix: L Lᵀ. O(rows × size² × (size + columns of a face)) where
+/// neighbours touch only.
 class BlockCholesky {
  public:
   /// Of the matrix with a number added to its diagonal; empty if that is not positive definite.
@@ -57,9 +67,22 @@ class BlockCholesky {
   Eigen::VectorXd half_solved(Eigen::VectorXd v) const;
 
  private:
-  explicit BlockCholesky(BlockMatrix lower) : lower_(std::move(lower)) {}
+  /// The block of an earlier row's column, as a product of both faces: the later row's · `middle` ·
+  /// (L⁻¹ the earlier row's)ᵀ.
+  struct Below {
+    int row = 0;
+    Eigen::MatrixXd middle;
+  };
+  struct Row {
+    Eigen::MatrixXd lower;
+    Eigen::MatrixXd face, solved_face;  ///< and L⁻¹ of it
+    std::vector<Below> below;           ///< in the order of rows
+  };
 
-  BlockMatrix lower_;
+  Eigen::Index begin(std::size_t row) const { return begins_[row]; }
+
+  std::vector<Row> rows_;
+  std::vector<Eigen::Index> begins_;
 };
 
 }  // namespace planish::slit_detail

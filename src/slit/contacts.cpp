@@ -108,13 +108,14 @@ Vec3 point_of(const FoldedStrip& strip, const std::vector<StripPoint::Share>& sh
   return point;
 }
 
-/// The nearest place of a strip.
-Foot foot_of(const FoldedStrip& strip, int edge, const Vec3& p) {
-  Foot nearest = foot_on(strip, 0, edge, p);
-  for (int quad = 1; quad < std::ssize(strip.quads); ++quad)
-    if (const Foot foot = foot_on(strip, quad, edge, p); foot.distance < nearest.distance)
-      nearest = foot;
-  return nearest;
+/// Of each quad, around its corners: no place of it is nearer than its box.
+std::vector<Eigen::AlignedBox3d> boxes_of(const FoldedStrip& strip) {
+  std::vector<Eigen::AlignedBox3d> boxes(strip.quads.size());
+  for (std::size_t quad = 0; quad < boxes.size(); ++quad)
+    for (const SlitRidge* ridge : {&strip.ridges[quad], &strip.ridges[quad + 1]})
+      for (const Vec3& end : ridge->folded)
+        boxes[quad].extend(end);
+  return boxes;
 }
 
 /// A point of an edge: at a ridge, or at a share of the way to the next one.
@@ -166,23 +167,41 @@ class Side {
  public:
   /// `is_left`: the strip is the left one of the pair.
   Side(bool is_left, const FoldedStrip& strip, const FoldedStrip& other, double thickness)
-      : is_left_(is_left), strip_(strip), other_(other), thickness_(thickness) {}
+      : is_left_(is_left),
+        strip_(strip),
+        other_(other),
+        boxes_(boxes_of(other)),
+        far_(width_of(other)),
+        thickness_(thickness) {}
 
   /// Which edge faces the other strip.
   int facing() const { return is_left_ ? 1 : 0; }
 
+  /// The nearest place of the other strip, sought from the quad beside the point outwards.
   Foot foot_of_point(const std::vector<StripPoint::Share>& point) const {
-    return foot_of(other_, 1 - facing(), point_of(strip_, point));
+    const Vec3 p = point_of(strip_, point);
+    const int quads = static_cast<int>(other_.quads.size()),
+              beside = std::min(point.front().ridge, quads - 1);
+    Foot nearest = foot_on(other_, beside, 1 - facing(), p);
+    const auto see = [&](int quad) {
+      if (quad < 0 || quad >= quads) return;
+      if (boxes_[quad].squaredExteriorDistance(p) > nearest.distance * nearest.distance) return;
+      const Foot foot = foot_on(other_, quad, 1 - facing(), p);
+      if (std::pair(foot.distance, quad) < std::pair(nearest.distance, nearest.quad))
+        nearest = foot;
+    };
+    for (int away = 1; away < quads; ++away)
+      see(beside - away), see(beside + away);
+    return nearest;
   }
 
   bool is_over(const Foot& foot) const {
-    const double far = width_of(other_);
-    return std::abs(foot.above) < far && foot.out < 0.0 && foot.out > -far;
+    return std::abs(foot.above) < far_ && foot.out < 0.0 && foot.out > -far_;
   }
 
   std::optional<Kept> kept(const Foot& foot, OnTop on_top) const {
     const double sense = (on_top == OnTop::left) == is_left_ ? 1.0 : -1.0;
-    return kept_from(foot, sense, thickness_, width_of(other_));
+    return kept_from(foot, sense, thickness_, far_);
   }
 
   /// Where the facing edge goes through the plane of the other strip between two stations it does
@@ -193,8 +212,7 @@ class Side {
     const auto point = edge_point(facing(), before.ridge(),
                                   before.share() + 0.5 * from.above / (from.above - to.above));
     const Foot at = foot_of_point(point);
-    const double far = width_of(other_);
-    if (std::abs(at.above) < far && std::abs(at.out) < far)
+    if (std::abs(at.above) < far_ && std::abs(at.out) < far_)
       f(point, at, Kept{at.sideways, 0.0, true, std::max(0.0, -at.out)});
   }
 
@@ -238,6 +256,8 @@ class Side {
  private:
   bool is_left_;
   const FoldedStrip &strip_, &other_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  double far_ = 0.0;  ///< how wide the other strip is
   double thickness_;
 };
 
@@ -354,6 +374,15 @@ std::vector<Contact> subdivided(const std::vector<Contact>& contacts) {
     }
   }
   return fine;
+}
+
+bool is_same(const Contact& a, const Contact& b) {
+  constexpr double kAlike = 0.5, kNear = 0.25;
+  const StripPoint::Share &first = a.here.shares.front(), &second = b.here.shares.front();
+  if (a.of_gap != b.of_gap || a.of_gap != GapLimit::none) return a.of_gap == b.of_gap;
+  return a.here.strip == b.here.strip && a.there.strip == b.there.strip &&
+         first.side == second.side && first.ridge == second.ridge &&
+         std::abs(first.weight - second.weight) < kNear && a.normal.dot(b.normal) > kAlike;
 }
 
 Missing missing(const StripPair& pair, const FoldedStrip& left, const FoldedStrip& right,

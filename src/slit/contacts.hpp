@@ -32,6 +32,9 @@ std::vector<Contact> contacts_of(const StripPair& pair, const FoldedStrip& left,
 /// stations beside it.
 std::vector<Contact> subdivided(const std::vector<Contact>& contacts);
 
+/// Whether a contact is another one as strips have moved on.
+bool is_same(const Contact& a, const Contact& b);
+
 /// What those contacts lack, mm.
 struct Missing {
   double squares = 0.0;  ///< sum of squares, mm²

@@ -29,8 +29,8 @@ constexpr double kLeastSpacing = 0.2;                  // of a spacing that a st
 /// (Moré and Sorensen). Where the model is concave along a direction the damping outweighs it.
 /// `damping` is what to begin with, and what was found.
 Eigen::VectorXd step_within(const Model& model, double reach, double& damping) {
-  constexpr double kBeyond = 1.25, kShort = 0.5, kLeastDamping = 1e-5, kDampingFound = 1e-9,
-                   kFaster = 16.0;
+  constexpr double kBeyond = 1.25, kShort = 0.5, kLeastDamping = 1e-6, kDampingFound = 1e-9,
+                   kFaster = 16.0, kJustEnough = 1.5;
   constexpr int kMostTried = 40;
   const double largest = model.hessian.bound(), steepness = model.gradient.norm();
   double too_little = -1.0, enough = largest + steepness / reach;
@@ -51,6 +51,11 @@ Eigen::VectorXd step_within(const Model& model, double reach, double& damping) {
     const double length = step.norm();
     const bool is_within = length <= kBeyond * reach;
     if (is_within && (damping == 0.0 || length >= kShort * reach)) break;
+    // Less does not make a model convex that is concave where it has no slope: the step stays
+    // short.
+    if (is_within && too_little >= 0.0 &&
+        damping <= kJustEnough * std::max(too_little, kLeastDamping * largest))
+      break;
     (is_within ? enough : too_little) = damping;
     // Newton's step for 1/length − 1/reach, which is nearly linear in the damping.
     damping += (length - reach) / reach * length * length /

@@ -97,13 +97,14 @@ void pull_at(Member& member, const StripPoint& point, const Vec3& force) {
 /// Adds the contacts to the value and to the strips' gradients.
 std::vector<Touch> touches(const StripSystem& system, std::vector<Member>& members, double& value) {
   std::vector<Touch> found;
+  const ContactMeasure measure(system);
   for (const Contact& contact : system.contacts) {
     Member &here = members[contact.here.strip], &there = members[contact.there.strip];
     const Vec3 apart = contact.here.in(here.fold) - contact.there.in(there.fold);
-    const double violated = counted(system, contact, apart);
+    const double violated = measure.counted(contact, apart);
     if (violated == 0.0) continue;
     value += 0.5 * system.penalty * violated * violated;
-    const Vec3 out = direction_of(contact, apart) / system.unit();
+    const Vec3 out = direction_of(contact, apart) / measure.unit;
     Touch touch{contact.here.strip, contact.there.strip, derivative_of(here, contact.here, -out),
                 derivative_of(there, contact.there, out)};
     const double force = system.penalty * violated;
@@ -116,7 +117,7 @@ std::vector<Touch> touches(const StripSystem& system, std::vector<Member>& membe
     // The sphere is bent: a share of the force stands against what moves along it.
     const Frame sphere = frame_from_normal(Vec3::Zero(), apart.normalized());
     for (const Vec3& aside : {sphere.x, sphere.y}) {
-      const Vec3 along = std::sqrt(violated / (apart.norm() * system.unit())) * aside;
+      const Vec3 along = std::sqrt(violated / (apart.norm() * measure.unit)) * aside;
       found.push_back(in_order({contact.here.strip, contact.there.strip,
                                 derivative_of(here, contact.here, along),
                                 derivative_of(there, contact.there, -along)}));
@@ -125,45 +126,27 @@ std::vector<Touch> touches(const StripSystem& system, std::vector<Member>& membe
   return found;
 }
 
-/// Blocks beside the diagonal, as sums of products of columns.
-class Beside {
- public:
-  /// The row before the column.
-  void add(int row, int column, const Eigen::MatrixXd& of_row, const Eigen::MatrixXd& of_column) {
-    auto& [a, b] = blocks_[{row, column}];
-    append(a, of_row);
-    append(b, of_column);
-  }
-  void couple(BlockMatrix& matrix) const {
-    for (const auto& [strips, columns] : blocks_)
-      matrix.couple(strips.first, strips.second, columns.first, columns.second);
-  }
-
- private:
-  static void append(Eigen::MatrixXd& to, const Eigen::MatrixXd& columns) {
-    to.conservativeResize(columns.rows(), to.cols() + columns.cols());
-    to.rightCols(columns.cols()) = columns;
-  }
-
-  std::map<std::pair<int, int>, std::pair<Eigen::MatrixXd, Eigen::MatrixXd>> blocks_;
-};
-
 /// Second derivatives of what touches, strip beside strip.
-void add_touches(Model& model, Beside& beside, double penalty, const std::vector<Touch>& touching) {
+void add_touches(Model& model, double penalty, const std::vector<Touch>& touching) {
   std::map<std::pair<int, int>, std::vector<const Touch*>> by_strips;
   for (const Touch& touch : touching)
     by_strips[{touch.here, touch.there}].push_back(&touch);
   for (const auto& [strips, touches] : by_strips) {
     const Member &here = model.members[strips.first], &there = model.members[strips.second];
     const auto rank = static_cast<Eigen::Index>(touches.size());
-    Eigen::MatrixXd a(here.dimensions(), rank), b(there.dimensions(), rank);
+    Eigen::MatrixXd a(here.p.size(), rank), b(there.p.size(), rank);
     for (Eigen::Index i = 0; i < rank; ++i) {
-      if (!here.is_held) a.col(i) = here.along_manifold(touches[i]->of_here);
-      if (!there.is_held) b.col(i) = there.along_manifold(touches[i]->of_there);
+      a.col(i) = touches[i]->of_here;
+      b.col(i) = touches[i]->of_there;
     }
-    model.hessian.on_diagonal(strips.first).noalias() += penalty * a * a.transpose();
-    model.hessian.on_diagonal(strips.second).noalias() += penalty * b * b.transpose();
-    if (!here.is_held && !there.is_held) beside.add(strips.first, strips.second, penalty * a, b);
+    if (!here.is_held) a = here.along_manifold(a);
+    if (!there.is_held) b = there.along_manifold(b);
+    if (!here.is_held)
+      model.hessian.on_diagonal(strips.first).noalias() += penalty * a * a.transpose();
+    if (!there.is_held)
+      model.hessian.on_diagonal(strips.second).noalias() += penalty * b * b.transpose();
+    if (!here.is_held && !there.is_held)
+      model.hessian.couple(strips.first, strips.second, penalty * a, b);
   }
 }
 
@@ -192,25 +175,37 @@ void pull_by_bonds(const StripSystem& system, std::vector<Member>& members, doub
   }
 }
 
-/// Second derivatives of bonds: of squares, as pulls have the rest.
-void add_bonds(Model& model, Beside& beside, const StripSystem& system) {
-  for (const Bond& bond : system.bonds) {
-    std::array<Eigen::MatrixXd, 3> along;
-    for (std::size_t i = 0; i < along.size(); ++i) {
+/// Second derivatives of bonds: of squares, as pulls have the rest. Several bonds draw at the same
+/// point of a strip, whose columns they share.
+void add_bonds(Model& model, const StripSystem& system) {
+  std::map<std::pair<int, int>, BlockMatrix::Part> parts;  // by strip and ridge
+  std::map<std::pair<int, int>, double> stiffness;
+  const auto place = [](const StripPoint& point) {
+    return std::pair(point.strip, point.shares.front().ridge);
+  };
+  for (const Bond& bond : system.bonds)
+    for (std::size_t i = 0; i < bond.points.size(); ++i) {
       const Member& member = model.members[bond.points[i].strip];
-      if (!member.is_held)
-        along[i] = Bond::kShares[i] * member.along_manifold(derivatives_of(member, bond.points[i]));
+      if (member.is_held) continue;
+      stiffness[place(bond.points[i])] += bond.stiffness * Bond::kShares[i] * Bond::kShares[i];
+      if (auto& part = parts[place(bond.points[i])]; part.count == 0)
+        part = model.hessian.face_part(
+            bond.points[i].strip, member.along_manifold(derivatives_of(member, bond.points[i])));
     }
-    for (std::size_t i = 0; i < along.size(); ++i) {
-      const int strip = bond.points[i].strip;
-      if (along[i].cols() == 0) continue;
-      model.hessian.on_diagonal(strip).noalias() += bond.stiffness * along[i] *
-                                                    along[i].transpose();
-      for (std::size_t j = 0; j < i; ++j)
-        if (along[j].cols() > 0)
-          beside.add(bond.points[j].strip, strip, along[j], bond.stiffness * along[i]);
-    }
+  for (const auto& [at, part] : parts) {
+    const auto columns = model.hessian.face(part.row).middleCols(part.first, part.count);
+    model.hessian.on_diagonal(part.row).noalias() += stiffness[at] * columns * columns.transpose();
   }
+  for (const Bond& bond : system.bonds)
+    for (std::size_t i = 0; i < bond.points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        if (model.members[bond.points[i].strip].is_held ||
+            model.members[bond.points[j].strip].is_held)
+          continue;
+        model.hessian.couple(
+            parts[place(bond.points[i])], parts[place(bond.points[j])],
+            bond.stiffness * Bond::kShares[i] * Bond::kShares[j] * Eigen::Matrix3d::Identity());
+      }
 }
 
 }  // namespace
@@ -237,10 +232,8 @@ Model model_of(const StripSystem& system, const Shapes& shapes) {
     model.gradient.segment(model.hessian.begin(strip),
                            member.dimensions()) = member.along_manifold(member.model.gradient);
   }
-  Beside beside;
-  add_touches(model, beside, system.penalty, touching);
-  add_bonds(model, beside, system);
-  beside.couple(model.hessian);
+  add_touches(model, system.penalty, touching);
+  add_bonds(model, system);
   return model;
 }
 

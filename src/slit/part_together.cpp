@@ -25,6 +25,7 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kFirstPenalty = 1.0, kPenaltyGrowth = 4.0, kMostPenalty = 1000.0;
+constexpr double kSofter = 1.0 / 16.0;  // where strips go on: their multipliers do the most
 constexpr double kLessViolated = 0.25;  // than in the round before, else the penalty grows
 constexpr int kMostRounds = 12, kRoundsOfCoupled = 30, kStepsOfRound = 20;
 constexpr int kRoundsOfGap = 8;  // in which gaps go from what they are to what they should be
@@ -61,10 +62,12 @@ class Group {
       problem.min_radius *= 1.0 + kRadiusMargin;
       if (now.slot(strip).state.too_tight) give_up_radius(problem);
       alone_ += now.slot(strip).state.objective;
+      undivided_ += now.slot(strip).undivided > 0.0 ? now.slot(strip).undivided : kUnknown;
       system_.strips.push_back(std::move(problem));
       system_.held.push_back(!coupling() && std::ranges::find(moved, strip) == moved.end());
       shapes_.push_back(now.slot(strip).p);
     }
+    at_start_ = folded_strips(system_, shapes_);
     if (coupling()) system_.bonds = bonds_of(system_.strips, coupling()->smooth);
     pressing_.penalty = now.pressing.penalty;
     for (Contact contact : now.pressing.contacts) {
@@ -83,21 +86,28 @@ class Group {
     return found == strips_.end() ? -1 : static_cast<int>(found - strips_.begin());
   }
 
+  /// Whether strips whose quads were divided have lost by it.
+  bool has_lost(const Parting& parting) const {
+    constexpr double kLost = 1.04;  // finer strips differ by less
+    return !coupling() && parting.objective > kLost * undivided_;
+  }
+
   bool moves(int member) const { return !system_.held[member]; }
   /// How many pairs need the same space as the strips lie now.
-  int together() const { return run_together(pairs_of(Choice::nearest), shapes_); }
+  int together() const { return run_together(pairs_of(Choice::nearest), at_start_); }
 
   /// Rounds until the strips are apart and at rest, with what they press each other from before or
   /// from nothing.
   Parting parted(Choice choice, bool from_before, const DescentOptions& options) const {
     Parting now{shapes_}, best{shapes_};
     best.together = together();
-    best.gap_missed = missed_gap(shapes_);
+    best.gap_missed = missed_gap(at_start_);
     best.problems = system_.strips;
     StripSystem system = system_;
-    system.penalty = from_before ? pressing_.penalty : kFirstPenalty;
+    system.penalty = from_before ? std::max(kFirstPenalty, kSofter * pressing_.penalty)
+                                 : kFirstPenalty;
     if (from_before) system.contacts = pressing_.contacts;
-    const std::vector<StripPair> pairs = pairs_of(choice);
+    std::vector<StripPair> pairs = pairs_of(choice);
     const DescentOptions of_round{kStepsOfRound, std::max(options.function_tolerance, kFine),
                                   options.stop};
     double before = std::numeric_limits<double>::infinity();
@@ -113,7 +123,7 @@ class Group {
         before = violated;
         raise_multipliers(system, now.shapes, values);
       }
-      take_limits(system, pairs, now.shapes, std::min(1.0, (round + 1.0) / kRoundsOfGap));
+      take_limits(system, choice, pairs, now.shapes, std::min(1.0, (round + 1.0) / kRoundsOfGap));
       SystemDescent descent = descend_by_newton(system, std::move(now.shapes), of_round);
       now.shapes = std::move(descent.shapes);
       now.iterations += descent.iterations;
@@ -129,6 +139,8 @@ class Group {
   }
 
  private:
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
   /// That a strip could not keep by itself.
   static void give_up_radius(StripProblem& problem) {
     problem.min_radius = 0.0;
@@ -138,9 +150,10 @@ class Group {
   }
 
   void judge(Parting& now, const std::vector<StripPair>& pairs, const StripSystem& system) const {
-    now.together = run_together(pairs, now.shapes);
-    now.gap_missed = missed_gap(now.shapes);
-    now.apart = now.together == 0 && now.gap_missed == 0.0 && holds_all(system, now.shapes);
+    const FoldedStrips all = folded_strips(system, now.shapes);
+    now.together = run_together(pairs, all);
+    now.gap_missed = missed_gap(all);
+    now.apart = now.together == 0 && now.gap_missed == 0.0 && holds_all(system, now.shapes, all);
   }
 
   /// Only the strips of the whole sheet are coupled.
@@ -162,19 +175,20 @@ class Group {
   }
   double thickness() const { return now_.design->sheet.thickness; }
 
+  /// Of strips that are not beside each other nothing is chosen until they meet.
   std::vector<StripPair> pairs_of(Choice choice) const {
-    const FoldedStrips all = folded_strips(system_, shapes_);
     std::vector<StripPair> pairs;
     for (int left = 0; left < system_.count(); ++left)
       for (int right = left + 1; right < system_.count(); ++right)
-        if (moves(left) || moves(right)) pairs.push_back(pair_of(choice, all, left, right));
+        if (StripPair pair{left, right, {}}; moves(left) || moves(right))
+          pairs.push_back(is_beside(pair) ? pair_of(choice, left, right) : std::move(pair));
     return pairs;
   }
 
-  StripPair pair_of(Choice choice, const FoldedStrips& all, int left, int right) const {
-    const FoldedStrip& shape = all.strips[left];
+  StripPair pair_of(Choice choice, int left, int right) const {
+    const FoldedStrip& shape = at_start_.strips[left];
     if (choice == Choice::nearest)
-      return nearest_pair(left, right, shape, all.strips[right], thickness());
+      return nearest_pair(left, right, shape, at_start_.strips[right], thickness());
     return slit_detail::pair_of(left, right, shape,
                                 choice == Choice::left ? OnTop::left : OnTop::right);
   }
@@ -184,9 +198,8 @@ class Group {
   }
 
   /// How many pairs need the same space.
-  int run_together(const std::vector<StripPair>& pairs, const Shapes& shapes) const {
+  int run_together(const std::vector<StripPair>& pairs, const FoldedStrips& all) const {
     const double pressed = kPressed * thickness();
-    const FoldedStrips all = folded_strips(system_, shapes);
     return static_cast<int>(std::ranges::count_if(pairs, [&](const StripPair& pair) {
       const FoldedStrip &left = all.strips[pair.left], &right = all.strips[pair.right];
       return (is_beside(pair) && missing(pair, left, right, thickness()).most > pressed) ||
@@ -194,8 +207,7 @@ class Group {
     }));
   }
 
-  bool holds_all(const StripSystem& system, const Shapes& shapes) const {
-    const FoldedStrips all = folded_strips(system, shapes);
+  bool holds_all(const StripSystem& system, const Shapes& shapes, const FoldedStrips& all) const {
     for (int member = 0; member < system.count(); ++member) {
       const StripProblem& problem = system.strips[member];
       if (moves(member) &&
@@ -207,20 +219,13 @@ class Group {
   }
 
   /// Of the strips' length; 0 if it cannot be seen.
-  double missed_gap(const Shapes& shapes) const {
+  double missed_gap(const FoldedStrips& all) const {
     constexpr double kSeen = 1e-6;
     if (!coupling() || !coupling()->gap) return 0.0;
-    const double missed = gap_missed(folded_strips(system_, shapes).strips, *coupling()->gap) /
-                          system_.unit();
+    const double missed = gap_missed(all.strips, *coupling()->gap) / system_.unit();
     return missed > kSeen ? missed : 0.0;
   }
 
-  static void raise_contacts(StripSystem& system, const Eigen::VectorXd& values) {
-    for (int i = 0; i < std::ssize(system.contacts); ++i) {
-      double& multiplier = system.contacts[i].multiplier;
-      multiplier = std::max(0.0, multiplier + system.penalty * values[i]);
-    }
-  }
   void raise_multipliers(StripSystem& system, const Shapes& shapes,
                          const Eigen::VectorXd& values) const {
     raise_contacts(system, values);
@@ -233,22 +238,22 @@ class Group {
 
   /// What strips now violate; what they violated before keeps its multiplier.
   /// `share`: of the way from gaps as they were to those asked for.
-  void take_limits(StripSystem& system, const std::vector<StripPair>& pairs, const Shapes& shapes,
-                   double share) const {
+  void take_limits(StripSystem& system, Choice choice, std::vector<StripPair>& pairs,
+                   const Shapes& shapes, double share) const {
     std::map<std::pair<int, int>, std::vector<Contact>> before;
     for (Contact& contact : std::exchange(system.contacts, {}))
       before[std::minmax(contact.here.strip, contact.there.strip)].push_back(std::move(contact));
-    const FoldedStrips now = folded_strips(system_, shapes),
-                       at_start = folded_strips(system_, shapes_);
-    for (const StripPair& pair : pairs) {
+    const FoldedStrips now = folded_strips(system_, shapes);
+    for (StripPair& pair : pairs) {
       const FoldedStrip &left = now.strips[pair.left], &right = now.strips[pair.right];
       const std::vector<Contact>& known = before[{pair.left, pair.right}];
       // Strips that are not beside each other have nothing to do with each other until they meet.
       if (!is_beside(pair) && known.empty() && !now.cross(pair.left, pair.right)) continue;
+      if (pair.on_top.empty()) pair = pair_of(choice, pair.left, pair.right);
       std::vector<Contact> all = contacts_of(pair, left, right, thickness());
       if (coupling() && coupling()->gap && is_beside(pair)) {
-        const double at_first = gap_between(at_start.strips[pair.left],
-                                            at_start.strips[pair.right]);
+        const double at_first = gap_between(at_start_.strips[pair.left],
+                                            at_start_.strips[pair.right]);
         std::ranges::move(kept_gap(pair.left, pair.right, left, right,
                                    on_the_way(*coupling()->gap, at_first, share)),
                           std::back_inserter(all));
@@ -268,21 +273,14 @@ class Group {
     }
   }
 
-  static bool is_same(const Contact& a, const Contact& b) {
-    constexpr double kAlike = 0.5, kNear = 0.25;
-    const StripPoint::Share &first = a.here.shares.front(), &second = b.here.shares.front();
-    if (a.of_gap != b.of_gap || a.of_gap != GapLimit::none) return a.of_gap == b.of_gap;
-    return a.here.strip == b.here.strip && a.there.strip == b.there.strip &&
-           first.side == second.side && first.ridge == second.ridge &&
-           std::abs(first.weight - second.weight) < kNear && a.normal.dot(b.normal) > kAlike;
-  }
-
   const Snapshot& now_;
   const std::vector<int>& strips_;
   StripSystem system_;  ///< as it begins
   Pressing pressing_;   ///< from before, of the group's members
   Shapes shapes_;
-  double alone_ = 0.0;  ///< what the strips' objectives are before they are parted
+  FoldedStrips at_start_;
+  double undivided_ = 0.0;  ///< the strips' objectives before their quads were divided
+  double alone_ = 0.0;      ///< what the strips' objectives are before they are parted
 };
 
 /// Whether neighbours lie so that their bodies need the same space.
@@ -332,7 +330,8 @@ Parting best_parting(const Group& group, bool is_coupled, const DescentOptions& 
   int iterations = 0;
   const auto try_to = [&](Choice choice, bool from_before) {
     // On which side a strip lies has nothing to do with gaps where strips end.
-    const bool is_enough = best && (best->apart || (is_coupled && best->together == 0));
+    const bool is_enough = best && (best->apart || (is_coupled && best->together == 0)) &&
+                           !(choice == Choice::nearest && group.has_lost(*best));
     if (is_enough || (best && options.stop && options.stop())) return;
     Parting other = group.parted(choice, from_before, options);
     iterations += other.iterations;

@@ -178,6 +178,7 @@ void SlitSession::subdivide() {
     Slot slot = next.slot(strip);
     if (slot.p.size()) slot.p = subdivided(base_of(content_->now, strip), slot.p);
     slot.inequalities.clear();
+    slot.undivided = slot.state.objective;
     slot.state.status = StripStatus::open;
     next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
   }

@@ -173,6 +173,7 @@ FoldedSlitSheet folded_sheet(const Snapshot& now) {
 void reopen(Snapshot& now, int strip) {
   Slot slot = now.slot(strip);
   slot.state.status = StripStatus::open;
+  slot.undivided = 0.0;
   now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
 }
 

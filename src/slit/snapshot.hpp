@@ -20,6 +20,7 @@ struct Slot {
   StripState state;
   Eigen::AlignedBox3d box;  ///< of the folded strip
   bool touches = false;     ///< others keep it where it is
+  double undivided = 0.0;   ///< objective before its quads were divided; 0: not since it changed
 };
 
 /// Where strips of the sheet press each other, as they were last parted.

@@ -2,6 +2,7 @@
 
 #include "bend_energy.hpp"
 #include "first_shape.hpp"
+#include "snapshot.hpp"
 #include "strip_limits.hpp"
 #include "strip_start.hpp"
 
@@ -65,51 +66,115 @@ Course descended(const Task& task, Course course, int iterations, double toleran
 
 /// Going straight from a first shape to the places wanted leads into folds that no later step
 /// undoes; so the places first attract weakly, and need not be reached accurately.
-Course softly_descended(const Task& task, Course course) {
+Course drawn_softly(const Task& task, Course course, double softness) {
   constexpr int kSteps = 12;
   const SlitWeights given = course.problem.weights;
-  for (const double softness : {0.001, 0.1}) {
-    course.problem.weights.anchors = softness * given.anchors;
-    course.problem.weights.seat = softness * given.seat;
-    course.problem.weights.spread = softness * given.spread;
-    course.problem.weights.scan = softness * given.scan;
-    course = descended(task, std::move(course), kSteps, kRoughly);
-  }
+  course.problem.weights.anchors = softness * given.anchors;
+  course.problem.weights.seat = softness * given.seat;
+  course.problem.weights.spread = softness * given.spread;
+  course.problem.weights.scan = softness * given.scan;
+  course = descended(task, std::move(course), kSteps, kRoughly);
   course.problem.weights = given;
   return course;
 }
 
-/// The course from a first shape that has the least objective when it is roughly at rest: the
-/// conditions have many solutions, and which is least shows only there. The next best that is
-/// another shape is the runner-up.
-Course least_of(const Task& task, const StripProblem& problem,
-                const std::vector<StripParameters>& shapes) {
-  constexpr double kAnother = 0.02;  // of the energy: shapes roughly at rest differ less
-  std::vector<Course> courses;
+constexpr double kSoftly = 0.001, kLessSoftly = 0.1;
+
+Course softly_descended(const Task& task, Course course) {
+  return drawn_softly(task, drawn_softly(task, std::move(course), kSoftly), kLessSoftly);
+}
+
+/// Courses from first shapes, roughly at rest, the one of least objective first: the conditions
+/// have many solutions, and which is least shows only there.
+struct Courses {
+  std::vector<Course> all;
+  StripSolution nearest = {};            ///< if none ends where it must
+  std::optional<double> runner_up = {};  ///< energy of the next best that is another shape
+
+  void sort() {
+    std::ranges::stable_sort(all, {},
+                             [](const Course& course) { return course.solution.objective; });
+  }
+  void find_runner_up() {
+    constexpr double kAnother = 0.02;  // of the energy: shapes roughly at rest differ less
+    std::vector<double> energies;
+    for (const Course& course : all)
+      energies.push_back(bend_energy(course.problem, course.solution.p));
+    for (const double energy : energies)
+      if (!runner_up && std::abs(energy - energies.front()) > kAnother * energies.front())
+        runner_up = energy;
+  }
+};
+
+/// Many first shapes lead to the same one, which shows when they are hardly drawn yet.
+Courses courses_from(const Task& task, const StripProblem& problem,
+                     const std::vector<StripParameters>& shapes) {
+  constexpr double kAlike = 0.03;  // radians, of each fold
+  Courses courses;
+  std::vector<Eigen::VectorXd> begun;
   Found nearest;
   for (const StripParameters& shape : shapes) {
-    const bool has_one = !courses.empty() || nearest.solution.p.size() > 0;
+    const bool has_one = !courses.all.empty() || nearest.solution.p.size() > 0;
     if (has_one && task.stopped()) break;
     Found found = met_from(problem, shape, {});
     if (!found.met()) {
       if (found.violation < nearest.violation) nearest = std::move(found);
       continue;
     }
-    Course course = softly_descended(task, {problem, std::move(found.solution)});
-    course = descended(task, std::move(course), kStepsOfRound, kRoughly);
-    courses.push_back(std::move(course));
+    Course course = drawn_softly(task, {problem, std::move(found.solution)}, kSoftly);
+    const Eigen::VectorXd folds = course.solution.p.head(problem.base.quads);
+    if (std::ranges::any_of(begun, [&](const Eigen::VectorXd& other) {
+          return (folds - other).cwiseAbs().maxCoeff() < kAlike;
+        }))
+      continue;
+    begun.push_back(folds);
+    course = drawn_softly(task, std::move(course), kLessSoftly);
+    courses.all.push_back(descended(task, std::move(course), kStepsOfRound, kRoughly));
   }
-  if (courses.empty()) return {problem, std::move(nearest.solution)};
-  std::ranges::sort(courses, {}, [](const Course& course) { return course.solution.objective; });
-  Course& best = courses.front();
+  courses.nearest = std::move(nearest.solution);
+  courses.sort();
+  courses.find_runner_up();
+  return courses;
+}
+
+/// With half as many quads, each of two.
+StripProblem halved(StripProblem problem) {
+  problem.base.quads /= 2;
+  for (StripAnchor& anchor : problem.anchors)
+    anchor.ridge = (anchor.ridge + 1) / 2;
+  return problem;
+}
+
+/// Of a fine strip the first courses are those of a coarse one: its shapes differ as much, and cost
+/// less.
+Courses first_courses(const Task& task, const StripProblem& problem) {
+  constexpr int kCoarse = 16;
+  constexpr double kWorthwhile = 1.1;  // of the least objective; finer strips differ by less
+  if (problem.base.quads < kCoarse || problem.base.quads % 2 != 0)
+    return courses_from(task, problem, first_shapes(problem));
+  const StripProblem coarse = halved(problem);
+  Courses before = first_courses(task, coarse), courses;
+  for (Course& course : before.all) {
+    if (course.solution.objective > kWorthwhile * before.all.front().solution.objective) break;
+    if (!courses.all.empty() && task.stopped()) break;
+    Found found = met_from_before(problem, subdivided(coarse.base, course.solution.p));
+    if (!found.met()) continue;
+    course.problem = problem;
+    course.solution.p = std::move(found.solution.p);
+    courses.all.push_back(descended(task, std::move(course), kStepsOfRound, kRoughly));
+  }
+  if (courses.all.empty()) return courses_from(task, problem, first_shapes(problem));
+  courses.sort();
+  courses.runner_up = before.runner_up;
+  return courses;
+}
+
+Course least_of(const Task& task, const StripProblem& problem) {
+  Courses courses = first_courses(task, problem);
+  if (courses.all.empty()) return {problem, std::move(courses.nearest)};
+  Course& best = courses.all.front();
   best.descended = 0;
-  const double least = bend_energy(problem, best.solution.p);
-  for (const Course& course : courses) {
-    const double energy = bend_energy(problem, course.solution.p);
-    if (std::abs(energy - least) <= kAnother * least) continue;
-    best.solution.runner_up = energy;
-    break;
-  }
+  best.solution.runner_up = courses.runner_up;
   return std::move(best);
 }
 
@@ -118,14 +183,13 @@ Course least_of(const Task& task, const StripProblem& problem,
 Course begun(const Task& task, StripProblem problem, const StripParameters& from) {
   Found found = met_from_before(problem, from);
   if (found.met()) return {std::move(problem), std::move(found.solution)};
-  const std::vector<StripParameters> shapes = first_shapes(problem);
   if (problem.objective == SlitObjective::energy) {
     const StripLoad load = std::exchange(problem.load, {});
-    Course course = least_of(task, problem, shapes);
+    Course course = least_of(task, problem);
     course.problem.load = load;
     return course;
   }
-  for (const StripParameters& shape : shapes) {
+  for (const StripParameters& shape : first_shapes(problem)) {
     found = met_from(problem, shape, std::move(found));
     if (found.met()) return softly_descended(task, {std::move(problem), std::move(found.solution)});
   }

@@ -66,20 +66,27 @@ Found met_from(const StripProblem& problem, const StripParameters& from, Found b
 
 namespace {
 
-/// The subdivided shape is smoothed more and more, and the one of least objective taken: in fine
-/// strips the slightest unevenness outweighs everything else, and removing it step by step would
-/// crease them.
-Found met_from_divided(const StripProblem& problem, StripParameters from) {
+/// Of shapes with the subdivided one's folds that of least objective: new ridges take more and more
+/// of their neighbours' folds, then folds are smoothed more and more. Removing the unevenness of
+/// folds step by step would crease fine strips, in which it outweighs everything else; but shares
+/// of folds about ridges of much different directions lead the end away.
+Found met_from_divided(const StripProblem& problem, const StripParameters& divided) {
   Found last;
   std::optional<Found> best;
-  constexpr int kPasses = 6;
-  for (int pass = 0; pass < kPasses; ++pass, from = smoothed(problem.base, from)) {
+  const auto see = [&](const StripParameters& from) {
     last.violation = std::numeric_limits<double>::infinity();
     last = met_from(problem, from, std::move(last));
-    if (!last.met()) continue;
+    if (!last.met()) return;
     last.solution.objective = objective(problem, last.solution.p);
     if (!best || last.solution.objective < best->solution.objective) best = last;
-  }
+  };
+  constexpr int kShares = 4, kPasses = 6;
+  StripParameters from = shared_out(problem.base, divided);
+  if (problem.objective == SlitObjective::energy)
+    for (int share = 0; share < kShares; ++share)
+      see(divided + static_cast<double>(share) / kShares * (from - divided));
+  for (int pass = 0; pass < kPasses; ++pass, from = smoothed(problem.base, from))
+    see(from);
   return best ? *best : last;
 }
 
@@ -88,8 +95,7 @@ Found met_from_divided(const StripProblem& problem, StripParameters from) {
 Found met_from_before(const StripProblem& problem, const StripParameters& from) {
   if (from.size() != problem.parameters()) return {};
   Found found;
-  if (just_divided(problem.base, from))
-    found = met_from_divided(problem, shared_out(problem.base, from));
+  if (just_divided(problem.base, from)) found = met_from_divided(problem, from);
   return found.met() ? found : met_from(problem, from, std::move(found));
 }
 

@@ -27,25 +27,32 @@ Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes) 
   for (int strip = 0; strip < system.count(); ++strip)
     folds.push_back(folded(system.strips[strip].base, shapes[strip]));
   Eigen::VectorXd values(std::ssize(system.contacts));
+  const ContactMeasure measure(system);
   for (int i = 0; i < std::ssize(system.contacts); ++i) {
     const Contact& contact = system.contacts[i];
-    values[i] = violation(
-        system, contact,
-        contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
+    values[i] = measure.violation(contact, contact.here.in(folds[contact.here.strip]) -
+                                               contact.there.in(folds[contact.there.strip]));
   }
   return values;
 }
 
-double violation(const StripSystem& system, const Contact& contact, const Vec3& apart) {
-  return (contact.offset - direction_of(contact, apart).dot(apart)) / system.unit();
+double ContactMeasure::violation(const Contact& contact, const Vec3& apart) const {
+  return (contact.offset - direction_of(contact, apart).dot(apart)) / unit;
 }
 Vec3 direction_of(const Contact& contact, const Vec3& apart) {
   const bool turns = contact.of_gap == GapLimit::most && !apart.isZero(0.0);
   return turns ? Vec3(-apart.normalized()) : contact.normal;
 }
-double counted(const StripSystem& system, const Contact& contact, const Vec3& apart) {
-  if (system.penalty == 0.0) return 0.0;
-  return std::max(0.0, violation(system, contact, apart) + contact.multiplier / system.penalty);
+double ContactMeasure::counted(const Contact& contact, const Vec3& apart) const {
+  if (penalty == 0.0) return 0.0;
+  return std::max(0.0, violation(contact, apart) + contact.multiplier / penalty);
+}
+
+void raise_contacts(StripSystem& system, const Eigen::VectorXd& values) {
+  for (int i = 0; i < std::ssize(system.contacts); ++i) {
+    double& multiplier = system.contacts[i].multiplier;
+    multiplier = std::max(0.0, multiplier + system.penalty * values[i]);
+  }
 }
 
 Vec3 Bond::difference(const std::vector<StripFold>& folds) const {
@@ -63,9 +70,10 @@ double objective_of(const StripSystem& system, const Shapes& shapes) {
     if (!system.contacts.empty() || !system.bonds.empty())
       folds.push_back(folded(system.strips[strip].base, shapes[strip]));
   }
+  const ContactMeasure measure(system);
   for (const Contact& contact : system.contacts) {
-    const double violated = counted(
-        system, contact,
+    const double violated = measure.counted(
+        contact,
         contact.here.in(folds[contact.here.strip]) - contact.there.in(folds[contact.there.strip]));
     sum += 0.5 * system.penalty * violated * violated;
   }

@@ -58,15 +58,27 @@ struct StripSystem {
 
 using Shapes = std::vector<StripParameters>;  ///< of the strips of a system
 
-/// By how much a contact is violated, in units of the system, if its points are that far apart;
-/// with what its multiplier adds, at least 0.
-double violation(const StripSystem& system, const Contact& contact, const Vec3& apart);
 /// The direction in which a contact acts if its points are that far apart.
 Vec3 direction_of(const Contact& contact, const Vec3& apart);
-double counted(const StripSystem& system, const Contact& contact, const Vec3& apart);
+
+/// How contacts of a system count, whose unit is a sum over its strips: found once for all of them.
+struct ContactMeasure {
+  explicit ContactMeasure(const StripSystem& system)
+      : penalty(system.penalty), unit(system.unit()) {}
+
+  /// By how much a contact is violated, in units of the system, if its points are that far apart.
+  double violation(const Contact& contact, const Vec3& apart) const;
+  /// With what its multiplier adds, at least 0.
+  double counted(const Contact& contact, const Vec3& apart) const;
+
+  double penalty = 0.0, unit = 0.0;
+};
 
 /// Violations of the contacts, negative where they hold.
 Eigen::VectorXd contact_values(const StripSystem& system, const Shapes& shapes);
+
+/// Multipliers of contacts as a round leaves them, by what is violated at its end.
+void raise_contacts(StripSystem& system, const Eigen::VectorXd& values);
 
 /// The sum of the objectives of strips that move, the cost of bonds and the penalty of contacts;
 /// infinite where there is no shape.

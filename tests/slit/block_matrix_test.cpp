@@ -51,9 +51,15 @@ Eigen::MatrixXd dense(const BlockMatrix& matrix) {
     };
     put(row, row, matrix.on_diagonal(row));
     for (const BlockMatrix::Coupling& beside : matrix.beside(row)) {
-      const Eigen::MatrixXd block = beside.of_row * beside.of_column.transpose();
-      put(row, beside.column, block);
-      put(beside.column, row, block.transpose());
+      const auto columns = [&](const BlockMatrix::Part& part) -> Eigen::MatrixXd {
+        return matrix.face(part.row).middleCols(part.first, part.count);
+      };
+      const Eigen::MatrixXd block = columns(beside.low) * beside.middle *
+                                    columns(beside.high).transpose();
+      all.block(matrix.begin(row), matrix.begin(beside.high.row), block.rows(),
+                block.cols()) += block;
+      all.block(matrix.begin(beside.high.row), matrix.begin(row), block.cols(),
+                block.rows()) += block.transpose();
     }
   }
   return all;

@@ -310,7 +310,7 @@ TEST(SlitSession, GoesOnWhereABudgetStoppedIt) {
   ASSERT_TRUE(session.solve({.max_iterations = 4}));
   int calls = 1;
   for (; calls < 100; ++calls)
-    if (session.solve({.max_iterations = 20})->converged) break;
+    if (session.solve({.max_iterations = 5})->converged) break;
   EXPECT_GT(calls, 1);
   EXPECT_LT(calls, 100);
   for (int strip = 0; strip < 6; ++strip)

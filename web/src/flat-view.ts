@@ -6,6 +6,7 @@ import { fill, paintSheet, strokeBendLinesOf, strokeEdges } from './flat-paint.t
 import { emptyScene, inPattern, onScreen, type FlatScene, type Lie } from './flat-scene.ts';
 import { dimensionBlank, markFindings, writeLabels } from './flat-text.ts';
 import { drawnInSoftware } from './graphics.ts';
+import { gripUnder, paintGrips, type Grip, type Grips } from './grips.ts';
 import { labelPlaces, type Place } from './label-places.ts';
 import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
 import type { MeasuringEvents } from './measure/events.ts';
@@ -26,6 +27,13 @@ export interface FlatEvents extends MeasuringEvents {
   describe: (picked: PickedInFlat) => string;
   zoomed: () => void;
   hover: (under: PickedLine | null) => void;
+  /** Curves of the sheet that can be changed here. */
+  grips: () => Grips;
+  pickGrip: (grip: Grip) => void;
+  dragGrip: (grip: Grip, at: Vec2, event: number) => void;
+  dragEnd: () => void;
+  /** A grip was clicked twice. */
+  addGrip: (grip: Grip) => void;
 }
 
 /** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
@@ -40,7 +48,7 @@ export class FlatView {
   private marks: FindingMark[] = [];
   private fitted = true;
   private frame = 0;
-  private press: { x: number; y: number; moved: boolean } | null = null;
+  private press: { x: number; y: number; moved: boolean; grip: Grip | null } | null = null;
 
   private hover: PointerEvent | null = null; // that is still to be looked at
   private hovered: PickedLine | null = null;
@@ -65,7 +73,7 @@ export class FlatView {
     const other = scene.shape !== this.scene.shape;
     this.scene = scene;
     if (other) this.measure();
-    if (other && this.fitted) this.fit();
+    if (other && this.fitted && !this.press?.grip) this.fit();
     this.draw();
   }
 
@@ -98,23 +106,33 @@ export class FlatView {
   private listen() {
     const canvas = this.canvas;
     canvas.addEventListener('pointerdown', (e) => {
-      this.press = { x: e.clientX, y: e.clientY, moved: false };
+      const grip = this.gripAt(e);
+      this.press = { x: e.clientX, y: e.clientY, moved: false, grip };
       canvas.setPointerCapture(e.pointerId);
+      if (grip) this.on.pickGrip(grip);
     });
     canvas.addEventListener('pointermove', (e) => {
       if (!this.press) return this.lookUnder(e);
       const dx = e.clientX - this.press.x,
         dy = e.clientY - this.press.y;
       if (!this.press.moved && Math.hypot(dx, dy) < 4) return;
-      this.press = { x: e.clientX, y: e.clientY, moved: true };
+      const { grip } = this.press;
+      if (grip) {
+        this.press.moved = true; // from where it was taken
+        const by = this.lie.scale;
+        return this.on.dragGrip(grip, [grip.at[0] + dx / by, grip.at[1] - dy / by], e.timeStamp);
+      }
+      this.press = { x: e.clientX, y: e.clientY, moved: true, grip };
       const { scale, offset } = this.lie;
       this.lie = { scale, offset: [offset[0] + dx, offset[1] + dy] };
       this.fitted = false;
       this.draw();
     });
     canvas.addEventListener('pointerup', (e) => {
-      if (this.press && !this.press.moved) this.clicked(e);
+      const { press } = this;
       this.press = null;
+      if (press?.grip) return press.moved ? this.on.dragEnd() : undefined;
+      if (press && !press.moved) this.clicked(e);
     });
     canvas.addEventListener(
       'wheel',
@@ -139,7 +157,17 @@ export class FlatView {
       this.on.hover(null);
       this.on.measureHover(null);
     });
-    canvas.addEventListener('dblclick', () => this.fit());
+    canvas.addEventListener('dblclick', (e) => {
+      const grip = this.gripAt(e);
+      if (grip) this.on.addGrip(grip);
+      else this.fit();
+    });
+  }
+
+  private gripAt(e: MouseEvent): Grip | null {
+    if (this.on.measured()) return null;
+    const r = this.canvas.getBoundingClientRect();
+    return gripUnder(this.on.grips(), this.lie, [e.clientX - r.left, e.clientY - r.top]);
   }
 
   private clicked(e: PointerEvent) {
@@ -263,8 +291,9 @@ export class FlatView {
 
   private paintAbove(c: CanvasRenderingContext2D): boolean {
     const lit = this.paintHovered(c),
+      gripped = paintGrips(c, this.on.grips(), this.lie, this.scene.palette),
       measured = this.on.paintAbove(c, ([x, y]) => onScreen(this.lie, x, y));
-    return lit || measured;
+    return lit || gripped || measured;
   }
 
   private paintHovered(c: CanvasRenderingContext2D): boolean {

@@ -10,7 +10,7 @@ import { drawsPage } from './drawing.ts';
 import { giveUp, isGivenUp } from './holding.ts';
 import { keepHistory, keepOrder } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
-import { removeAnchor, removePoint } from './edits/slit.ts';
+import { withoutChosen } from './edits/flat-curves.ts';
 import { MeasureKeys } from './measure/keys.ts';
 import { escapeMeasuring, measureList } from './panels/measures.ts';
 import { flatDetail, flatText, foldedDetail, foldedText } from './described.ts';
@@ -339,8 +339,7 @@ function escape(target: HTMLElement) {
 function removeChosen() {
   const { anchor, plate, point } = store.state.selection,
     { spec } = store.state.input;
-  if (point) ui.edit<SlitSpec>((s) => removePoint(s, point.curve, point.index));
-  else if (anchor !== null) ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
+  if (point || anchor !== null) ui.edit<SlitSpec>((s) => withoutChosen(s, point, anchor));
   else if (plate !== null && (spec as PlatesSpec).plates.length > 1) ui.edit<PlatesSpec>((s) => removePlate(s, plate));
   else return;
   store.dispatch({ type: 'select', selection: {} });

@@ -186,6 +186,8 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
     shapeIsDraft: draft,
     bodies: draft ? state.bodies : withStatus(state, shape),
     result: draft ? state.result : shown,
+    resultOf: draft ? state.resultOf : state.input,
+    earlier: !state.result ? null : draft || state.resultOf === state.input ? state.earlier : state.result,
     problem: shape.report.status === 'refused' ? shape.report.reason : null,
     note: shape.report.status === 'refused' ? null : state.note,
     stale,

@@ -11,7 +11,7 @@ import type {
   Spec,
   Vec2,
 } from './types.ts';
-import type { CurveName } from './edits/slit-types.ts';
+import type { CurveName, FlatCurveName } from './edits/slit-types.ts';
 import type { Bodies, BodyStatus } from './bodies.ts';
 import type { Recent } from './recents.ts';
 import { noOrder, type OrderAction, type OrderState } from './order-state.ts';
@@ -52,7 +52,7 @@ export interface Selection {
   plate: string | null;
   anchor: number | null;
   strip: number | null;
-  point: { curve: CurveName; index: number } | null;
+  point: { curve: CurveName | FlatCurveName; index: number } | null;
   finding: number | null;
 }
 
@@ -80,6 +80,8 @@ export interface State extends History {
   shapeIsDraft: boolean;
   shapeOf: string; // the body and the piece that the shape is of
   bodies: Bodies;
+  resultOf: Input | null; // of the last whole one
+  earlier: Shape | null; // the whole one before the last change, with which it is compared
   result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
   known: Report | null; // the last report with a pattern
   selection: Selection;
@@ -171,6 +173,8 @@ export function initialState(theme: Theme): State {
     shapeOf: '',
     bodies: {},
     result: null,
+    resultOf: null,
+    earlier: null,
     known: null,
     selection: nothing,
     hidden: [],

@@ -2,9 +2,11 @@ import { refusedPlaces, refusedSolid } from './refused-solid.ts';
 import type { Matrix4 } from 'three';
 import { Vector3 } from 'three';
 import { movePlate } from './edits/connect.ts';
+import { addFlatPoint, flatCurves, moveFlatPoint } from './edits/flat-curves.ts';
 import { addAnchor, moveAnchor } from './edits/slit.ts';
 import { FlatView, type PickedInFlat, type PickInFlat } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
+import { noGrips, type Grips } from './grips.ts';
 import type { RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
 import { Measuring } from './measure/measuring.ts';
@@ -18,7 +20,8 @@ import { readPalette } from './theme.ts';
 import type { MeasuringEvents } from './measure/events.ts';
 import type { MeasuredView } from './measure/things.ts';
 import type { PlatesSpec } from './edits/plates-types.ts';
-import type { Shape, Vec3 } from './types.ts';
+import type { Shape, Vec2, Vec3 } from './types.ts';
+import { turnedPlace } from './orientation.ts';
 import type { SlitSpec } from './edits/slit-types.ts';
 import type { Ui } from './ui.ts';
 import { millimetres } from './units.ts';
@@ -60,6 +63,14 @@ export class Views {
       pick: (picked, facet) => this.pickInFlat(picked, facet),
       describe: (picked) => this.describe(picked),
       hover: (under) => this.light(under),
+      grips: () => this.grips(),
+      pickGrip: ({ curve, index }) => this.ui.dispatch({ type: 'select', selection: { point: { curve, index } } }),
+      dragGrip: ({ curve, index }, at, event) => {
+        this.dragged(event);
+        this.ui.edit<SlitSpec>((s) => moveFlatPoint(s, curve, index, this.onSheet(at)), true);
+      },
+      dragEnd: () => this.ui.commit(),
+      addGrip: ({ curve, index }) => this.ui.edit<SlitSpec>((s) => addFlatPoint(s, curve, index)),
       ...this.measuringIn('flat'),
       zoomed,
     });
@@ -139,6 +150,7 @@ export class Views {
       state.document !== before.document
     )
       this.folded.setOverlay(this.overlay(state));
+    if (state.input !== before.input || state.selection !== before.selection) this.flat.drawAbove();
     if (state.shape && state.shape !== before.shape) this.show(state.shape);
     else if (!state.shape && (state.problem !== before.problem || state.input !== before.input)) {
       if (!this.showRefused(state, this.shown !== shownOf(state))) return;
@@ -185,6 +197,37 @@ export class Views {
       units: state.units,
       palette: this.palette,
     });
+  }
+
+  /** Slits and outline of a slit sheet, where they lie in the pattern that is shown. */
+  private grips(): Grips {
+    const { input, document, selection, shape } = this.ui.state;
+    if (document?.kind !== 'slit' || !input.spec || !shape) return noGrips;
+    const spec = input.spec as SlitSpec,
+      scale = millimetres(spec.units),
+      placed = (points: Vec2[]) => points.map(([x, y]) => turnedPlace([x * scale, y * scale], shape.turn)),
+      curves = flatCurves(spec).map(({ name, control, drawn }) => {
+        const at = placed(control);
+        return { name, control: at, drawn: drawn === control ? at : placed(drawn) };
+      });
+    return {
+      curves,
+      grips: curves.flatMap(({ name, control }) =>
+        control.map((at, index) => ({
+          curve: name,
+          index,
+          at,
+          chosen: selection.point?.curve === name && selection.point.index === index,
+        })),
+      ),
+    };
+  }
+
+  /** A place of the pattern that is shown as one of the sheet, in its unit. */
+  private onSheet(at: Vec2): Vec2 {
+    const { input, shape } = this.ui.state,
+      scale = millimetres((input.spec as SlitSpec).units);
+    return turnedPlace(at, (4 - (shape?.turn ?? 0)) % 4).map((v) => v / scale) as Vec2;
   }
 
   private overlay(state: State) {

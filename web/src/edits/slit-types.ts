@@ -31,3 +31,5 @@ export type {
 };
 export type PanelName = 'leg' | 'second';
 export type CurveName = PanelName | 'seat';
+/** A slit or a part of the outline, by its number, on the flat sheet. */
+export type FlatCurveName = `${'slits' | 'outline'}-${number}`;

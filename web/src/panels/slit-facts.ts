@@ -5,7 +5,7 @@ import { bendingColours } from '../curvature.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
 import { energyText, energyUnit, materialOf } from './loads.ts';
-import { standingText } from './standing-text.ts';
+import { compared, standingText } from './standing-text.ts';
 import './slit-facts.css';
 
 /** Colours a slit sheet by how sharply it is bent. */
@@ -30,24 +30,35 @@ export function slitFacts(ui: Ui) {
     slit = state.shape?.report.slit;
   if (!slit || state.document?.kind !== 'slit') return nothing;
   const spec = state.input.spec as SlitSpec,
-    before = state.shapeIsDraft ? state.result?.report.slit : null;
+    before = (state.shapeIsDraft ? state.result : state.earlier)?.report.slit ?? null;
   return html`<div class="slit-facts" data-testid="slit-facts">
     ${state.view.bending ? scale(ui, slit, spec) : nothing}
-    <span data-testid="energy">${energySaid(slit, before ?? null, spec)}</span>${standingText(slit).map(
-      (said) => html`<span data-testid="standing">${said}</span>`,
-    )}
+    <span data-testid="energy">${energySaid(slit, before, spec)}</span>
+    <span data-testid="least-radius">${radiusSaid(ui, slit, before)}</span>
+    ${standingText(slit, before).map((said) => html`<span data-testid="standing">${said}</span>`)}
   </div>`;
 }
 
-const energySaid = (now: ReportSlit, before: ReportSlit | null, spec: SlitSpec) =>
-  `energy ${energyText(energyOf(now), spec)} ${energyUnit(spec)}` +
-  (before ? ` (before ${energyText(energyOf(before), spec)})` : '');
+function energySaid(now: ReportSlit, before: ReportSlit | null, spec: SlitSpec) {
+  const text = (slit: ReportSlit) => energyText(energyOf(slit), spec);
+  return `energy ${compared(text(now), before && text(before))} ${energyUnit(spec)}`;
+}
+
+/** Nothing of a flat sheet. */
+function radiusSaid(ui: Ui, now: ReportSlit, before: ReportSlit | null) {
+  const text = (slit: ReportSlit) => lengthText(radiusOf(slit), ui.state.shape?.report.units, ui.state.units),
+    was = before && Number.isFinite(radiusOf(before)) ? text(before) : null;
+  return Number.isFinite(radiusOf(now)) ? `least radius ${compared(text(now), was)} ${unitName(ui.state.units)}` : '';
+}
+
+const radiusOf = ({ strips }: ReportSlit) => Math.min(...strips.map((s) => s.min_radius ?? Infinity));
 
 const energyOf = ({ strips }: ReportSlit) => strips.reduce((sum, { energy }) => sum + energy, 0);
 
 /** From flat to the sharpest bend, with its radius and, where the material is known, its stress. */
-function scale(ui: Ui, { strips }: ReportSlit, spec: SlitSpec) {
-  const radius = Math.min(...strips.map((s) => s.min_radius ?? Infinity)),
+function scale(ui: Ui, slit: ReportSlit, spec: SlitSpec) {
+  const radius = radiusOf(slit),
+    { strips } = slit,
     stress = Math.max(...strips.map((s) => s.stress ?? 0)),
     limit = materialOf(spec)?.yield;
   return html`<span class="scale" data-testid="bending-scale"

@@ -13,8 +13,16 @@ import {
   stripsOf,
   uniform,
 } from '../edits/strips.ts';
+import {
+  addFlatPoint,
+  flatCurves,
+  isFlatCurve,
+  moveFlatPoint,
+  removeSlit,
+  withCurvedSlits,
+} from '../edits/flat-curves.ts';
 import type { LengthUnit, Vec3 } from '../types.ts';
-import type { SlitSpec, StripEnd, StripSpec } from '../edits/slit-types.ts';
+import type { FlatCurveName, SlitSpec, StripEnd, StripSpec } from '../edits/slit-types.ts';
 import { lengthText, millimetres } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { block } from './blocks.ts';
@@ -27,8 +35,9 @@ type Change = (change: (s: SlitSpec) => SlitSpec) => void;
  * end.
  */
 export function stripFields(ui: Ui, spec: SlitSpec) {
-  if (spec.slits) return html`<p class="hint">Slits are curves: change them in the file.</p>`;
+  if (spec.slits) return curvedSlits(ui, spec);
   const edit: Change = (change) => ui.edit<SlitSpec>(change),
+    curved = withCurvedSlits(spec),
     own = typeof spec.sheet.strips !== 'number',
     strips = stripsOf(spec.sheet);
   return html` ${choice(
@@ -69,7 +78,68 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
     min: 0,
     placeholder: '0',
     on: (v) => edit((s) => setMargin(s, v ?? 0)),
-  })}`;
+  })}
+  ${curved
+    ? html`<p class="row">
+        <button class="link" data-testid="slits-curved" @click=${() => edit(() => curved)}>
+          Draw the slits as curves
+        </button>
+      </p>`
+    : nothing}`;
+}
+
+/** Slits that are changed in the flat view, by their points. */
+function curvedSlits(ui: Ui, spec: SlitSpec) {
+  const { point } = ui.state.selection,
+    chosen = point && isFlatCurve(point.curve) ? { name: point.curve, index: point.index } : null,
+    curve = chosen && flatCurves(spec).find(({ name }) => name === chosen.name),
+    at = curve?.control[chosen!.index];
+  if (!chosen || !curve || !at)
+    return html`<p class="hint" data-testid="slit-point">
+      Slits are curves: drag their points in the flat view. A double click on one adds a point, Delete removes one.
+    </p>`;
+  const [list, number] = chosen.name.split('-') as [string, string],
+    edit: Change = (change) => ui.edit<SlitSpec>(change);
+  return html`<p class="hint" data-testid="slit-point">
+      ${list === 'slits' ? 'Slit' : 'Part of the outline'} ${Number(number) + 1}, point ${chosen.index + 1}
+    </p>
+    ${(['along', 'across'] as const).map((axis, k) =>
+      lengthField(ui, {
+        label: axis === 'along' ? 'Along the sheet' : 'Across it',
+        testid: `slit-${axis}`,
+        value: at[k]!,
+        from: spec.units,
+        on: (v) =>
+          v !== null && edit((s) => moveFlatPoint(s, chosen.name, chosen.index, k === 0 ? [v, at[1]] : [at[0], v])),
+      }),
+    )}
+    ${pointButtons(ui, spec, chosen)}`;
+}
+
+function pointButtons(ui: Ui, spec: SlitSpec, chosen: { name: FlatCurveName; index: number }) {
+  const [list, number] = chosen.name.split('-') as [string, string],
+    edit: Change = (change) => ui.edit<SlitSpec>(change);
+  return html`<p class="row">
+    <button
+      class="link"
+      data-testid="slit-raise"
+      @click=${() => edit((s) => addFlatPoint(s, chosen.name, chosen.index))}
+    >
+      + point
+    </button>
+    ${list === 'slits' && spec.slits!.length > 1
+      ? html`<button
+          class="link"
+          data-testid="slit-remove"
+          @click=${() => {
+            edit((s) => removeSlit(s, Number(number)));
+            ui.dispatch({ type: 'select', selection: {} });
+          }}
+        >
+          Remove the slit
+        </button>`
+      : nothing}
+  </p>`;
 }
 
 /** Whether the ends of strips can be placed. */

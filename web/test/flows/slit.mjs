@@ -106,11 +106,54 @@ export async function scan({ page }) {
   after.forEach((d) => assert.ok(d < 2, `the scans lie ${after} mm from their strips`));
 }
 
+/** Slits that are curves: made from straight ones, dragged on the flat pattern, with a point more and a point less. */
+export async function curves({ page }) {
+  await open(page, [coarse(page, 'chair.json')]);
+  await page.click('[data-testid=slits-curved]');
+  await rested(page);
+  assert.equal(await state(page, 's.problem'), null);
+  const slit = () => state(page, 's.input.spec.slits[1].bezier'),
+    before = await slit(),
+    area = await state(page, 's.shape.report.flat.area');
+  assert.deepEqual(before[1], [574.667, 120]);
+  const grip = await state(page, 'views.flat.project([574.667, 120])');
+  await drag(page, grip, { x: 0, y: -4 }, 12);
+  await rested(page);
+  assert.equal(await state(page, 's.problem'), null);
+  const after = await slit();
+  assert.ok(after[1][1] > 121 && Math.abs(after[1][0] - before[1][0]) < 1, `dragged to ${after[1]}`);
+  assert.deepEqual(await state(page, 's.selection.point'), { curve: 'slits-1', index: 1 });
+  const now = await state(page, 's.shape.report.flat.area');
+  assert.ok(Math.abs(now - area) < 1e-6 * area, 'a slit without width takes nothing away');
+  assert.match(await page.textContent('[data-testid=energy]'), /energy [\d.]+ → [\d.]+/);
+  assert.match(await page.textContent('[data-testid=least-radius]'), /least radius/);
+  await page.screenshot({ path: '/tmp/planish-slit-curves.png' });
+  await page.click('[data-testid=slit-raise]');
+  await rested(page);
+  assert.equal((await slit()).length, 5);
+  await page.keyboard.press('Delete');
+  await rested(page);
+  assert.equal((await slit()).length, 4);
+  const end = await state(page, 'views.flat.project([884, 120])');
+  await drag(page, end, { x: -9, y: -3 }, 6);
+  await rested(page);
+  const [x, y] = (await slit())[3];
+  assert.ok(x === 884 && y > 121, `the slit ends with the strips, at ${x}, ${y}`);
+  const moved = await state(page, `views.flat.project([${x}, ${y}])`);
+  await page.mouse.dblclick(moved.x, moved.y);
+  await rested(page);
+  assert.equal((await slit()).length, 5);
+  for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
+  await rested(page);
+  assert.equal(await state(page, 's.input.spec.slits'), undefined);
+  assert.equal(await state(page, 's.input.spec.sheet.strips'), 6);
+}
+
 /** Under weight and loads: what is said beside the picture, the colours, a strip that is pulled and let go. */
 export async function loads({ page }) {
   await open(page, [coarse(page, 'stool.json')]);
   const facts = () => page.textContent('[data-testid=slit-facts]');
-  assert.match(await facts(), /energy [\d.]+ J\s*stands, may be tilted by 1\d\.\d°/);
+  assert.match(await facts(), /energy [\d.]+ J\s*least radius [\d.]+ mm\s*stands, may be tilted by 1\d\.\d°/);
   await page.click('[data-testid=bending]');
   assert.match(await page.textContent('[data-testid=bending-scale]'), /radius 2\d\d\.?\d* mm, \d+ N\/mm² of 1100/);
   const end = await state(
