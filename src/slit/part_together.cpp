@@ -29,7 +29,7 @@ constexpr double kSofter = 1.0 / 16.0;  // where strips go on: their multipliers
 constexpr double kLessViolated = 0.25;  // than in the round before, else the penalty grows
 constexpr int kMostRounds = 12, kRoundsOfCoupled = 30, kStepsOfRound = 20;
 constexpr int kRoundsOfGap = 8;  // in which gaps go from what they are to what they should be
-constexpr double kFine = 1e-5;
+constexpr double kFine = 1e-6, kFineOfCoupled = 1e-5;
 constexpr double kWorth = 20.0;  // times the objective that parting may cost
 
 /// Which strip of a pair lies on the other.
@@ -108,8 +108,9 @@ class Group {
                                  : kFirstPenalty;
     if (from_before) system.contacts = pressing_.contacts;
     std::vector<StripPair> pairs = pairs_of(choice);
-    const DescentOptions of_round{kStepsOfRound, std::max(options.function_tolerance, kFine),
-                                  options.stop};
+    const DescentOptions of_round{
+        kStepsOfRound, std::max(options.function_tolerance, coupling() ? kFineOfCoupled : kFine),
+        options.stop};
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < (coupling() ? kRoundsOfCoupled : kMostRounds); ++round) {
       if (options.stop && options.stop()) break;
