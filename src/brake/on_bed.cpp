@@ -319,7 +319,7 @@ const std::vector<DemandPtr>& Wanted::ways(StageCache& cache) {
       continue;
     stroke_->choice.punch = pair.punch;
     stroke_->choice.die = pair.die;
-    if (check(cache, stroke_->formed, stroke_->choice).feasible)
+    if (can_be_made(cache, stroke_->formed, stroke_->choice))
       ways_.push_back(std::make_shared<Demand>(demand_of(cache, *stroke_, ways_.front()->stroke)));
   }
   stroke_.reset();

@@ -29,7 +29,7 @@ constexpr double kSofter = 1.0 / 16.0;  // where strips go on: their multipliers
 constexpr double kLessViolated = 0.25;  // than in the round before, else the penalty grows
 constexpr int kMostRounds = 12, kRoundsOfCoupled = 30, kStepsOfRound = 20;
 constexpr int kRoundsOfGap = 8;  // in which gaps go from what they are to what they should be
-constexpr double kFine = 1e-6, kFineOfCoupled = 1e-5;
+constexpr double kFine = 1e-8, kFineOfCoupled = 1e-5;
 constexpr double kWorth = 20.0;  // times the objective that parting may cost
 
 /// Which strip of a pair lies on the other.

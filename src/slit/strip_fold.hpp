@@ -15,7 +15,7 @@ namespace planish::slit_detail {
 struct StripBase {
   Frame facet;                     ///< of the panel, flat coordinates to space
   std::array<EdgeCurve, 2> sides;  ///< left and right
-  std::array<double, 2> start;     ///< abscissae of ridge 0
+  std::array<double, 2> start{};   ///< abscissae of ridge 0
   double end = 0.0;                ///< of the last ridge
   int quads = 0;
 

@@ -489,7 +489,7 @@ class Pages(BendTest):
         pdf = (self.dir / "plan.pdf").read_bytes()
         self.assertTrue(pdf.startswith(b"%PDF-1.") and pdf.rstrip().endswith(b"%%EOF"))
         texts = [e.text for e in xml.etree.ElementTree.parse(self.dir / "plan.svg").iter() if e.tag.endswith("text")]
-        self.assertIn("Set-up 1 on the bed of 3060 mm, from your left", texts)
+        self.assertIn("Set-up 1 on the bed of 3060 mm, from your left (drawn where tools stand)", texts)
         for stroke in report["plan"]["strokes"]:
             self.assertIn(f"A: punch {stroke['punch']}", texts)
             self.assertIn(f"die {stroke['die']}", texts)

@@ -110,10 +110,11 @@ class Forms(SlitTest):
         self.assertLess(near, 0.6 * far)
         nearer = self.report(chair(anchors=[anchor], weights={"anchors": 3.0}), "--check")["slit"]["strips"]
         self.assertLess(nearer[2]["anchor_distance"], near)
-        for other in (0, 5):
+        # The last two press each other, and come to rest to a micrometre.
+        for other, most in ((0, 1e-9), (1, 1e-9), (5, 1e-3)):
             for before, after in zip(plain[other]["ridges"], anchored[other]["ridges"]):
                 for p, q in zip(before["folded"], after["folded"]):
-                    self.assertLess(math.dist(p, q), 1e-4)
+                    self.assertLess(math.dist(p, q), most)
 
     def test_a_scan_draws_its_strip(self):
         known = self.report(chair(anchors=[{"strip": 0, "ridge": 5, "at": [200, 380, 0]}], weights={"anchors": 1.0}, objective="smooth"), "--check")

@@ -234,7 +234,10 @@ TEST(FlattenLoop, IsOpenedByOneRip) {
   ASSERT_EQ(named.places.size(), 1u);
   EXPECT_EQ(named.places[0].kind, PlaceKind::edge);
   EXPECT_EQ(named.places[0].id, Place::Id(rips->front()));
-  EXPECT_EQ(named.remedies, (std::vector{Remedy{"rip_edges", std::to_string(rips->front()), rip}}));
+  ASSERT_EQ(named.remedies.size(), 1u);
+  EXPECT_EQ(named.remedies[0].option, "rip_edges");
+  EXPECT_EQ(named.remedies[0].value, std::to_string(rips->front()));
+  EXPECT_EQ(named.remedies[0].change, rip);
   // The place of the edge is its middle.
   const Joint& joint = sheet.joints[rips->front() - 100];
   const Curve2& border = sheet[joint.a].curve;
