@@ -273,7 +273,7 @@ std::tuple<std::size_t, int, double> work_of(const std::vector<StationTools>& st
   for (const StationTools& station : stations)
     for (const std::vector<ToolRow>& rows : station.rows)
       for (const ToolRow& row : rows) {
-        ears += (row.ears.lo > 0.0 ? 1 : 0) + (row.ears.hi > 0.0 ? 1 : 0);
+        ears += row.ears.count();
         length += row.length();
       }
   return {stations.size(), ears, length};

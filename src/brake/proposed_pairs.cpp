@@ -6,8 +6,6 @@
 #include "proposed_tools.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
 #include <utility>
 
 namespace planish::brake_detail {
@@ -50,21 +48,17 @@ bool helps(Trying& trying, const First& first, Second second) {
   return !trying.found.empty();
 }
 
-/// As few tools as halving finds: mostly one.
+/// Leaves what is found with segments for as few tools as will do.
 void narrow_segments(Trying& trying, Second second) {
-  for (std::vector<std::string> ids = trying.found.front().also.front().tools; ids.size() > 1;) {
-    const std::vector<Proposal> before = std::exchange(trying.found, {});
-    const auto middle = ids.begin() + static_cast<std::ptrdiff_t>(ids.size() / 2);
-    const std::vector<std::string> halves[] = {{ids.begin(), middle}, {middle, ids.end()}};
-    const auto* half = std::ranges::find_if(halves, [&](const std::vector<std::string>& some) {
-      return helps(trying, segments_for(trying, some), second);
-    });
-    if (half == std::end(halves)) {
-      trying.found = before;
-      return;
-    }
-    ids = *half;
-  }
+  std::vector<Proposal> least = trying.found;
+  const std::vector<std::string> all = least.front().also.front().tools;
+  fewest(all, [&](std::span<const std::string> some) {
+    trying.found.clear();
+    const bool does = helps(trying, segments_for(trying, {some.begin(), some.end()}), second);
+    if (does) least = trying.found;
+    return does;
+  });
+  trying.found = std::move(least);
 }
 
 }  // namespace

@@ -81,21 +81,6 @@ bool has(const Trying& trying, const Punch& punch) {
   return same && (same->ears || !punch.ears);
 }
 
-/// As few of them as halving finds with which it does: mostly one.
-template <typename Does>
-std::span<const std::string> fewest(std::span<const std::string> all, const Does& does) {
-  while (all.size() > 1) {
-    const std::size_t half = all.size() / 2;
-    if (does(all.first(half)))
-      all = all.first(half);
-    else if (does(all.subspan(half)))
-      all = all.subspan(half);
-    else
-      break;
-  }
-  return all;
-}
-
 }  // namespace
 
 std::vector<std::string> ids_of(const BrakeTools& tools) {

@@ -23,6 +23,21 @@ std::vector<std::string> ids_of(const BrakeTools& tools);
 BrakeTools with_segments(BrakeTools tools, std::span<const std::string> of);
 BrakeTools with_punch(BrakeTools tools, const Punch& punch);
 
+/// As few of these as halving finds with which it does: mostly one.
+template <typename Does>
+std::span<const std::string> fewest(std::span<const std::string> all, const Does& does) {
+  while (all.size() > 1) {
+    const std::size_t half = all.size() / 2;
+    if (does(all.first(half)))
+      all = all.first(half);
+    else if (does(all.subspan(half)))
+      all = all.subspan(half);
+    else
+      break;
+  }
+  return all;
+}
+
 /// Punches of the other catalogue that the shop has not, of those alike one: first those that it
 /// has, but without ears, then the bluntest.
 std::vector<Punch> punches_to_get(const Trying& trying);

@@ -192,7 +192,7 @@ std::tuple<int, long long, std::size_t> size_of(const std::vector<ToolRow>& rows
   double length = 0.0;
   std::size_t count = 0;
   for (const ToolRow& row : rows) {
-    ears += (row.ears.lo > 0.0 ? 1 : 0) + (row.ears.hi > 0.0 ? 1 : 0);
+    ears += row.ears.count();
     length += row.length();
     count += row.segments.size();
   }

@@ -13,7 +13,8 @@ inline constexpr double kSameLength = 1e-3;  ///< mm: sums of segments that are 
 struct RowEars {
   double lo = 0.0, hi = 0.0;  ///< lengths, mm; 0: none at that end
   double reach = 0.0;         ///< by which the body stands back, mm
-  bool any() const { return lo > 0.0 || hi > 0.0; }
+  int count() const { return (lo > 0.0 ? 1 : 0) + (hi > 0.0 ? 1 : 0); }
+  bool any() const { return count() > 0; }
   RowEars turned() const { return {hi, lo, reach}; }
 };
 
