@@ -294,6 +294,10 @@ std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& re
 
 namespace planish {
 
+double end_of(const SegmentRow& row) {
+  return std::accumulate(row.segments.begin(), row.segments.end(), row.from);
+}
+
 std::string text_of(const SegmentRow& row, const std::function<std::string(double)>& length) {
   std::string text;
   for (std::size_t i = 0; i < row.segments.size(); ++i) {

@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <numeric>
 
 // A set-up as it stands on the bed, seen by the operator: the punches above the dies, each segment
 // for itself, to scale along the bed; below it the words of each station.
@@ -63,10 +62,6 @@ std::vector<Vec2> front_of(const Vec2& a, const Vec2& b, double left_back, doubl
   else
     corners.emplace_back(b.x(), a.y());
   return corners;
-}
-
-double end_of(const SegmentRow& row) {
-  return std::accumulate(row.segments.begin(), row.segments.end(), row.from);
 }
 
 /// The part of the bed that is drawn: about the tools, a fifth of it at least.

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <numeric>
 #include <utility>
 
 namespace planish::job {
@@ -92,7 +91,7 @@ std::string rows_text(const std::vector<SegmentRow>& rows, const Units& units) {
   for (const SegmentRow& row : rows) {
     if (!text.empty()) text += fmt::format(", gap {}, ", units.length_text(row.from - end));
     text += text_of(row, [&](double one) { return units.short_text(one); });
-    end = std::accumulate(row.segments.begin(), row.segments.end(), row.from);
+    end = end_of(row);
   }
   return text;
 }

@@ -111,8 +111,7 @@ struct Piece {
 ///   for the same without the kind: "12", "3, 5 and 12";
 /// - `{name}` for a quantity with its unit, to four significant digits, or for words;
 /// - `{name:6}` for a quantity to six digits; `{name:number}` for one without its unit, where the
-/// next
-///   one shows it: "12 × 4 mm";
+///   next one shows it: "12 × 4 mm";
 /// - `{name:bend}` for a count and its noun: "1 bend", "3 bends"; `{name:body/bodies}` where the
 ///   plural is irregular;
 /// - `` `name` `` for an option by its name in requests, in backticks that stay: `` `{option}` ``

@@ -88,6 +88,8 @@ struct SegmentRow {
   double left_ear = 0.0, right_ear = 0.0;
 };
 
+/// Where it ends, mm.
+double end_of(const SegmentRow& row);
 /// "left ear 100 + 300 + 50": `length` writes one.
 std::string text_of(const SegmentRow& row, const std::function<std::string(double)>& length);
 
