@@ -75,45 +75,51 @@ void add_strokes_on(StageCache& cache, const LineSet& formed, const std::vector<
 }
 
 /// The bumps of a bend are pressed one after the other, from either end, before anything else is.
+/// Those of an only bend may be pressed from both ends in turn, the middle last, which some bends
+/// of large angle need.
 class BumpOrder {
  public:
   BumpOrder(const Workpiece& work, const LineSet& formed) : work_(work), formed_(formed) {
+    std::map<BendId, int> left;
     for (int line = 0; line < std::ssize(work.lines); ++line)
-      if (is_bump(line)) ++(holds(formed, line) ? done_ : left_)[bend_of(line)];
+      if (is_bump(line)) ++(holds(formed, line) ? done_ : left)[bend_of(line)];
     for (const auto& [bend, done] : done_)
-      if (left_.contains(bend)) begun_ = bend;
+      if (left.contains(bend)) begun_ = bend;
+    left.insert(done_.begin(), done_.end());
+    is_only_ = left.size() == 1;
   }
 
   bool allows(int line) const {
     if (!is_bump(line)) return !begun_;
     const BendId bend = bend_of(line);
     if (begun_ && *begun_ != bend) return false;
-    return ends_at(line, -1) || ends_at(line, 1);
+    return is_next_from(line, -1) || is_next_from(line, 1);
   }
 
  private:
   bool is_bump(int line) const { return work_.lines[line].bump_pitch.has_value(); }
   BendId bend_of(int line) const { return work_.lines[line].bends.front(); }
 
-  /// Whether all bumps of the bend on one side of this one are formed, and it is the next.
-  bool ends_at(int line, int side) const {
-    const auto is_beyond = [&](int other) {
-      return is_bump(other) && bend_of(other) == bend_of(line) &&
-             side * (*work_.lines[other].press_line - *work_.lines[line].press_line) > 0;
-    };
+  /// Whether all bumps of the bend on one side of this one are formed, and of several bumped bends
+  /// no other of its bumps.
+  bool is_next_from(int line, int side) const {
     int beyond = 0;
     for (int other = 0; other < std::ssize(work_.lines); ++other) {
-      if (!is_beyond(other)) continue;
-      if (!holds(formed_, other)) return false;
-      ++beyond;
+      const bool is_beyond = is_bump(other) && bend_of(other) == bend_of(line) &&
+                             side * (*work_.lines[other].press_line -
+                                     *work_.lines[line].press_line) >
+                                 0;
+      if (is_beyond && !holds(formed_, other)) return false;
+      beyond += is_beyond ? 1 : 0;
     }
     const auto done = done_.find(bend_of(line));
-    return beyond == (done == done_.end() ? 0 : done->second);
+    return is_only_ || beyond == (done == done_.end() ? 0 : done->second);
   }
 
   const Workpiece& work_;
   const LineSet& formed_;
-  std::map<BendId, int> done_, left_;
+  std::map<BendId, int> done_;  ///< bumps of each bend
+  bool is_only_ = false;
   std::optional<BendId> begun_ = {};
 };
 

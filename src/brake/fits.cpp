@@ -188,10 +188,21 @@ class Fitting {
     return (punch.tip_radius + thickness_ + shoulder.radius) * std::sin(half) <= shoulder.across;
   }
 
+  /// A tip a little rounder than drawn is better than a far smaller one.
+  bool leaves_as_drawn(const Punch& punch, const Die& die) const {
+    if (options_.v == VChoice::wanted || line_.press_line || line_.closed_by) return false;
+    return std::abs(made_radius(punch, die, options_) - line_.drawn_radius) <=
+           told_from(line_.drawn_radius, thickness_) + kWritten;
+  }
+
+  bool insists_on_radius() const {
+    return line_.is_large ||
+           (options_.radius == RadiusWanted::drawn && !line_.press_line && !line_.closed_by);
+  }
+
   bool has_radius(const Punch& punch, const Die& die) const {
-    const bool insists = line_.is_large || (options_.radius == RadiusWanted::drawn &&
-                                            !line_.press_line && !line_.closed_by);
-    if (!insists) return punch.tip_radius <= largest_tip(die);
+    if (!insists_on_radius())
+      return punch.tip_radius <= largest_tip(die) || leaves_as_drawn(punch, die);
     return meets(made_radius(punch, die, options_), line_.drawn_radius);
   }
 
@@ -316,6 +327,11 @@ class Fitting {
         if (bears * force <= most * needs) continue;
         most = bears, force = needs, opening = die.opening;
       }
+    if (insists_on_radius())
+      return remark_of(say::no_strong_radius, {{"radius", line_.drawn_radius, unit::mm},
+                                               {"force", force, say::kPerMetre},
+                                               {"opening", opening, unit::mm},
+                                               {"most", most, say::kPerMetre}});
     const double wider = std::ceil(opening * force / most);
     const bool usual = wider <= widest_opening(thickness_);
     return remark_of(usual ? say::strong_over_wider : say::no_strong_tools,

@@ -20,8 +20,9 @@ class LeastSetUps {
   /// With what a shop prefers, as far as that takes no more set-ups.
   LaidStrokes run(const StrokeSearch& search) {
     const std::vector<StrokeChoice> square = with_square_gauges(cache_, search.strokes);
-    LaidStrokes best = laid(search, with_preferred_tools(cache_, square));
-    for (const std::vector<StrokeChoice>* strokes : {&square, &search.strokes})
+    const std::vector<StrokeChoice> held = with_little_behind(cache_, square);
+    LaidStrokes best = laid(search, with_preferred_tools(cache_, held));
+    for (const std::vector<StrokeChoice>* strokes : {&held, &square, &search.strokes})
       if (best.is_dearer)
         if (LaidStrokes other = laid(search, *strokes); is_cheaper(other, best))
           best = std::move(other);

@@ -56,7 +56,8 @@ class Remarks {
 
 /// Where tools leave another radius than the drawn one, or the V is not the wanted one.
 void note_tools(const StrokeInputs& inputs, Plan& plan) {
-  constexpr double kNarrow = 5.0;  // V in thicknesses (math.md#v-choice)
+  constexpr double kNarrow = 5.0;     // V in thicknesses (math.md#v-choice)
+  constexpr double kOtherSize = 0.2;  // of the wanted V: makers' sizes are a quarter apart
   const double thickness = inputs.work.thickness;
   Remarks remarks;
   for (const Stroke& stroke : plan.strokes) {
@@ -83,7 +84,8 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
     }
     if (die->opening < kNarrow * thickness - tolerance::kWrittenDigits)
       remarks.add(say::narrow_v, {opening, {"least", kNarrow * thickness, unit::mm}}, stroke.bends);
-    if (stroke.v_away > 0)
+    if (stroke.v_away > 0 ||
+        std::abs(die->opening - stroke.v_wanted) > kOtherSize * stroke.v_wanted)
       remarks.add(
           say::other_v,
           {opening,
@@ -247,6 +249,11 @@ Result<Plan> planned(const StrokeInputs& inputs, const Progress& progress) {
 
 bool has_order(const Plan& plan) {
   return plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
+}
+
+bool only_rolls(const Plan& plan) {
+  return has_order(plan) && plan.strokes.empty() &&
+         std::ranges::count(plan.large, Forming::rolled, &LargeBend::forming) > 0;
 }
 
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,

@@ -10,4 +10,8 @@ namespace planish::brake_detail {
 /// are made with the other side of the line at the gauge.
 std::vector<StrokeChoice> with_square_gauges(StageCache& cache, std::vector<StrokeChoice> strokes);
 
+/// Strokes of no more cost, none held worse, in which less of the sheet lies behind the tools where
+/// a row of strokes towards one side can as well be made towards the other.
+std::vector<StrokeChoice> with_little_behind(StageCache& cache, std::vector<StrokeChoice> strokes);
+
 }  // namespace planish::brake_detail

@@ -187,6 +187,10 @@ constexpr Sentence no_sharp_punch{kNoTool, "no punch of {tool_angle} or less"};
 constexpr Sentence no_sharp_die{kNoTool, "no die of {tool_angle} or less"};
 constexpr Sentence no_radius{
     kNoTool, "no punch and die that leave an inside radius within a third of {radius}"};
+constexpr Sentence no_strong_radius{
+    kNoTool,
+    "no punch and die that leave an inside radius within a third of {radius} and bear {force} over "
+    "their V of {opening}: the strongest bear {most}"};
 constexpr Sentence few_segments{
     kNoTool,
     "no punch and die whose segments together press a length of {length}: the longest press "

@@ -70,12 +70,21 @@ Remark what_is_untouched(StageCache& cache, const Setting& stroke) {
   const auto off = [&](const GaugeEdge& edge) {
     return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});
   };
-  const GaugeEdge nearest = *std::ranges::min_element(edges, {}, off);
-  if (!is_in_range(nearest, gauge))
+  const auto nearest_of = [&](const std::vector<GaugeEdge>& of) {
+    return *std::ranges::min_element(of, {}, off);
+  };
+  GaugeEdge nearest = nearest_of(edges);
+  if (!is_in_range(nearest, gauge)) {
+    Setting other = stroke;
+    other.direction = -told.direction;
+    if (const auto there = all_facing(cache, other, gauge);
+        !there.empty() && off(nearest_of(there)) < off(nearest))
+      nearest = nearest_of(there);
     return remark_of(nearest.flange ? say::face_out_of_range : say::edge_out_of_range,
                      {{"away", nearest.away, unit::mm},
                       {"from", gauge.from, unit::mm},
                       {"to", gauge.to, unit::mm}});
+  }
   std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
   if (const auto faces = untouched(edges, gauge)) return *faces;
   std::erase_if(edges, [](const GaugeEdge& edge) { return !is_touched(edge); });

@@ -24,7 +24,8 @@ constexpr Colour kBefore{0.78, 0.86, 0.95}, kAlert = kPageAlert;
 constexpr double kLabelSize = 2.6, kLabel = 3.5;  // mm: of labels around pictures, and their room
 
 std::string state_of(const Plan& plan) {
-  if (has_order(plan) && plan.strokes.empty()) return "nothing to bend";
+  if (has_order(plan) && plan.strokes.empty())
+    return only_rolls(plan) ? "no strokes: what is bent is rolled" : "nothing to bend";
   return std::string(
       word_of(plan.status, {"cheapest order, proven", "an order that works",
                             "CANNOT BE BENT with these tools", "no order found within the limit"}));

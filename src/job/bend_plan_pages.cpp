@@ -16,10 +16,13 @@
 namespace planish::job {
 namespace {
 
-/// What the force and the angles are for.
-std::string metal_of(const Bending& bending) {
-  std::string text = fmt::format("{} {} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
-                                 number_text(bending.plan.tensile_strength));
+/// What the force and the angles are for, and what the file names if that is another metal.
+std::string metal_of(const Bending& bending, const Report& report) {
+  const bool other = report.plan &&
+                     std::ranges::count(report.plan->remarks, kOtherMetal, &Remark::code) > 0;
+  std::string text = other ? report.material + ", reckoned as " : "";
+  text += fmt::format("{} {} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
+                      number_text(bending.plan.tensile_strength));
   const double springback = bending.plan.springback.degrees();
   return springback == 0.0 ? text : text + fmt::format(", springback {}°", number_text(springback));
 }
@@ -43,7 +46,7 @@ std::vector<BlockedBend> obstacles_of(const Report& report) {
 
 drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
   drawing::BendDrawing drawing{.title = title_of(report),
-                               .metal = metal_of(bending),
+                               .metal = metal_of(bending, report),
                                .thickness = report.summary.thickness,
                                .size = report.size,
                                .mass = report.mass,

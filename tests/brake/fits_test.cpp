@@ -272,6 +272,54 @@ TEST(Fits, TakesEachTipThatTheVHidesWhereNoneIsAsSharpAsDrawn) {
   EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 0, 0}}));
 }
 
+/// A tip above the drawn radius that is not told beside it, by a tenth or 0.2 T, is as good as one
+/// of it; nobody insists on the wanted V's old rule.
+TEST(Fits, TakeATipALittleRounderThanDrawn) {
+  BrakeTools tools = plain_tools();
+  tools.dies = {die({12.0, Angle::degrees(80)})};
+  const Punch plain = tools.punches.front();
+  tools.punches.clear();
+  for (const double tip : {3.0, 5.0, 5.3, 5.31}) {
+    tools.punches.push_back(plain);
+    tools.punches.back().tip_radius = tip;
+  }
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 2.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 4.9;
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs,
+            (std::vector<ToolPair>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
+  PlanOptions wanted;
+  wanted.v = VChoice::wanted;
+  EXPECT_EQ(fitting_tools(line, tools, wanted).pairs, (std::vector<ToolPair>{{0, 0, 0}}));
+  line.drawn_radius = line.inside_radius = 3.0;  // a tenth: to 3.3
+  EXPECT_EQ(fitting_tools(line, tools, {}).pairs, (std::vector<ToolPair>{{0, 0, 0}}));
+}
+
+/// Who insists on the drawn radius hears of it, not of a V that would leave another.
+TEST(Fits, TellThatNoStrongToolsLeaveTheDrawnRadius) {
+  BrakeTools tools = plain_tools();
+  tools.punches[0].tip_radius = 0.6;
+  tools.dies = {die({5.0, Angle::degrees(80)}), die({24.0, Angle::degrees(80)})};
+  for (Die& one : tools.dies)
+    one.max_force = 250.0;
+  BrakeLine line;
+  line.pieces = {{0.0, 100.0}};
+  line.bend.thickness = 3.0;
+  line.angle = Angle::degrees(90);
+  line.inside_radius = line.drawn_radius = 0.6;
+  PlanOptions drawn;
+  drawn.radius = RadiusWanted::drawn;
+  const auto fitting = fitting_tools(line, tools, drawn);
+  EXPECT_TRUE(fitting.pairs.empty());
+  ASSERT_TRUE(fitting.why);
+  EXPECT_EQ(
+      fitting.why->told.sentence,
+      "no punch and die that leave an inside radius within a third of 0.6 mm and bear 1150 kN/m "
+      "over their V of 5 mm: the strongest bear 250 kN/m");
+}
+
 /// Bumps: a V of at most four times their pitch, or the narrowest that the thickness takes.
 TEST(Fits, GivesBumpsAVThatDoesNotReachTheNext) {
   BrakeTools tools = plain_tools();

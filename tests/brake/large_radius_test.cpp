@@ -161,24 +161,28 @@ TEST(LargeRadius, IsBumpedOrRolledWhereSidesAreShort) {
   EXPECT_EQ(formed(1.0), Forming::rolled);
 }
 
-/// When the last of 4 bumps is pressed, the middle of the sheet lies on pieces p = BA/4 long with
-/// slopes of 11.25° + i · 22.5°, then the other side stands: its inside K T before that. Where the
-/// wedge of a punch 2 b wide ends, b / tan 40° high, that is b away at b = 8.3; bumps are a little
-/// round. Wider punches leave rolling only, which the plan proposes if it is asked for bumps.
+/// Of 4 bumps the third is pressed last, from one end two are formed and from the other one. The
+/// side of the two then leans by 56.25°. It begins between where sharp bumps would have it, on
+/// pieces p = BA/4 long with slopes of 11.25° and 33.75° and its inside K T before that, and where
+/// the drawn arc ends. The wedge of a punch 2 b wide ends b / tan 40° high: so far the first is
+/// away at b = 17.2, the second at b = 21. Wider punches leave rolling only, which the plan
+/// proposes if it is asked for bumps.
 TEST(LargeRadius, IsRolledWhereTheOtherSideRunsIntoThePunch) {
   const Sheet sheet = bent_by(8.0, 30.0);
   const Layout layout = flat_sheet(sheet)->layout;
-  const double bump = kPi / 8.0, pitch = kPi / 2.0 * (8.0 + 0.44 * 2.0) / 4.0;
-  double across = -0.44 * 2.0 * std::sin(3.5 * bump), up = 0.44 * 2.0 * std::cos(3.5 * bump);
-  for (int piece = 0; piece < 3; ++piece) {
-    across += pitch * std::cos((piece + 0.5) * bump);
-    up += pitch * std::sin((piece + 0.5) * bump);
-  }
-  const double slope = std::tan(3.5 * bump), wedge = 1.0 / std::tan(kPi * 40.0 / 180.0);
-  const double limit = (across - up / slope) / (1.0 - wedge / slope);
-  for (const double half_width : {limit - 0.7, limit + 0.7}) {
-    const BrakeTools tools = plain_tools({.half_width = half_width});
-    const bool is_wide = half_width > limit;
+  const double bump = kPi / 8.0, leans = 2.5 * bump, pitch = kPi / 2.0 * (8.0 + 0.44 * 2.0) / 4.0;
+  Vec2 sharp = 0.44 * 2.0 * Vec2(-std::sin(leans), std::cos(leans));
+  for (const double slope : {0.5 * bump, 1.5 * bump})
+    sharp += pitch * Vec2(std::cos(slope), std::sin(slope));
+  const Vec2 round = 8.0 * Vec2(std::sin(leans), 1.0 - std::cos(leans));
+  const auto limit = [&](const Vec2& from) {
+    const double slope = std::tan(leans), wedge = 1.0 / std::tan(kPi * 40.0 / 180.0);
+    return (from.x() - from.y() / slope) / (1.0 - wedge / slope);
+  };
+  for (const bool is_wide : {false, true}) {
+    constexpr double kMargin = 0.2;
+    const BrakeTools tools = plain_tools(
+        {.half_width = is_wide ? limit(round) + kMargin : limit(sharp) - kMargin});
     PlanOptions options;
     const auto plan = plan_bending(sheet, layout, tools, options);
     ASSERT_TRUE(plan) << plan.error().message;
@@ -198,16 +202,21 @@ TEST(LargeRadius, IsRolledWhereTheOtherSideRunsIntoThePunch) {
   }
 }
 
-/// Of a U of 180° the other side lies over the last bump, whatever punch there is: it is rolled.
-TEST(LargeRadius, IsRolledWhereTheOtherSideLiesOverTheLastBump) {
+/// A U of 180° is closed from both ends: its sides stand 2 R apart when the bump in the middle is
+/// pressed, so that a punch between them may be as wide. From one end the other side would lie over
+/// the last bump, whatever punch there is.
+TEST(LargeRadius, AHalfTurnIsBumpedByAPunchBetweenItsSides) {
   for (const double radius : {6.0, 25.0}) {
     const Sheet sheet = strip({Straight{80}, Turn{Angle::degrees(180), radius}, Straight{80}}, 50,
                               2.0);
-    const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout,
-                                   plain_tools({.half_width = 1.0}));
-    ASSERT_TRUE(plan) << plan.error().message;
-    EXPECT_EQ(plan->status, PlanStatus::optimal);
-    EXPECT_EQ(plan->large.at(0).forming, Forming::rolled) << radius;
+    for (const double half_width : {radius - 1.0, radius + 1.0}) {
+      const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout,
+                                     plain_tools({.half_width = half_width}));
+      ASSERT_TRUE(plan) << plan.error().message;
+      EXPECT_EQ(plan->status, PlanStatus::optimal);
+      EXPECT_EQ(plan->large.at(0).forming, half_width < radius ? Forming::bumps : Forming::rolled)
+          << radius;
+    }
   }
 }
 

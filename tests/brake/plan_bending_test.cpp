@@ -231,6 +231,22 @@ TEST(PlanBending, TakesAnotherVWhereTheWantedDoesNotFit) {
   EXPECT_EQ(insisted->status, PlanStatus::infeasible);
 }
 
+/// Where the shop's nearest V is far from the wanted one, that is told and costs nothing.
+TEST(PlanBending, TellsOfAVThatIsFarFromTheWantedOne) {
+  const Sheet sheet = strip(
+      {Straight{40}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{40}}, 60, 2.0);
+  for (const double opening : {9.0, 9.7, 12.0, 14.3, 15.0}) {
+    BrakeTools tools = plain_tools();
+    tools.dies = {die({opening, Angle::degrees(80)})};
+    const auto plan = plan_of(sheet, tools);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->v_away, 0);
+    EXPECT_EQ(std::ranges::count(plan->remarks, "other_v", &Remark::code),
+              std::abs(opening - 12.0) > 2.4 ? 1 : 0)
+        << opening;
+  }
+}
+
 /// What is pressed together takes the force of all.
 TEST(PlanBending, PressesApartWhatIsTooMuchTogether) {
   const Sheet sheet = two_flaps();

@@ -47,6 +47,36 @@ TEST(PreferredSides, HoldTheSheetSquare) {
   }
 }
 
+/// A hem on a panel: the return is at the gauge, not the panel, also of the mirrored part.
+TEST(PreferredSides, LeaveTheLargerPartToTheOperator) {
+  for (const bool mirrored : {false, true}) {
+    const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+    const Sheet sheet = mirrored ? strip({Straight{20}, turn, Straight{150}}, 80, 1.5)
+                                 : strip({Straight{150}, turn, Straight{20}}, 80, 1.5);
+    Room room(sheet, gauged_tools());
+    const LineSet flat = room.lines({});
+    for (const StrokeChoice& choice : room.ways(1, {})) {
+      const StrokeChoice taken = with_little_behind(room.cache(), {choice}).at(0);
+      EXPECT_NEAR(describe(room.cache(), flat, taken).gauge->distance, 20.0 + kHalfZone, 1e-9);
+    }
+    const auto plan = plan_bending(sheet, room.layout(), gauged_tools());
+    ASSERT_TRUE(plan);
+    EXPECT_NEAR(plan->strokes.at(0).gauge->distance, 20.0 + kHalfZone, 1e-9);
+  }
+}
+
+/// Where the shorter flange is nearer than the gauge goes, the panel is at the gauge.
+TEST(PreferredSides, DoNotLoseTheGaugeForIt) {
+  BrakeTools tools = gauged_tools();
+  tools.machine.gauge->from = 30.0;
+  const Turn turn{Angle::degrees(90), 2, BendDirection::up};
+  const Sheet sheet = strip({Straight{150}, turn, Straight{20}}, 80, 1.5);
+  const auto plan = plan_bending(sheet, flat_sheet(sheet)->layout, tools);
+  ASSERT_TRUE(plan);
+  ASSERT_TRUE(plan->strokes.at(0).gauge);
+  EXPECT_NEAR(plan->strokes[0].gauge->distance, 150.0 + kHalfZone, 1e-9);
+}
+
 /// Both ways of the strokes are offered; the one that is held askew is turned about, and stays as
 /// it is where the other side is out of the gauge's reach: it is told.
 TEST(PreferredSides, StayWhereTheOtherSideIsNotGauged) {

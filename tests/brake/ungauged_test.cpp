@@ -53,6 +53,20 @@ TEST(Ungauged, TellsOfEdgesElsewhere) {
   EXPECT_EQ(why(60.0, 5.0, 0.0, {2}), "edge_on_other_side");
 }
 
+/// Of edges out of reach on both sides the one that lacks less, whichever side the stroke is told
+/// from.
+TEST(Ungauged, TellsOfTheNearestEdgeOnEitherSide) {
+  BrakeTools tools = gauged_tools();
+  tools.machine.gauge->to = 40.0;
+  const Sheet sheet = strip(
+      {Straight{45}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{60}}, 80, 1.5);
+  for (const Stroke& stroke : strokes_of(sheet, tools)) {
+    ASSERT_TRUE(stroke.ungauged);
+    EXPECT_EQ(stroke.ungauged->code, "edge_out_of_range");
+    EXPECT_NEAR(stroke.ungauged->told.numbers.at(0).quantity.value, 45.0 + kHalfZone, 1e-9);
+  }
+}
+
 /// Where only an opening would do, the reason names the option; where nothing would, it does not.
 TEST(Ungauged, NamesTheOptionWhereAnOpeningWouldDo) {
   const auto named = [](const OpenedPart& part, const BrakeTools& tools, const char* words) {

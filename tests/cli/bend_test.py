@@ -419,17 +419,18 @@ class WrongRequests(BendTest):
         self.assertIn(">nothing to bend<", (self.dir / "plan.svg").read_text())
 
     def test_what_is_rolled_is_nothing_to_bend(self):
-        report = self.plan(large_channel(), "--large-radii", "roll")
+        report = self.plan(large_channel(), "--large-radii", "roll", "-o", "plan.svg")
         self.assertEqual((report["plan"]["status"], report["plan"]["strokes"]), ("nothing_to_bend", []))
         warning = [check for check in report["checks"] if check["code"] == "rolled_bend"]
         self.assertEqual(len(warning), 1)
         self.assertNotIn("no V", warning[0]["message"])
+        self.assertIn(">no strokes: what is bent is rolled<", (self.dir / "plan.svg").read_text())
 
     def test_what_takes_no_bumps_is_rolled(self):
-        # The other side of a U lies over its last bump, so no punch reaches that.
-        side = lambda z: [[30, 0, z], [120, 0, z], [120, 100, z], [30, 100, z]]
-        part = {"thickness": 2, "defaults": {"inside_radius": 25}, "bends": [{"between": ["a", "b"]}],
-                "plates": [{"id": "a", "outline": side(0)}, {"id": "b", "outline": side(52)}]}
+        # The sides of a U are 16 mm apart, and no punch is so narrow over 90 mm.
+        side = lambda z: [[10, 0, z], [100, 0, z], [100, 100, z], [10, 100, z]]
+        part = {"thickness": 2, "defaults": {"inside_radius": 8}, "bends": [{"between": ["a", "b"]}],
+                "plates": [{"id": "a", "outline": side(0)}, {"id": "b", "outline": side(18)}]}
         plan = self.plan(part)["plan"]
         self.assertEqual((plan["status"], [one["formed"] for one in plan["large_radii"]]),
                          ("nothing_to_bend", ["rolled"]))

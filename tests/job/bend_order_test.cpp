@@ -56,14 +56,14 @@ TEST(BendOrder, IsCheckedAsItIsGiven) {
   EXPECT_EQ(json::parse(*rest)["strokes"].size(), 2u) << "what it leaves out follows";
 }
 
-/// Of a U with a foot the other side lies over the last bump: the plan rolls it, and so do orders
-/// that are checked after it.
+/// The sides of a U with a foot are 16 mm apart, too near for a punch between them: the plan rolls
+/// it, and so do orders that are checked after it.
 TEST(BendOrder, FormsLargeBendsAsThePlan) {
   const auto made = test::made_from("u.json", R"({"thickness": 2, "plates": [
-      {"id": "a", "outline": [[30, 0, 0], [120, 0, 0], [120, 90, 0], [30, 90, 0]]},
-      {"id": "b", "outline": [[30, 0, 52], [120, 0, 52], [120, 90, 52], [30, 90, 52]]},
-      {"id": "c", "outline": [[125, 0, -5], [125, 0, -40], [125, 90, -40], [125, 90, -5]]}],
-      "bends": [{"between": ["a", "b"], "inside_radius": 25},
+      {"id": "a", "outline": [[10, 0, 0], [100, 0, 0], [100, 90, 0], [10, 90, 0]]},
+      {"id": "b", "outline": [[10, 0, 18], [100, 0, 18], [100, 90, 18], [10, 90, 18]]},
+      {"id": "c", "outline": [[105, 0, -5], [105, 0, -40], [105, 90, -40], [105, 90, -5]]}],
+      "bends": [{"between": ["a", "b"], "inside_radius": 8},
                 {"between": ["a", "c"], "inside_radius": 2}]})");
   auto order = BendOrder::make(made->report(), {});
   ASSERT_TRUE(order) << order.error().message;

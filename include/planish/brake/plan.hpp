@@ -214,6 +214,9 @@ struct Plan {
 /// Whether there is an order of strokes.
 bool has_order(const Plan& plan);
 
+/// Whether no stroke is needed since all that is bent is rolled.
+bool only_rolls(const Plan& plan);
+
 /// Finds the cheapest order of strokes (math.md#press-brake). `layout` is that of the sheet, whose
 /// pattern `Stroke` refers to. Errors: `bad_tools`, `no_straight_bend` (nothing that a brake could
 /// press), `no_tool` (thickness, radius or hem that no tool bears), `bad_option` (also

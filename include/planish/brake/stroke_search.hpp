@@ -47,7 +47,7 @@ struct StrokeLimits {
   bool first = false;             ///< at the first plan
   bool reasons = true;            ///< if there is none: find out which lines cannot be formed
   std::int64_t stages = 300'000;  ///< looked at
-  std::int64_t checks = 40'000;   ///< of a tool in a stroke, as `StrokeProblem::checks` counts
+  std::int64_t checks = 20'000;   ///< of a tool in a stroke, as `StrokeProblem::checks` counts
   double seconds = 60.0;          ///< of all, with the reasons
   /// When it ends in any case, with all that it is a part of.
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
