@@ -99,7 +99,7 @@ class Slab {
  private:
   /// Whether a face lies between the skins, and beside no bend or other flange.
   bool lies_here(int f) const {
-    const bool beside_other = std::ranges::any_of(faces_beside(of.model, f), [&](int other) {
+    const bool beside_other = std::ranges::any_of(faces_along(of, f, plane), [&](int other) {
       return other >= 0 && other != face && of.skins.skin_of[other] == of.skin;
     });
     if (beside_other) return false;
@@ -160,7 +160,7 @@ std::optional<Leaning> leaning_faces(const Slab& slab, const RimPart& part) {
     (slab.holds(f) ? leaning : away).insert(f);
     if (away.contains(f)) continue;
     if (look == Look::both) return std::nullopt;
-    const bool through = spans(of, faces_beside(of.model, f));
+    const bool through = spans(of, faces_along(of, f, slab.plane));
     if (through && !has_draft(of, f, slab.plane.z)) return std::nullopt;
     (look == Look::up ? found.up : found.down).push_back(f);
     stepped |= !through;
@@ -355,7 +355,7 @@ std::vector<int> ledges_of(const Recognition& of, int face) {
     for (const int f : part.faces)
       if (const Look look = look_of(of, f, slab.plane.z);
           (look == Look::up || look == Look::both) && slab.holds(f) &&
-          !spans(of, faces_beside(of.model, f)))
+          !spans(of, faces_along(of, f, slab.plane)))
         ledges.push_back(f);
   }
   return ledges;

@@ -42,7 +42,26 @@ std::set<int> walls_along(const Recognition& of, const RimPart& part, Skin skin)
   return walls;
 }
 
+/// Cosine between the outward normal of a face and a direction; empty where it is not a plane.
+std::optional<double> cosine_of(const Recognition& of, int face, const Vec3& direction) {
+  if (!is_plane(of, face)) return {};
+  return outward_normal_at(of.model.faces[face], of.outlines[face].inner_point).dot(direction);
+}
+
 }  // namespace
+
+std::set<int> faces_along(const Recognition& of, int face, const Frame& flange) {
+  constexpr double kAlong = 0.95;  // cosine
+  std::set<int> beside = faces_beside(of.model, face);
+  const double depth = -flange.local(of.outlines[face].inner_point).z();
+  const bool within = depth < of.skins.thickness - of.skins.spread - of.tolerance;
+  if (within && cosine_of(of, face, flange.z).value_or(0.0) > kAlong)
+    std::erase_if(beside, [&](int other) {
+      return other >= 0 && of.skins.skin_of[other] != Skin::none &&
+             std::abs(cosine_of(of, other, flange.z).value_or(1.0)) < kAlong;
+    });
+  return beside;
+}
 
 const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
   return of.model.faces[ref.face].loops[ref.loop];

@@ -34,6 +34,11 @@ bool is_machined(const Recognition& of, const RimPart& part, Skin skin);
 /// what grooves cut off from it.
 bool lies_opposite(const Recognition& of, int face, int other);
 
+/// Faces across the edges of a face, −1 where an edge has no other side. Beside a ledge, which
+/// looks along the normal of a flange from between its skins, those of flanges at an angle do not
+/// count: a gap between walls folded sharply ends on the skin of the next one.
+std::set<int> faces_along(const Recognition& of, int face, const Frame& flange);
+
 /// A loop of the other skin as seen on this one: reversed, a thickness below.
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane);
 

@@ -148,7 +148,7 @@ Result<StepFile> read_any(const std::string& bytes, const std::string& path,
   if (const auto plain = without_byte_order_mark(bytes); plain.size() < bytes.size())
     return read_checked(std::string(plain), path, name, progress);
   if (!brep::is_packed(bytes)) return read_checked(bytes, path, name, progress);
-  const auto text = brep::unpacked(bytes, name);
+  const auto text = brep::unpacked(bytes, path);  // whose sentences name files in an archive
   if (!text) return pass_on(text);
   if (brep::is_packed(*text)) return fail(refuse::not_step, {{"file", name}}, name);
   return read_any(*text, path, name, progress);

@@ -36,6 +36,7 @@ constexpr std::string_view
 constexpr std::string_view
     because_of_forms = "; the sheet has {forms}, which a flat pattern only outlines";
 constexpr std::string_view without_forms = "; without them it is {explained:7}";
+constexpr std::string_view without_mitres = "; without the mitres of its folds it is {explained:7}";
 constexpr std::string_view slanted_or_missed =
     "; the cause is a missed feature, or cut edges that are not normal to the sheet";
 constexpr std::string_view openings_fit =

@@ -51,15 +51,14 @@ bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
 Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat,
                      const CertificateBounds& bounds) {
-  const double bound = bounds.volume_warning;
-  const double ratio = or_nan(certificate.volume_ratio);
+  const double bound = bounds.volume_warning, ratio = or_nan(certificate.volume_ratio);
   const std::string features = forms_text(flat);
   const double explained = or_nan(certificate.explained_ratio);
   Facts facts{{"ratio", ratio, unit::none}, {"allowed", bound, unit::none}, {"forms", features}};
   std::string pattern(say::volume_off);
   if (!features.empty()) pattern += say::because_of_forms;
-  if (std::isfinite(explained) && explained != or_nan(certificate.volume_ratio)) {
-    pattern += say::without_forms;
+  if (std::isfinite(explained) && explained != ratio) {
+    pattern += features.empty() ? say::without_mitres : say::without_forms;
     facts.emplace_back("explained", explained, unit::none);
   }
   if (features.empty() || off(explained, bound)) {

@@ -7,6 +7,7 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -18,7 +19,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gmock/gmock.h>
+#include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -250,6 +253,76 @@ TEST(ShopParts, StripsAsNarrowAsABarAreSheetsOfTheThicknessThatIsStated) {
   EXPECT_NEAR(flat.flat.area * 4, bent.flat.area * 5, 1e-6) << "of one volume";
   EXPECT_EQ(seen_in(strip(3), {.thickness = 5.0}).sheet.bends.size(), 1u);
   EXPECT_FALSE(recognized_shape(strip(4), {.thickness = 7.0}));
+}
+
+/// A tray folded sharply, 80 × 60 inside, its walls apart by gaps at the corners: from `from` to
+/// `to` along the longer side, from the inside of the shorter walls.
+TopoDS_Shape gapped_tray(double t, double high, double from, double to) {
+  TopoDS_Shape tray = cut(cuboid({-t, -t, 0}, 80 + 2 * t, 60 + 2 * t, high),
+                          cuboid({0, 0, t}, 80, 60, high));
+  for (const double y : {-t, 60.0}) {
+    tray = cut(tray, cuboid({from, y, t}, to - from, t, high));
+    tray = cut(tray, cuboid({80 - to, y, t}, to - from, t, high));
+  }
+  return tray;
+}
+
+TEST(ShopParts, WallsKeepTheirEndsWhereAGapThinsThem) {
+  // The gap lies partly in the wall whose end it parts from the next one. What is left there is
+  // beside the fold, as high as the wall, and is cut with it. The floor of the gap goes with the
+  // base.
+  for (const double t : {1.0, 1.5, 3.0})
+    for (const double from : {0.0, -0.04 * t, -0.3 * t}) {
+      const double to = 0.1, high = 25, wall = high - t;
+      const UnfoldedShape seen = seen_in(gapped_tray(t, high, from, to));
+      const bool thinned = from < 0;
+      const double ends = 60 + 2 * t, sides = 80 - 2 * to;
+      const double folds = 2 * sides + 2 * (thinned ? 60 : ends);
+      const double floors = 4 * t * (thinned ? to - from : to);
+      EXPECT_NEAR(seen.flat.area, 80 * 60 + floors + 2 * wall * (ends + sides) + folds * pi / 4 * t,
+                  1e-6)
+          << t << ", " << from;
+    }
+}
+
+/// A channel along x, its base 60 × 60 between the tangent lines, its walls longer by `beyond` at
+/// both ends.
+TopoDS_Shape channel(double t, double inside, double high, double beyond) {
+  const double outside = inside + t;
+  TopoDS_Shape body = cuboid({0, -outside, 0}, 60, 60 + 2 * outside, high),
+               room = cuboid({-1, -inside, t}, 62, 60 + 2 * inside, high);
+  for (const bool far : {false, true}) {
+    const auto along = [far](double from, double z) {
+      return [=](const gp_Pnt& p) {
+        return std::abs(p.Y() - (far ? 60 + from : -from)) < 1e-6 && std::abs(p.Z() - z) < 1e-6;
+      };
+    };
+    body = rounded(body, outside, along(outside, 0));
+    room = rounded(room, inside, along(inside, t));
+  }
+  TopoDS_Shape whole = cut(body, room);
+  for (const double x : {-beyond, 60.0})
+    for (const double y : {-outside, 60 + inside})
+      whole = fused(whole, cuboid({x, y, outside}, beyond, t, high - outside));
+  return whole;
+}
+
+TEST(ShopParts, WallsMayTouchAlongAnEdge) {
+  // The end of a wall that is flush with a skin of the next one is no ledge of that.
+  for (const double t : {1.0, 2.0})
+    for (const double inside : {0.5, 2.0}) {
+      const TopoDS_Shape along = channel(t, inside, 25, inside);
+      gp_Trsf turn;
+      turn.SetRotation(gp_Ax1(gp_Pnt(30, 30, 0), gp_Dir(0, 0, 1)), pi / 2);
+      const TopoDS_Shape across = BRepBuilderAPI_Transform(along, turn).Shape();
+      const UnfoldedShape seen = seen_in(fused(along, across));
+      EXPECT_EQ(seen.flat.bends.size(), 4u);
+      EXPECT_NEAR(
+          seen.flat.area,
+          60 * 60 + 4 * 60 * pi / 2 * (inside + t / 2) + 4 * (60 + 2 * inside) * (25 - inside - t),
+          1e-6)
+          << t << ", " << inside;
+    }
 }
 
 TEST(ShopParts, BlocksAreToldTheirWidth) {

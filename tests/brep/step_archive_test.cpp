@@ -2,8 +2,10 @@
 #include "support/test_folder.hpp"
 
 #include <planish/brep/codes.hpp>
+#include <planish/brep/step.hpp>
 #include <planish/brep/step_archive.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -52,6 +54,13 @@ TEST_F(StepArchive, MayHoldNone) {
   EXPECT_FALSE(step_files_in(write("e", "")));
   EXPECT_FALSE(step_files_in(folder_ / "absent"));
   EXPECT_FALSE(step_files_in(folder_.path()));
+}
+
+TEST_F(StepArchive, OfSeveralFilesNamesOneAsItCanBeGiven) {
+  const fs::path zip = write("several.zip", zipped({{"sub/a.step", kStep}, {"b.step", kStep}}));
+  const auto read = read_step(zip);
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, ::testing::HasSubstr((zip / "sub/a.step").string()));
 }
 
 }  // namespace

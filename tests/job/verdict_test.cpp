@@ -129,6 +129,16 @@ TEST(Verdict, TakesFeaturesThatAreNotMeasuredAsTheCauseOfAVolumeThatDiffers) {
   EXPECT_THAT(found[0].message, Not(HasSubstr("missed")));
 }
 
+TEST(Verdict, NamesMitresWhereNothingElseIsLeftOut) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 0.98;
+  certificate.explained_ratio = 0.9875;
+  const auto found = doubts_of(certificate);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].message, HasSubstr("; without the mitres of its folds it is 0.9875;"));
+  EXPECT_THAT(found[0].message, Not(HasSubstr("without them")));
+}
+
 TEST(Verdict, ShowsAChamferAtAnEdge) {
   Certificate certificate = perfect();
   certificate.volume_ratio = 1.004;
