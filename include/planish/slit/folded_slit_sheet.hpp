@@ -38,6 +38,7 @@ struct PanelFacet {
   std::array<Vec2, 4> corners;  ///< flat: bottom left, top left, top right, bottom right
   Frame frame;                  ///< flat coordinates to space
   int strip = -1;               ///< the strip that begins at its top; −1: none
+  bool joined = true;           ///< to the facet before it
 };
 
 /// The folded sheet, or the modelled half of a symmetric one.
@@ -47,7 +48,9 @@ struct FoldedSlitSheet {
   bool symmetric = true;
   std::vector<PanelFacet> panel;
   std::vector<FoldedStrip> strips;
-  std::vector<PanelFacet> second_panel = {};  ///< where the strips end; empty if they end elsewhere
+  /// Where strips end: a second panel, or the uncut sheet beyond the ends of their slits, which in
+  /// symmetric sheets goes on to the symmetry line; empty if they end elsewhere.
+  std::vector<PanelFacet> second_panel = {};
 };
 
 /// Checks what all functions of a folded sheet rely on: numbers are finite, each strip has ridges
