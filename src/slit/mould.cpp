@@ -2,6 +2,7 @@
 #include "mould_clear.hpp"
 #include "mould_room.hpp"
 #include "mould_strips.hpp"
+#include "overbent_mould.hpp"
 #include "refusals.hpp"
 #include "rib_solid.hpp"
 
@@ -315,6 +316,7 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   if (auto sound = check(folded); !sound) return pass_on(sound);
+  if (options.overbend) return overbent_mould(folded, options);
   const auto given = setting_of(folded, options);
   if (!given) return pass_on(given);
   constexpr double kMayHang = 0.02;  // of the strips: less is no reason to lean

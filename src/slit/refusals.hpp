@@ -235,6 +235,17 @@ constexpr Refusal strip_not_finite{code::invalid_sheet, "A strip has finite size
 constexpr Refusal no_way_up{code::bad_option,
                             "The direction in which the sheet is lifted off has no length.",
                             "Set mould.up to a direction."};
+constexpr Refusal overbend_without_yield{
+    code::bad_option,
+    "Without a material and its yield stress it is unknown how far strips spring back.",
+    "Give the slit file a material with young and yield, or leave overbend out."};
+constexpr Refusal overbend_in_one_body{
+    code::bad_option, "Overbent strips are bent one by one, which one body does not allow.",
+    "Set mould.form to ribs, or leave overbend out."};
+constexpr Refusal overbend_too_far{
+    code::radius_too_small,
+    "{@strip} springs back so far that no fold at {@ridge} would keep its shape.",
+    "Use a thicker sheet or one that yields earlier, or bend the strip less."};
 constexpr Refusal inset_takes_all{code::bad_option,
                                   "An inset of {inset:6} on both sides leaves nothing of {@strip}, "
                                   "whose ridge is {length:6} long.",

@@ -183,7 +183,11 @@ FoldedStrip folded_of(const Snapshot& now, int strip) {
   StripParameters room;
   const StripBase base = base_of(now, strip);
   FoldedStrip shape = folded_strip(base, parameters_of(now, strip, room));
-  if (const PanelFacet* facet = far_facet_of(now, strip))
+  const PanelFacet* facet = far_facet_of(now, strip);
+  shape.ends_directed = !facet && (now.design->sheet.symmetric
+                                       ? now.design->end_angle != EndAngle::free
+                                       : now.design->ends[strip].direction.has_value());
+  if (facet)
     shape.ridges.back().fold = fold_into(base.along_last_ridge(shape.quads.back()),
                                          base.along_last_ridge(facet->frame));
   return shape;

@@ -26,6 +26,8 @@ struct FoldedStrip {
   /// Of each quad the flat corners of its left and of its right edge between its ridges, in their
   /// order along the strip; empty of strips whose edges are lines.
   std::vector<std::array<std::vector<Vec2>, 2>> borders = {};
+  bool ends_directed = false;  ///< its end is held in its direction: all of the last quad is bent
+                               ///< with the last ridge before it
 };
 
 /// From the corner where a strip ends to that of its neighbour on the right that faces it, mm;
