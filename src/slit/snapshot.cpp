@@ -157,6 +157,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   const SlitDesign& design = *now.design;
   StripProblem problem;
   problem.base = base_of(now, strip);
+  problem.base.known_width = problem.base.width();
   const PanelFacet* facet = far_facet_of(now, strip);
   if (facet) problem.far_facet = problem.base.along_last_ridge(facet->frame);
   problem.ends = design.sheet.symmetric && !facet

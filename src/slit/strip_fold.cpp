@@ -33,6 +33,7 @@ Frame turned(const Frame& frame, const Vec3& point, const Vec3& axis, double ang
 }  // namespace
 
 double StripBase::width() const {
+  if (known_width > 0.0) return known_width;
   if (sides[0].is_line() && sides[1].is_line()) return sides[1].across() - sides[0].across();
   constexpr int kPieces = 64;  // of each edge
   double twice = 0.0;

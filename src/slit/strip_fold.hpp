@@ -18,8 +18,9 @@ struct StripBase {
   std::array<double, 2> start{};   ///< abscissae of ridge 0
   std::array<double, 2> end{};     ///< of the last one
   int quads = 0;
+  double known_width = 0.0;  ///< mean, where it was found before; 0: it was not
 
-  double width() const;  ///< mean
+  double width() const;  ///< mean; of edges that are curves as long to find as folding the strip
   double area() const { return width() * unit(); }
   Vec2 middle_of_start() const;
   /// Mean length of its long edges, the unit of abscissae.
