@@ -163,6 +163,8 @@ const std::vector<Option>& sheet_options() {
                      "what is cut for holes through them: the pilot hole that is pierced before "
                      "forming, the finished hole, or nothing, free edges included",
                      set_extruded),
+           row::flag("overbend", "mould in which strips are bent so far that they keep their shape",
+                     stored<&Request::overbend>),
        }},
       {OptionGroup::corners,
        {

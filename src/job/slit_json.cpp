@@ -85,10 +85,8 @@ Schema mould_schema() {
                                    .said("of the sheet that lies on the mould")),
               optional("up", space_direction().said(
                                  "in which the sheet is lifted off; found if left out")),
-              optional("base", length(kLength).said("below the lowest point of the mould's "
-                                                    "working surfaces; 20 mm if left out")),
-              optional("inset", length(kGap).said("by which a rib is narrower than its strip, on "
-                                                  "each side; found if left out")),
+              optional("base", length(kLength).said("below its working surfaces, or else 20 mm")),
+              optional("inset", length(kGap).said("of ribs' sides; found if left out")),
               optional("draft", angle(kDraft).defaulting(5).said(
                                     "quads that face up by less are left bare"))})
       .said("on which the sheet is laid");
@@ -129,21 +127,18 @@ Schema make_slits_schema() {
   add(required("sheet", slit_sheet_schema()));
   add(required("thickness", length(kLength).said("of the sheet")));
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
-  add(optional("min_inside_radius",
-               length(kGap).defaulting(0).said("to which the material may be bent")));
+  add(optional("min_inside_radius", length(kGap).defaulting(0).said("that is kept")));
   add(required("leg_curve", leg_schema("in the ground plane; the panel stands on it")));
   add(optional("second_panel", second_panel_schema()));
   add(optional("seat_curve", seat_schema()));
-  add(optional("ridges", whole(kFewestRidges, kMostRidges)
-                             .defaulting(usual.ridges)
-                             .said("number of quads in each strip at the start")));
+  add(optional("ridges",
+               whole(kFewestRidges, kMostRidges).defaulting(usual.ridges).said("at first")));
   add(optional(
       "end_angle",
       words(kEndAngles).defaulting("right_angle").said("how strips meet the symmetry plane")));
   add(optional("objective", words(kObjectives)
                                 .defaulting("energy")
-                                .said("what a strip's shape has least of: bending energy, or "
-                                      "changes of its folds")));
+                                .said("least of a strip: bending energy, or changes of folds")));
   for (const auto& some : {slit_curve_fields(), load_fields()})
     fields.insert(fields.end(), some.begin(), some.end());
   add(optional("ground", flag().defaulting(false).said("nothing goes below y = 0")));
@@ -151,13 +146,10 @@ Schema make_slits_schema() {
   add(optional("anchors", list(anchor_schema())));
   add(optional("ends", list(end_schema()).said("of the strips of a sheet that is not symmetric")));
   add(optional("scan", list(scan_schema()).said("measured points that strips are drawn to")));
-  add(optional(
-      "subdivisions",
-      whole(0, kMostSubdivisions).defaulting(0).said("how many times the quads are halved")));
+  add(optional("subdivisions", whole(0, kMostSubdivisions).defaulting(0).said("of its quads")));
   add(optional("align_scan", flag().defaulting(false).said("first move the scans to the strips")));
   add(optional("kerf", length(kGap).defaulting(0).said("width of the slits; 0: lines")));
-  add(optional("stop_hole",
-               length(kGap).defaulting(0).said("diameter at the ends of slits; 0: none")));
+  add(optional("stop_hole", length(kGap).defaulting(0).said("diameter at the ends of slits")));
   add(optional("mould", mould_schema()));
   return object(std::move(fields)).said("A sheet with slits whose strips are bent into a form");
 }

@@ -66,8 +66,13 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
  public:
   using MadeReport::MadeReport;
   /// `file`: the input, with the curves, scans and mould as asked for.
-  MadeSlitSheet(SlitReport report, const SlitFile& file, Effort effort)
-      : MadeReport(std::move(report)), asked_(file.design), mould_(file.mould), effort_(effort) {}
+  MadeSlitSheet(SlitReport report, const SlitFile& file, const Request& request)
+      : MadeReport(std::move(report)),
+        asked_(file.design),
+        mould_(file.mould),
+        effort_(request.effort) {
+    if (request.overbend) mould_.overbend = made_.design.material.value_or(SlitMaterial{});
+  }
 
   /// During a drag ridges are drawn, but not reported one by one: there are too many.
   std::string json() const override {
@@ -120,7 +125,7 @@ class SlitWork : public Work {
     auto report = request.effort == Effort::draft ? draft(request, progress)
                                                   : shown(slit_sheet(file_, request, progress));
     if (!report) return pass_on(report);
-    return std::make_unique<MadeSlitSheet>(std::move(*report), file_, request.effort);
+    return std::make_unique<MadeSlitSheet>(std::move(*report), file_, request);
   }
 
  private:
@@ -159,7 +164,7 @@ Maker slit_maker() {
       .examples = {{"planish slit chair.json", "bends the strips of a slit sheet"}},
       .help = kSlitHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh, Source::mould_mesh},
-      .options = with_pattern_options({{"units", "that of the slit file"}}),
+      .options = with_pattern_options({{"units", "that of the slit file"}, {"overbend"}}),
       .schema = slits_schema,
       .report_details = slit_report_details,
       .open = open_slits,

@@ -37,12 +37,12 @@ Schema edge_schema() {
 Schema strip_schema() {
   return object(
       {required("width", length(kSheetLength)),
-       optional("gap", length(kSheetGap).defaulting(0).said(
-                           "to the strip before it, or to the sheet's left edge")),
+       optional("gap", length(kSheetGap).defaulting(0).said("to what lies on its left")),
        optional("left_start", length(kSheetLength).said("where its left slit begins")),
        optional("right_start", length(kSheetLength).said("where its right slit begins")),
-       optional("end", length(kSheetLength)
-                           .said("where it ends, along; panel_height + half_length if left out"))});
+       optional("left_end", length(kSheetLength).said("where its left slit ends, if not there")),
+       optional("right_end", length(kSheetLength).said("where its right slit ends")),
+       optional("end", length(kSheetLength).said("where it ends, along the sheet"))});
 }
 
 SlitStrip strip_at(const JsonPlace& place) {
@@ -51,6 +51,8 @@ SlitStrip strip_at(const JsonPlace& place) {
   strip.gap = place["gap"].length();
   strip.left_start = place["left_start"].maybe_length();
   strip.right_start = place["right_start"].maybe_length();
+  strip.left_end = place["left_end"].maybe_length();
+  strip.right_end = place["right_end"].maybe_length();
   strip.end = place["end"].maybe_length();
   return strip;
 }
@@ -83,8 +85,7 @@ bool has_slit_curves(const JsonPlace& document) {
 
 }  // namespace
 
-/// A number of strips of equal width, or a list of strips; without either, strips lie between
-/// slits.
+/// A number of strips of equal width, a list of strips, or neither: strips between slits.
 Schema slit_sheet_schema() {
   const auto with = [](std::vector<Field> strips) {
     strips.push_back(
@@ -114,8 +115,7 @@ std::vector<Field> slit_curve_fields() {
   return {
       optional("slits", list(edge_schema())
                             .of_length(1, kMostSlits, "a list of 1 to 9999 slits")
-                            .said("curves between the strips, in place of strips of the sheet; "
-                                  "each runs to where the strips end")),
+                            .said("curves between the strips, which begin and end anywhere")),
       optional("outline", list(edge_schema())
                               .of_length(1, kMostSlits, "a list of curves and chains")
                               .said("of a sheet with slits that are curves, in turn; lines join "

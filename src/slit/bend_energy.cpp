@@ -95,7 +95,7 @@ SecondOrder far_angle(const StripProblem& problem, const StripParameters& p,
                       const StripFold& fold) {
   const Frame& facet = *problem.far_facet;
   const int quads = problem.base.quads;
-  const Frame& last = fold.quad(quads - 1);
+  const Frame last = problem.base.along_last_ridge(fold.quad(quads - 1));
   const double sine = -facet.x.dot(last.z), cosine = facet.x.dot(last.x),
                square = sine * sine + cosine * cosine;
   const std::vector<Twist> all = twists(problem.base, fold);
@@ -140,9 +140,8 @@ double bend_energy(const StripProblem& problem, const StripParameters& p) {
   for (int ridge = 0; ridge < base.quads; ++ridge)
     energy += energy_of(fold_at(problem, p, ridge), p[ridge]);
   if (problem.far_facet)
-    energy += energy_of(
-        fold_at(problem, p, base.quads),
-        fold_into(folded(base, p).quad(base.quads - 1), *problem.far_facet).radians());
+    energy += energy_of(fold_at(problem, p, base.quads),
+                        fold_into(last_frame(base, p), *problem.far_facet).radians());
   return energy;
 }
 
@@ -166,14 +165,14 @@ double largest_curvature(const StripProblem& problem, const StripParameters& p) 
   for (int ridge = 0; ridge < base.quads; ++ridge)
     see(ridge, p[ridge]);
   if (problem.far_facet)
-    see(base.quads, fold_into(folded(base, p).quad(base.quads - 1), *problem.far_facet).radians());
+    see(base.quads, fold_into(last_frame(base, p), *problem.far_facet).radians());
   return largest;
 }
 
 Vec3 far_moment(const StripProblem& problem, const StripParameters& p) {
   if (!problem.far_facet) return Vec3::Zero();
   const Vec3& along = problem.far_facet->x;
-  const Frame last = folded(problem.base, p).quad(problem.base.quads - 1);
+  const Frame last = last_frame(problem.base, p);
   const double sine = -along.dot(last.z), cosine = along.dot(last.x),
                angle = std::atan2(sine, cosine);
   const double slope = derivatives_of(fold_at(problem, p, problem.base.quads), angle).gradient[0];

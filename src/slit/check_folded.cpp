@@ -10,8 +10,8 @@
 #include <utility>
 
 // The first rule that a folded slit sheet breaks: numbers are finite, a strip has one ridge more
-// than quadrilaterals, facets name strips that exist, a symmetric sheet has no second panel.
-// Sheets, moulds and meshes made from it rely on this.
+// than quadrilaterals, facets name strips that exist, in a symmetric sheet they end in the symmetry
+// line. Sheets, moulds and meshes made from it rely on this.
 
 namespace planish {
 namespace {
@@ -50,7 +50,10 @@ std::optional<Error> fault_of(const FoldedSlitSheet& folded) {
     return folded_fault(refuse::sheet_not_finite, "sheet");
   if (auto found = fault_of(folded.panel, folded, "panel")) return found;
   if (auto found = fault_of(folded.second_panel, folded, "second panel")) return found;
-  if (folded.symmetric && !folded.second_panel.empty())
+  const auto ends_in_symmetry = [&](const PanelFacet& facet) {
+    return facet.corners[0].x() == folded.reach && facet.corners[3].x() == folded.reach;
+  };
+  if (folded.symmetric && !std::ranges::all_of(folded.second_panel, ends_in_symmetry))
     return folded_fault(refuse::symmetric_second_panel, "second panel");
   for (std::size_t i = 0; i < folded.strips.size(); ++i) {
     const FoldedStrip& strip = folded.strips[i];

@@ -1,6 +1,7 @@
 #include "checks.hpp"
 
 #include "design_load.hpp"
+#include "joined_ends.hpp"
 #include "panel.hpp"
 #include "reach_checks.hpp"
 #include "refusals.hpp"
@@ -76,11 +77,18 @@ Result<void> check_strip(const SlitSheet& sheet, int index) {
     if (auto sound = check_length(*start, {"The start of a slit", index}, where + key); !sound)
       return sound;
   }
-  for (const double start : sheet.start_of(index))
-    if (!(start < end))
+  for (const auto& [value, key] :
+       {std::pair{strip.left_end, "/left_end"}, std::pair{strip.right_end, "/right_end"}}) {
+    if (!value) continue;
+    if (auto sound = check_length(*value, {"The end of a slit", index}, where + key); !sound)
+      return sound;
+  }
+  const auto starts = sheet.start_of(index), ends = sheet.ends_of(index);
+  for (std::size_t side = 0; side < 2; ++side)
+    if (!(starts[side] < ends[side]))
       return fail(refuse::ends_before_slit, {{"strip", place::strip(index)},
-                                             {"end", end, unit::mm},
-                                             {"start", start, unit::mm},
+                                             {"end", ends[side], unit::mm},
+                                             {"start", starts[side], unit::mm},
                                              {"field", field(where)}});
   return {};
 }
@@ -187,7 +195,8 @@ Result<void> check_coupling(const SlitDesign& design) {
     return fail(
         refuse::least_above_most,
         {{"least", least, unit::mm}, {"most", most, unit::mm}, {"field", field("/coupling/gap")}});
-  if (design.second_panel) return fail(refuse::gap_at_panel, {{"field", field("/coupling/gap")}});
+  if (design.second_panel || !joined_strips(design.sheet).empty())
+    return fail(refuse::gap_at_panel, {{"field", field("/coupling/gap")}});
   return {};
 }
 
@@ -262,6 +271,34 @@ Result<void> check_far_side(const SlitDesign& design) {
   return {};
 }
 
+/// Slits that end before the strips do, where no second panel holds the sheet beyond.
+Result<void> check_joined(const SlitDesign& design) {
+  const SlitSheet& sheet = design.sheet;
+  bool any = false;
+  for (int i = 0; i < std::ssize(sheet.strips); ++i) {
+    const SlitStrip& strip = sheet.strips[i];
+    if (!strip.left_end && !strip.right_end) continue;
+    any = true;
+    const Fact number("strip", place::strip(i)),
+        where("field", field("/sheet/strips/" + std::to_string(i)));
+    if (strip.end) return fail(refuse::joined_and_ended, {number, where});
+    const bool to_left = sheet.joins_next(i - 1), to_right = sheet.joins_next(i);
+    const bool is_alone = (i > 0 && strip.left_end && !to_left) ||
+                          (i + 1 < std::ssize(sheet.strips) && strip.right_end && !to_right) ||
+                          !(to_left || to_right);
+    const bool is_apart = to_right && (*strip.right_end != *sheet.strips[i + 1].left_end ||
+                                       sheet.strips[i + 1].gap > 0.0);
+    if (is_alone || (is_apart && !design.second_panel) || !(sheet.end_of(i) < sheet.far_line()))
+      return fail(refuse::joined_to_none, {number, {"end", sheet.end_of(i), unit::mm}, where});
+  }
+  if (!any || design.second_panel) return {};
+  if (design.objective != SlitObjective::energy)
+    return fail(refuse::joined_without_energy, {{"field", field("/objective")}});
+  if (sheet.symmetric && design.end_angle != EndAngle::right_angle)
+    return fail(refuse::joined_at_angle, {{"field", field("/end_angle")}});
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_sheet(const SlitDesign& design) {
@@ -283,6 +320,7 @@ Result<void> check_sheet(const SlitDesign& design) {
   for (int i = 0; i < count; ++i)
     if (auto sound = check_strip(sheet, i); !sound) return sound;
   if (auto sound = check_far_side(design); !sound) return sound;
+  if (auto sound = check_joined(design); !sound) return sound;
   if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
     return fail(refuse::bad_number_of_ridges, {{"count", design.ridges},
                                                {"least", kFewestRidges},

@@ -186,7 +186,7 @@ std::vector<WeighedVector> weighed_conditions(const StripProblem& problem, const
     const EndCondition& condition = problem.ends[i];
     const bool is_point = condition.is_length();
     const double scale = is_point ? 1.0 / problem.base.unit() : 1.0;
-    sum.push_back({problem.base.quads, is_point, end_vector(condition.of, fold, problem.base.quads),
+    sum.push_back({problem.base.quads, is_point, end_vector(condition.of, problem.base, fold),
                    scale * multipliers[static_cast<Eigen::Index>(i)] * condition.gradient});
   }
   return sum;

@@ -2,6 +2,7 @@
 #include "mould_clear.hpp"
 #include "mould_room.hpp"
 #include "mould_strips.hpp"
+#include "overbent_mould.hpp"
 #include "refusals.hpp"
 #include "rib_solid.hpp"
 
@@ -102,13 +103,26 @@ bool leans_up(const Vec3& towards_mould, const Setting& setting) {
   return -towards_mould.dot(setting.up) >= setting.least_lean;
 }
 
+/// From a ridge to the working surface of a rib. Where the rib ends beside a bare quad that folds
+/// towards the mould, its end stands back to the mitre with that one, or it would press into it.
+Vec3 step_to_surface(const WholeStrip& strip, int first, int last, int at, double offset) {
+  const auto normals = std::span(strip.towards_mould)
+                           .subspan(static_cast<std::size_t>(first), last - first + 1);
+  const Vec3 own = mitre(normals, at - first), both = mitre(strip.towards_mould, at);
+  if (at != first && at != last + 1) return own;
+  const auto middle = [&](int ridge) -> Vec3 {
+    return 0.5 * (strip.ridges[ridge][0] + strip.ridges[ridge][1]);
+  };
+  const Vec3 way = middle(at == first ? at + 1 : at - 1) - middle(at);
+  const double back = (both - own).dot(way);
+  return back > 0.0 && offset * back < 0.5 * way.squaredNorm() ? both : own;
+}
+
 /// The ridge `at` of a rib, on its working surface.
 Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at,
                                           const Setting& setting, int number) {
   const auto& [left, right] = strip.ridges[at];
-  const auto normals = std::span(strip.towards_mould)
-                           .subspan(static_cast<std::size_t>(first), last - first + 1);
-  const Vec3 step = mitre(normals, at - first);
+  const Vec3 step = step_to_surface(strip, first, last, at, setting.offset);
   const std::array<double, 2> free = left_at(strip, first, last, at);
   const double rest = 1.0 - free[0] - free[1],
                most = rest < 1.0 ? kMostInset * rest : setting.most_share,
@@ -315,6 +329,7 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   if (auto sound = check(folded); !sound) return pass_on(sound);
+  if (options.overbend) return overbent_mould(folded, options);
   const auto given = setting_of(folded, options);
   if (!given) return pass_on(given);
   constexpr double kMayHang = 0.02;  // of the strips: less is no reason to lean

@@ -232,8 +232,10 @@ tl::unexpected<Error> touching() { return fail(refuse::not_one_body); }
 
 Result<std::vector<MouldWall>> walls_of(const FoldedSlitSheet& folded, const WallSetting& setting) {
   std::vector<Standing> panels;
-  for (const auto* panel : {&folded.panel, &folded.second_panel})
-    if (!panel->empty()) panels.push_back(standing(*panel, setting, itself));
+  if (!folded.panel.empty()) panels.push_back(standing(folded.panel, setting, itself));
+  // In symmetric sheets it is not one that stands.
+  if (!folded.symmetric && !folded.second_panel.empty())
+    panels.push_back(standing(folded.second_panel, setting, itself));
   if (folded.symmetric && !panels.empty())
     panels.push_back(standing(folded.panel, setting, mirrored));
   std::vector<MouldWall> walls;

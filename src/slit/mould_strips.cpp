@@ -40,10 +40,21 @@ WholeStrip image_of(const WholeStrip& strip) {
   return image;
 }
 
+/// Up to the symmetry plane, also where the sheet is uncut there.
+WholeStrip half_strip(const FoldedSlitSheet& folded, int number, double sign) {
+  WholeStrip half = whole_strip(folded.strips[number], sign);
+  if (!folded.symmetric) return half;
+  const auto facet = std::ranges::find(folded.second_panel, number, &PanelFacet::strip);
+  if (facet == folded.second_panel.end()) return half;
+  half.ridges.push_back(
+      {facet->frame.point(facet->corners[0]), facet->frame.point(facet->corners[3])});
+  half.towards_mould.push_back(sign * facet->frame.z);
+  return half;
+}
+
 /// Both halves, as one strip where they meet.
-std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitSheet& folded,
-                                     double sign) {
-  const WholeStrip half = whole_strip(strip, sign);
+std::vector<WholeStrip> whole_strips(const FoldedSlitSheet& folded, int number, double sign) {
+  const WholeStrip half = half_strip(folded, number, sign);
   if (!folded.symmetric) return {half};
   WholeStrip image = image_of(half);
   constexpr double kMeets = 1e-6;  // of the length: a strip that reached its end meets this
@@ -86,7 +97,8 @@ void put_behind(WholeStrip& strip, const WholeStrip& facet) {
 void add_panels(std::vector<WholeStrip>& parts, const FoldedSlitSheet& folded, int number,
                 double sign, const Vec3& up) {
   const auto first = facet_below(folded.panel, number, sign, up),
-             second = facet_below(folded.second_panel, number, sign, up);
+             second = folded.symmetric ? std::nullopt
+                                       : facet_below(folded.second_panel, number, sign, up);
   if (second) put_behind(parts.back(), *second);
   if (first && folded.symmetric) put_behind(parts.back(), image_of_facet(*first));
   if (first) put_before(parts.front(), *first);
@@ -98,7 +110,7 @@ std::vector<std::vector<WholeStrip>> mould_strips(const FoldedSlitSheet& folded,
                                                   const Vec3* under_panels) {
   std::vector<std::vector<WholeStrip>> strips;
   for (int i = 0; i < std::ssize(folded.strips); ++i) {
-    strips.push_back(whole_strips(folded.strips[i], folded, sign));
+    strips.push_back(whole_strips(folded, i, sign));
     if (under_panels) add_panels(strips.back(), folded, i, sign, *under_panels);
   }
   return strips;

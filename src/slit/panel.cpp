@@ -105,9 +105,10 @@ std::vector<PanelFacet> flat_far_facets(const SlitSheet& sheet, double height) {
   const double top = sheet.panel_height + sheet.half_length, free_edge = top + height;
   std::vector<PanelFacet> facets = flat_facets(sheet, PanelAt::end);
   for (PanelFacet& facet : facets) {
-    const double end = facet.strip < 0 ? top : sheet.end_of(facet.strip);
+    const std::array<double, 2> ends = facet.strip < 0 ? std::array{top, top}
+                                                       : sheet.ends_of(facet.strip);
     facet.corners[0].x() = facet.corners[3].x() = free_edge;
-    facet.corners[1].x() = facet.corners[2].x() = end;
+    facet.corners[1].x() = ends[0], facet.corners[2].x() = ends[1];
   }
   return facets;
 }

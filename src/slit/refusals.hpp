@@ -48,10 +48,33 @@ constexpr Refusal ends_beyond_panel{
 // Slits that are curves.
 constexpr Refusal slit_without_length{code::invalid_input, "Slit {slit} has no length.",
                                       "Give it two points or more, apart from each other."};
-constexpr Refusal slit_ends_early{
+constexpr Refusal slit_across{code::invalid_input,
+                              "Slit {slit} begins and ends at {at:6} along the sheet.",
+                              "Lead it along the sheet, so that strips lie beside it."};
+constexpr Refusal slits_in_line{
     code::invalid_input,
-    "Slit {slit} ends at {at:6} along the sheet, but the strips end at {end:6}.",
-    "Lead one end of it there; the other may be anywhere on the sheet."};
+    "Between {one} and {other} no strip lies: one ends before the other begins.",
+    "Make them one slit, or let them overlap along the sheet. Strips that are joined several times "
+    "on their way cannot be bent."};
+constexpr Refusal side_not_straight{
+    code::invalid_input,
+    "{side} is curved beside the uncut sheet, which begins at {from:6} along it.",
+    "Lead it straight along the sheet from there to {end:6}, or end it there too."};
+constexpr Refusal joined_to_none{
+    code::invalid_input,
+    "{@strip} ends at {end:6} along the sheet, where the uncut sheet joins it to no neighbour.",
+    "Give its neighbour the same end, right_end to the left of left_end, without a gap between "
+    "them; or give the strip an end."};
+constexpr Refusal joined_and_ended{code::invalid_input,
+                                   "{@strip} has an end, but the uncut sheet joins it to others.",
+                                   "Leave out its end, or its left_end and right_end."};
+constexpr Refusal joined_without_energy{
+    code::bad_option, "Where the uncut sheet lies beyond slits is found by least energy only.",
+    "Set objective to energy, or lead the slits to where the strips end."};
+constexpr Refusal joined_at_angle{
+    code::bad_option,
+    "The uncut sheet beyond slits crosses the symmetry plane at a right angle only.",
+    "Set end_angle to right_angle, or lead the slits to the symmetry plane."};
 constexpr Refusal slit_off_sheet{
     code::invalid_input,
     "Slit {slit} goes to {at:6} along the sheet, which reaches from 0 to {end:6}.",
@@ -159,8 +182,9 @@ constexpr Refusal load_without_material{
     "{@field} is given, but no material, so nothing says how stiff the sheet is.",
     "Give the material: young, and density for its weight."};
 constexpr Refusal gap_at_panel{code::invalid_input,
-                               "{@field} is given, but the strips end at a second panel.",
-                               "Leave it out: there the leg curve sets the gaps."};
+                               "{@field} is given, but the strips end at a second panel, or where "
+                               "the uncut sheet joins them.",
+                               "Leave it out: there the sheet sets the gaps."};
 constexpr Refusal least_above_most{code::invalid_input,
                                    "The least gap of {@field}, {least}, is above the most, {most}.",
                                    "Give the smaller one first."};
@@ -201,7 +225,8 @@ constexpr Refusal facet_of_no_strip{code::invalid_sheet,
                                     "A facet of the panel names a strip of its sheet, or −1."};
 constexpr Refusal symmetric_second_panel{
     code::invalid_sheet,
-    "A symmetric sheet has no second panel except the mirror image of its panel."};
+    "A symmetric sheet has no second panel except the mirror image of its panel; what joins its "
+    "strips ends in the symmetry plane."};
 constexpr Refusal quads_between_ridges{
     code::invalid_sheet, "A strip has quads, one between each two neighbouring ridges."};
 constexpr Refusal strip_not_finite{code::invalid_sheet, "A strip has finite sizes."};
@@ -210,6 +235,17 @@ constexpr Refusal strip_not_finite{code::invalid_sheet, "A strip has finite size
 constexpr Refusal no_way_up{code::bad_option,
                             "The direction in which the sheet is lifted off has no length.",
                             "Set mould.up to a direction."};
+constexpr Refusal overbend_without_yield{
+    code::bad_option,
+    "Without a material and its yield stress it is unknown how far strips spring back.",
+    "Give the slit file a material with young and yield, or leave overbend out."};
+constexpr Refusal overbend_in_one_body{
+    code::bad_option, "Overbent strips are bent one by one, which one body does not allow.",
+    "Set mould.form to ribs, or leave overbend out."};
+constexpr Refusal overbend_too_far{
+    code::radius_too_small,
+    "{@strip} springs back so far that no fold at {@ridge} would keep its shape.",
+    "Use a thicker sheet or one that yields earlier, or bend the strip less."};
 constexpr Refusal inset_takes_all{code::bad_option,
                                   "An inset of {inset:6} on both sides leaves nothing of {@strip}, "
                                   "whose ridge is {length:6} long.",

@@ -55,7 +55,7 @@ Wrench wrench_at_end(const StripProblem& problem, const StripParameters& p, cons
   Wrench all;
   for (std::size_t i = 0; i < problem.ends.size(); ++i) {
     const EndCondition& condition = problem.ends[i];
-    const Vec3 v = end_vector(condition.of, fold, problem.base.quads);
+    const Vec3 v = end_vector(condition.of, problem.base, fold);
     const Vec3 pull = -multipliers[static_cast<Eigen::Index>(i)] * condition.gradient;
     if (condition.is_length())
       all.add(v, pull / problem.base.unit());

@@ -5,6 +5,7 @@
 #include "equilibrium.hpp"
 #include "part_together.hpp"
 #include "refusals.hpp"
+#include "settle_joined.hpp"
 #include "snapshot.hpp"
 #include "strip_work.hpp"
 
@@ -21,7 +22,8 @@
 
 // A design under edit. A change makes a new snapshot, in which strips that it affects are open, and
 // replaces the old one only if all went well, so a refused change leaves the session as it was.
-// Solving works on open strips alone, from their present shape, then parts neighbours that cross.
+// Solving works on open strips alone, from their present shape, then parts neighbours that cross; a
+// sheet can be shown once each strip has a shape that ends where it must, so late ones get one.
 // Subdividing puts a ridge without a fold into each quad, which leaves the shape unchanged
 // (math.md#subdivision).
 
@@ -69,7 +71,37 @@ bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
 
 void take_panels(Snapshot& now, Panels panels) {
   now.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(panels.first));
+  if (now.placed) return;
   now.second_panel = std::make_shared<const std::vector<PanelFacet>>(std::move(panels.second));
+}
+
+bool is_joined(const Snapshot& now, int strip) {
+  return std::ranges::any_of(
+      now.joined, [&](const JoinedEnds& run) { return run.first <= strip && strip <= run.last; });
+}
+
+/// The strips of a run if any of them is open.
+std::vector<int> open_run(const Snapshot& now, std::size_t run) {
+  std::vector<int> strips;
+  bool any = false;
+  for (int strip = now.joined[run].first; strip <= now.joined[run].last; ++strip) {
+    strips.push_back(strip);
+    any = any || now.slot(strip).state.status == StripStatus::open;
+  }
+  return any ? strips : std::vector<int>();
+}
+
+/// Solves runs of joined strips that are open, and adds them to those that moved. Returns the
+/// iterations taken.
+int solve_joined(Snapshot& now, const DescentOptions& options, std::vector<int>& moved) {
+  int iterations = 0;
+  for (std::size_t run = 0; run < now.joined.size(); ++run) {
+    const auto strips = open_run(now, run);
+    if (strips.empty() || options.stop()) continue;
+    iterations += settle_joined(now, run, options);
+    moved.insert(moved.end(), strips.begin(), strips.end());
+  }
+  return iterations;
 }
 
 /// A snapshot with another design of the same sheet; the strips that it affects are open.
@@ -124,6 +156,9 @@ Result<SlitSession> SlitSession::start(SlitDesign design) {
         std::make_shared<const Slot>(Slot{{}, {}, scan_of(std::move(cloud)), {}, {}}));
   take_seat_curve(content->now, design);
   take_panels(content->now, std::move(*panels));
+  if (!design.second_panel)
+    for (const auto& [first, last] : joined_strips(design.sheet))
+      content->now.joined.push_back({first, last, {}, std::vector<double>(last - first)});
   content->now.design = std::make_shared<const SlitDesign>(std::move(design));
   return SlitSession(std::move(content));
 }
@@ -204,11 +239,11 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
   SlitSolveReport report;
   const bool by_energy = now.design->objective == SlitObjective::energy;
   std::vector<int> moved, begun;
+  report.iterations += solve_joined(now, descent, moved);
   for (int strip = 0; strip < now.count(); ++strip) {
-    if (now.slot(strip).state.status != StripStatus::open) continue;
+    if (now.slot(strip).state.status != StripStatus::open || is_joined(now, strip)) continue;
     const bool late = descent.stop();
     if (cancelled) break;
-    // A sheet can be shown once each strip has a shape that ends where it must.
     if (late && now.slot(strip).p.size() == 0) work_on(now, strip, Clear::of_mirror, descent);
     if (late) continue;
     progress.at("strips", static_cast<double>(strip) / now.count());

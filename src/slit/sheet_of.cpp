@@ -85,12 +85,13 @@ std::pair<PlaneRegion, FacetBorders> facet_region(const std::vector<PanelFacet>&
   const auto height = [&](const Vec2& corner) { return std::abs(corner.x() - bottom_left.x()); };
   PlaneRegion region{panel[i].frame, {bottom_left}};
   FacetBorders borders;
-  if (i > 0 && height(panel[i - 1].corners[2]) < height(top_left))
+  if (i > 0 && panel[i].joined && height(panel[i - 1].corners[2]) < height(top_left))
     region.corners.push_back(panel[i - 1].corners[2]);
   region.corners.push_back(top_left);
   borders.top = region.border_count() - 1;
   region.corners.push_back(top_right);
-  if (i + 1 < panel.size() && height(panel[i + 1].corners[1]) < height(top_right))
+  if (i + 1 < panel.size() && panel[i + 1].joined &&
+      height(panel[i + 1].corners[1]) < height(top_right))
     region.corners.push_back(panel[i + 1].corners[1]);
   borders.right = region.border_count() - 1;
   region.corners.push_back(bottom_right);
@@ -103,7 +104,8 @@ std::vector<PanelFacet> turned_about(const std::vector<PanelFacet>& panel) {
   std::vector<PanelFacet> turned;
   for (auto facet = panel.rbegin(); facet != panel.rend(); ++facet) {
     const auto& c = facet->corners;
-    turned.push_back({{c[3], c[2], c[1], c[0]}, facet->frame, facet->strip});
+    const bool joined = facet != panel.rbegin() && std::prev(facet)->joined;
+    turned.push_back({{c[3], c[2], c[1], c[0]}, facet->frame, facet->strip, joined});
   }
   return turned;
 }
@@ -151,42 +153,49 @@ std::vector<FacetBorders> add_panel(JoinedRegions& half, const std::vector<Panel
   for (std::size_t i = 0; i < panel.size(); ++i) {
     auto [region, its] = facet_region(panel, i);
     const int facet = first + static_cast<int>(i);
-    if (i > 0) half.shared.push_back({facet - 1, borders.back().right, facet, its.left});
+    if (i > 0 && panel[i].joined)
+      half.shared.push_back({facet - 1, borders.back().right, facet, its.left});
     half.all.push_back(std::move(region));
     borders.push_back(its);
   }
   return borders;
 }
 
-/// The top of a second panel's facet, by strip.
-using FarTops = std::vector<std::pair<int, int>>;
+/// A second panel's facet, its top and its bottom, by strip; no region: none.
+struct FarFacet {
+  int region = -1, top = 0, bottom = 0;
+};
+using FarFacets = std::vector<FarFacet>;
 
 /// The second panel; it comes before the strips, as regions that share corners with several others
 /// must.
-FarTops add_second_panel(JoinedRegions& sheet, const std::vector<PanelFacet>& second,
-                         std::size_t strips) {
+FarFacets add_second_panel(JoinedRegions& sheet, const std::vector<PanelFacet>& second,
+                           std::size_t strips) {
   const std::vector<PanelFacet> panel = turned_about(second);
   const int first = static_cast<int>(sheet.all.size());
   const auto borders = add_panel(sheet, panel);
-  FarTops tops(strips, {-1, 0});
+  FarFacets facets(strips);
   for (std::size_t i = 0; i < panel.size(); ++i)
     if (const int strip = panel[i].strip; strip >= 0)
-      tops[strip] = {first + static_cast<int>(i), borders[i].top};
-  return tops;
+      facets[strip] = {first + static_cast<int>(i), borders[i].top,
+                       sheet.all[first + static_cast<int>(i)].border_count() - 1};
+  return facets;
 }
 
 /// The panel, the second panel, then the strips, then the mirror image of it all.
 JoinedRegions regions_of(const FoldedSlitSheet& folded) {
   JoinedRegions half;
   const std::vector<FacetBorders> borders = add_panel(half, folded.panel);
-  const FarTops tops = add_second_panel(half, folded.second_panel, folded.strips.size());
+  const FarFacets far = add_second_panel(half, folded.second_panel, folded.strips.size());
   std::vector<RegionBorder> ends;
   for (std::size_t i = 0; i < folded.panel.size(); ++i) {
     const int strip = folded.panel[i].strip;
     if (strip < 0) continue;
     ends.push_back(add_strip(half, folded.strips[strip], static_cast<int>(i), borders[i].top));
-    if (const auto [facet, top] = tops[strip]; facet >= 0)
+    if (const auto [facet, top, bottom] = far[strip]; facet >= 0) {
       half.shared.push_back({facet, top, ends.back().region, ends.back().border});
+      ends.back() = {facet, bottom};
+    }
   }
   return folded.symmetric ? with_mirror_image(std::move(half), folded.reach, ends) : half;
 }
@@ -246,7 +255,8 @@ void add_joints(SheetBuilder& builder, const JoinedRegions& joined,
 /// ridges.
 void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
   for (std::size_t facet = 0; facet < folded.panel.size(); ++facet) {
-    const auto& [corners, frame, strip] = folded.panel[facet];
+    const auto& corners = folded.panel[facet].corners;
+    const int strip = folded.panel[facet].strip;
     if (strip < 0) continue;
     const Vec2 top = 0.5 * (corners[1] + corners[2]), bottom = 0.5 * (corners[0] + corners[3]);
     constexpr double kBelow = 0.1;  // of the panel

@@ -30,10 +30,8 @@ struct Edge {
   }
 };
 
-double end_of_strips(const SlitSheet& sheet) { return sheet.panel_height + sheet.half_length; }
-
 bool is_at(double a, double b, const SlitSheet& sheet) {
-  return std::abs(a - b) <= tolerance::kWrittenDigits * end_of_strips(sheet);
+  return std::abs(a - b) <= tolerance::kWrittenDigits * sheet.far_line();
 }
 
 /// Without corners that are twice in turn.
@@ -49,15 +47,15 @@ Result<Edge> slit_edge(const SlitSheet& sheet, Chain chain, std::size_t number) 
   const Fact slit("slit", static_cast<int>(number) + 1), field("field", place::pointer(where));
   if (chain.size() < 2) return fail(refuse::slit_without_length, {slit, field});
   if (chain.front().x() > chain.back().x()) std::ranges::reverse(chain);
-  const double end = end_of_strips(sheet);
-  if (!is_at(chain.back().x(), end, sheet))
-    return fail(refuse::slit_ends_early,
-                {slit, {"at", chain.back().x(), unit::mm}, {"end", end, unit::mm}, field});
-  chain.back().x() = end;
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-    if (!(chain[i].x() > 0.0 && chain[i].x() < end))
+  const double end = sheet.far_line();
+  if (is_at(chain.back().x(), end, sheet)) chain.back().x() = end;
+  for (const Vec2& corner : chain)
+    if (const bool is_last = &corner == &chain.back();
+        !(corner.x() > 0.0 && (corner.x() < end || (is_last && corner.x() == end))))
       return fail(refuse::slit_off_sheet,
-                  {slit, {"at", chain[i].x(), unit::mm}, {"end", end, unit::mm}, field});
+                  {slit, {"at", corner.x(), unit::mm}, {"end", end, unit::mm}, field});
+  if (!(chain.front().x() < chain.back().x()))
+    return fail(refuse::slit_across, {slit, {"at", chain.back().x(), unit::mm}, field});
   return Edge{std::move(chain), number};
 }
 
@@ -81,7 +79,7 @@ std::optional<Chain> beside_strips(const SlitSheet& sheet, const Chain& side) {
     before = corner;
   }
   if (chain.empty()) return std::nullopt;
-  chain.back().x() = end_of_strips(sheet);
+  chain.back().x() = sheet.far_line();
   return chain;
 }
 
@@ -99,9 +97,7 @@ std::optional<std::array<Chain, 2>> sides_of_outline(const SlitSheet& sheet, Cha
   if (first == ring.end() || ring.size() < 4) return std::nullopt;
   std::ranges::rotate(ring, first);
   ring.front() = Vec2::Zero();
-  const auto ends = [&](const Vec2& corner) {
-    return is_at(corner.x(), end_of_strips(sheet), sheet);
-  };
+  const auto ends = [&](const Vec2& corner) { return is_at(corner.x(), sheet.far_line(), sheet); };
   const auto top = std::ranges::find_if(ring, ends);
   if (top == ring.end() || !is_at(ring.back().x(), 0.0, sheet)) return std::nullopt;
   const auto last = std::find_if(ring.rbegin(), ring.rend(), ends).base();
@@ -138,6 +134,9 @@ Result<void> check_between(const Edge& left, const Edge& right) {
     return edge.slit ? "slit " + std::to_string(*edge.slit + 1) : std::string("the outline");
   };
   const Fact one("one", name(left)), other("other", name(right));
+  if (left.chain.back().x() <= right.chain.front().x() ||
+      right.chain.back().x() <= left.chain.front().x())
+    return fail(refuse::slits_in_line, {one, other, field});
   if (!(left.chain.front().y() < right.chain.front().y() &&
         left.chain.back().y() < right.chain.back().y()))
     return fail(refuse::strip_without_width, {one, other, field});
@@ -150,8 +149,41 @@ bool is_line_along(const Chain& chain) {
   return std::ranges::all_of(chain, [&](const Vec2& p) { return p.y() == chain.front().y(); });
 }
 
-SlitStrip strip_of(const SlitSheet& sheet, const Edge& left, const Edge& right) {
+/// The edge up to where the slit on the other side of a strip ends: beyond, the strip is part of
+/// the plane that joins it there, whose sides are straight.
+Result<void> end_at(Edge& edge, double along, double far_line) {
+  Chain& chain = edge.chain;
+  const double across = chain.back().y();
+  if (chain.back().x() <= along) return {};
+  while (chain.size() > 2 && chain[chain.size() - 2].x() >= along)
+    chain.pop_back();
+  const Vec2 from = chain[chain.size() - 2], to = chain.back();
+  chain.back() = from + (along - from.x()) / (to.x() - from.x()) * (to - from);
+  chain.back().x() = along;
+  const bool is_straight = std::abs(chain.back().y() - across) <=
+                           tolerance::kWrittenDigits * far_line;
+  if (!is_straight || chain[chain.size() - 2].x() >= along)
+    return fail(refuse::side_not_straight,
+                {{"side", edge.slit ? "Slit " + std::to_string(*edge.slit + 1)
+                                    : std::string("The outline")},
+                 {"from", along, unit::mm},
+                 {"end", far_line, unit::mm},
+                 {"field", place::pointer(edge.field())}});
+  chain.back().y() = across;
+  return {};
+}
+
+Result<SlitStrip> strip_of(const SlitSheet& sheet, Edge left, Edge right) {
   SlitStrip strip;
+  const bool left_early = left.chain.back().x() < sheet.far_line(),
+             right_early = right.chain.back().x() < sheet.far_line();
+  if (left_early) strip.left_end = left.chain.back().x();
+  if (right_early) strip.right_end = right.chain.back().x();
+  if (left_early != right_early)
+    if (auto ended = left_early ? end_at(right, *strip.left_end, sheet.far_line())
+                                : end_at(left, *strip.right_end, sheet.far_line());
+        !ended)
+      return pass_on(ended);
   strip.width = right.chain.front().y() - left.chain.front().y();
   for (const auto& [edge, start] :
        {std::pair{&left, &strip.left_start}, std::pair{&right, &strip.right_start}})
@@ -190,7 +222,7 @@ Result<std::vector<SlitStrip>> strips_between(const SlitSheet& sheet, const Curv
     edges.push_back(std::move(*edge));
   }
   std::ranges::sort(edges, {}, [](const Edge& edge) { return edge.chain.front().y(); });
-  const double from = sheet.panel_height, to = end_of_strips(sheet);
+  const double from = sheet.panel_height, to = sheet.far_line();
   std::array<Chain, 2> sides{Chain{{from, 0.0}, {to, 0.0}},
                              Chain{{from, curves.width}, {to, curves.width}}};
   if (!curves.outline.empty()) {
@@ -206,7 +238,9 @@ Result<std::vector<SlitStrip>> strips_between(const SlitSheet& sheet, const Curv
   std::vector<SlitStrip> strips;
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     if (auto sound = check_between(edges[i], edges[i + 1]); !sound) return pass_on(sound);
-    strips.push_back(strip_of(sheet, edges[i], edges[i + 1]));
+    auto strip = strip_of(sheet, edges[i], edges[i + 1]);
+    if (!strip) return pass_on(strip);
+    strips.push_back(std::move(*strip));
   }
   return strips;
 }

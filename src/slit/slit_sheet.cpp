@@ -21,7 +21,7 @@ double SlitSheet::breadth() const {
 double SlitSheet::reach() const {
   double along = 0.0;
   for (int i = 0; i < static_cast<int>(strips.size()); ++i)
-    along = std::max(along, end_of(i));
+    along = std::max(along, strips[i].left_end || strips[i].right_end ? far_line() : end_of(i));
   return along;
 }
 
@@ -39,10 +39,20 @@ std::array<double, 2> SlitSheet::start_of(int strip) const {
   return {row.left_start.value_or(panel_height), row.right_start.value_or(panel_height)};
 }
 
-double SlitSheet::end_of(int strip) const {
+std::array<double, 2> SlitSheet::ends_of(int strip) const {
   PLANISH_ASSERT(has_strip(strip));
-  return strips[strip].end.value_or(panel_height + half_length);
+  const SlitStrip& row = strips[strip];
+  const double end = row.end.value_or(far_line());
+  return {row.left_end.value_or(row.right_end.value_or(end)),
+          row.right_end.value_or(row.left_end.value_or(end))};
 }
+
+bool SlitSheet::joins_next(int strip) const {
+  return has_strip(strip) && has_strip(strip + 1) && strips[strip].right_end &&
+         strips[strip + 1].left_end;
+}
+
+double SlitSheet::end_of(int strip) const { return std::ranges::max(ends_of(strip)); }
 
 std::array<double, 2> SlitSheet::sides_at_end(int strip) const {
   const auto& edges = strips[strip].edges;
@@ -57,11 +67,11 @@ double SlitSheet::width_at_end(int strip) const {
 }
 
 std::array<double, 2> SlitSheet::edge_lengths(int strip) const {
-  const auto start = start_of(strip);
+  const auto start = start_of(strip), end = ends_of(strip);
   std::array<double, 2> lengths{};
   for (std::size_t side = 0; side < 2; ++side) {
     const std::vector<Vec2>& edge = strips[strip].edges[side];
-    if (edge.empty()) lengths[side] = end_of(strip) - start[side];
+    if (edge.empty()) lengths[side] = end[side] - start[side];
     for (std::size_t i = 0; i + 1 < edge.size(); ++i)
       lengths[side] += (edge[i + 1] - edge[i]).norm();
   }
@@ -69,13 +79,13 @@ std::array<double, 2> SlitSheet::edge_lengths(int strip) const {
 }
 
 double SlitSheet::area_of(int strip) const {
-  const auto start = start_of(strip);
-  const double left = left_of(strip), end = end_of(strip);
+  const auto start = start_of(strip), end = ends_of(strip);
+  const double left = left_of(strip);
   auto edges = strips[strip].edges;
-  if (edges[0].empty()) edges[0] = {{start[0], left}, {end, left}};
+  if (edges[0].empty()) edges[0] = {{start[0], left}, {end[0], left}};
   if (edges[1].empty()) {
     const double right = left + strips[strip].width;
-    edges[1] = {{start[1], right}, {end, right}};
+    edges[1] = {{start[1], right}, {end[1], right}};
   }
   std::vector<Vec2> ring = edges[0];
   ring.insert(ring.end(), edges[1].rbegin(), edges[1].rend());

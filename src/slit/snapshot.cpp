@@ -33,10 +33,11 @@ std::vector<Vec2> places_along(const BezierCurve& curve, const SlitSheet& sheet)
   return points_at_lengths(curve, lengths);
 }
 
-std::vector<EndCondition> at_symmetry_plane(EndAngle angle) {
+/// `before`: how far before the plane, with its sign, the last ridge ends.
+std::vector<EndCondition> at_symmetry_plane(EndAngle angle, const std::array<double, 2>& before) {
   using Of = EndCondition::Of;
-  std::vector<EndCondition> ends{{Of::left_end, Vec3::UnitX(), 0.0},
-                                 {Of::right_end, Vec3::UnitX(), 0.0}};
+  std::vector<EndCondition> ends{{Of::left_end, Vec3::UnitX(), before[0]},
+                                 {Of::right_end, Vec3::UnitX(), before[1]}};
   if (angle == EndAngle::right_angle) ends.push_back({Of::normal, Vec3::UnitX(), 0.0});
   if (angle == EndAngle::level) ends.push_back({Of::along, Vec3::UnitY(), 0.0});
   return ends;
@@ -48,7 +49,9 @@ std::array<Vec3, 2> perpendiculars(const Vec3& direction) {
   return {frame.x, frame.y};
 }
 
-std::vector<EndCondition> at_free_end(const StripEnd& end) {
+}  // namespace
+
+std::vector<EndCondition> conditions_of(const StripEnd& end) {
   using Of = EndCondition::Of;
   std::vector<EndCondition> ends;
   if (end.position)
@@ -64,6 +67,8 @@ std::vector<EndCondition> at_free_end(const StripEnd& end) {
       ends.push_back({Of::across, across, 0.0});
   return ends;
 }
+
+namespace {
 
 auto facet_at(const std::vector<PanelFacet>& panel, int strip) {
   return std::ranges::find(panel, strip, &PanelFacet::strip);
@@ -87,18 +92,27 @@ StripEnd end_of(const Snapshot& now, int strip) {
   const PanelFacet* facet = far_facet_of(now, strip);
   if (!facet) return now.design->ends[strip];
   return {.position = facet->frame.point(0.5 * (facet->corners[1] + facet->corners[2])),
-          .across = facet->frame.y};
+          .across = base_of(now, strip).along_last_ridge(facet->frame).y};
+}
+
+void take_joined(Snapshot& now, std::vector<JoinedEnds> joined) {
+  std::vector<PanelFacet> all;
+  for (const JoinedEnds& one : joined)
+    for (PanelFacet& facet : facets_of(now.design->sheet, one))
+      all.push_back(std::move(facet));
+  now.second_panel = std::make_shared<const std::vector<PanelFacet>>(std::move(all));
+  now.joined = std::move(joined);
+  now.placed = true;
 }
 
 StripBase base_of(const Snapshot& now, int strip) {
   const SlitSheet& sheet = now.design->sheet;
   const auto facet = facet_at(*now.panel, strip);
-  const auto start = sheet.start_of(strip);
-  const double end = sheet.end_of(strip);
+  const auto start = sheet.start_of(strip), end = sheet.ends_of(strip);
   const auto edge = [&](std::size_t side) {
     const std::vector<Vec2>& chain = sheet.strips[strip].edges[side];
     return chain.empty() ? EdgeCurve(facet->corners[side == 0 ? 0 : 3].y())
-                         : EdgeCurve(chain, start[side], end);
+                         : EdgeCurve(chain, start[side], end[side]);
   };
   return {facet->frame, {edge(0), edge(1)}, start, end, now.design->ridges};
 }
@@ -126,14 +140,30 @@ std::optional<double> least_height(const Snapshot& now, int strip) {
   return height;
 }
 
+namespace {
+
+/// x of the ends of a strip's last ridge where the uncut sheet beyond crosses the symmetry plane at
+/// a right angle.
+std::array<double, 2> before_symmetry(const Snapshot& now, int strip) {
+  std::array<double, 2> before = now.design->sheet.ends_of(strip);
+  for (double& x : before)
+    x = half_sign(now) * (now.design->sheet.far_line() - x);
+  return before;
+}
+
+}  // namespace
+
 StripProblem problem_of(const Snapshot& now, int strip) {
   const SlitDesign& design = *now.design;
   StripProblem problem;
   problem.base = base_of(now, strip);
-  problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle)
-                                        : at_free_end(end_of(now, strip));
-  if (const PanelFacet* facet = far_facet_of(now, strip)) problem.far_facet = facet->frame;
-  problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
+  problem.base.known_width = problem.base.width();
+  const PanelFacet* facet = far_facet_of(now, strip);
+  if (facet) problem.far_facet = problem.base.along_last_ridge(facet->frame);
+  problem.ends = design.sheet.symmetric && !facet
+                     ? at_symmetry_plane(design.end_angle, before_symmetry(now, strip))
+                     : conditions_of(end_of(now, strip));
+  problem.mirrored = design.sheet.symmetric && !facet && design.end_angle == EndAngle::right_angle;
   problem.objective = design.objective;
   problem.load = load_of(design, strip);
   problem.weights = design.weights;
@@ -152,9 +182,15 @@ StripProblem problem_of(const Snapshot& now, int strip) {
 
 FoldedStrip folded_of(const Snapshot& now, int strip) {
   StripParameters room;
-  FoldedStrip shape = folded_strip(base_of(now, strip), parameters_of(now, strip, room));
-  if (const PanelFacet* facet = far_facet_of(now, strip))
-    shape.ridges.back().fold = fold_into(shape.quads.back(), facet->frame);
+  const StripBase base = base_of(now, strip);
+  FoldedStrip shape = folded_strip(base, parameters_of(now, strip, room));
+  const PanelFacet* facet = far_facet_of(now, strip);
+  shape.ends_directed = !facet && (now.design->sheet.symmetric
+                                       ? now.design->end_angle != EndAngle::free
+                                       : now.design->ends[strip].direction.has_value());
+  if (facet)
+    shape.ridges.back().fold = fold_into(base.along_last_ridge(shape.quads.back()),
+                                         base.along_last_ridge(facet->frame));
   return shape;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "joined_ends.hpp"
 #include "nearest_points.hpp"
 #include "strip_problem.hpp"
 #include "strip_system.hpp"
@@ -39,6 +40,9 @@ struct Snapshot {
   std::shared_ptr<const std::vector<Vec2>> seat_places;  ///< left and right of each strip
   std::vector<std::shared_ptr<const Slot>> slots;
   Pressing pressing = {};
+  /// Of each run of joined strips; `placed` once the facets of `second_panel` are theirs.
+  std::vector<JoinedEnds> joined = {};
+  bool placed = false;
 
   const Slot& slot(int strip) const { return *slots[strip]; }
   int count() const { return static_cast<int>(slots.size()); }
@@ -51,8 +55,15 @@ StripBase base_of(const Snapshot& now, int strip);
 /// its end; a single strip in its middle.
 void take_seat_curve(Snapshot& now, const SlitDesign& design);
 
-/// The facet of the second panel at which a strip ends; null without one.
+/// The facet of the second panel, or of the uncut sheet beyond its slits, at which a strip ends;
+/// null without one.
 const PanelFacet* far_facet_of(const Snapshot& now, int strip);
+
+/// Puts joined ends where they are said to lie.
+void take_joined(Snapshot& now, std::vector<JoinedEnds> joined);
+
+/// What a placed end says.
+std::vector<EndCondition> conditions_of(const StripEnd& end);
 
 /// Where a strip must end: as placed, or at the second panel.
 StripEnd end_of(const Snapshot& now, int strip);

@@ -59,6 +59,7 @@ class FreeNumbers {
 /// What the other half of a sheet leaves free to the one half while it does the opposite.
 std::vector<EndCondition> swaying(const RestingStrip& strip) {
   using Of = EndCondition::Of;
+  if (strip.problem().far_facet) return strip.problem().ends;  // the uncut sheet there holds it
   const Vec3& across = strip.fold().quad(strip.problem().base.quads - 1).y;
   return {{Of::middle, Vec3::UnitY(), 0.0},
           {Of::middle, Vec3::UnitZ(), 0.0},

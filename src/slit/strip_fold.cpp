@@ -33,6 +33,7 @@ Frame turned(const Frame& frame, const Vec3& point, const Vec3& axis, double ang
 }  // namespace
 
 double StripBase::width() const {
+  if (known_width > 0.0) return known_width;
   if (sides[0].is_line() && sides[1].is_line()) return sides[1].across() - sides[0].across();
   constexpr int kPieces = 64;  // of each edge
   double twice = 0.0;
@@ -40,11 +41,17 @@ double StripBase::width() const {
   for (int piece = 0; piece <= kPieces; ++piece) {
     std::array<Vec2, 2> now;
     for (std::size_t side = 0; side < 2; ++side)
-      now[side] = sides[side].place(start[side] + (end - start[side]) * piece / kPieces).at;
+      now[side] = sides[side].place(start[side] + (end[side] - start[side]) * piece / kPieces).at;
     if (piece > 0) twice += planish::cross(now[1] - before[0], before[1] - now[0]);
     before = now;
   }
   return 0.5 * twice / unit();
+}
+
+Frame StripBase::along_last_ridge(const Frame& frame) const {
+  const Vec2 ridge = (sides[1].place(end[1]).at - sides[0].place(end[0]).at).normalized();
+  return {frame.origin, ridge.y() * frame.x - ridge.x() * frame.y,
+          ridge.x() * frame.x + ridge.y() * frame.y, frame.z};
 }
 
 Vec2 StripBase::middle_of_start() const {
@@ -53,7 +60,7 @@ Vec2 StripBase::middle_of_start() const {
 
 double abscissa(const StripBase& base, const StripParameters& p, int ridge, int side) {
   if (ridge == 0) return base.start[side];
-  if (ridge == base.quads) return base.end;
+  if (ridge == base.quads) return base.end[side];
   return base.unit() * p[abscissa_index(base.quads, ridge, side)];
 }
 
@@ -62,7 +69,7 @@ StripParameters flat_parameters(const StripBase& base) {
   for (int ridge = 1; ridge < base.quads; ++ridge)
     for (int side = 0; side < 2; ++side) {
       const double start = base.start[side], share = static_cast<double>(ridge) / base.quads;
-      p[abscissa_index(base.quads, ridge, side)] = (start + share * (base.end - start)) /
+      p[abscissa_index(base.quads, ridge, side)] = (start + share * (base.end[side] - start)) /
                                                    base.unit();
     }
   return p;

@@ -16,14 +16,17 @@ struct StripBase {
   Frame facet;                     ///< of the panel, flat coordinates to space
   std::array<EdgeCurve, 2> sides;  ///< left and right
   std::array<double, 2> start{};   ///< abscissae of ridge 0
-  double end = 0.0;                ///< of the last ridge
+  std::array<double, 2> end{};     ///< of the last one
   int quads = 0;
+  double known_width = 0.0;  ///< mean, where it was found before; 0: it was not
 
-  double width() const;  ///< mean
+  double width() const;  ///< mean; of edges that are curves as long to find as folding the strip
   double area() const { return width() * unit(); }
   Vec2 middle_of_start() const;
   /// Mean length of its long edges, the unit of abscissae.
-  double unit() const { return end - 0.5 * (start[0] + start[1]); }
+  double unit() const { return 0.5 * (end[0] + end[1] - start[0] - start[1]); }
+  /// A frame of flat coordinates turned in its plane until y runs along the last ridge.
+  Frame along_last_ridge(const Frame& frame) const;
 };
 
 /// The unknowns: fold angles of ridges 0 … quads−1 (radians), then the abscissae of both ends of

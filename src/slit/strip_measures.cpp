@@ -9,7 +9,8 @@
 #include <limits>
 
 namespace planish::slit_detail {
-Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
+Vec3 end_vector(EndCondition::Of of, const StripBase& base, const StripFold& fold) {
+  const int quads = base.quads;
   const Frame& last = fold.quad(quads - 1);
   switch (of) {
     case EndCondition::Of::left_end:
@@ -21,7 +22,7 @@ Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
     case EndCondition::Of::along:
       return last.x;
     case EndCondition::Of::across:
-      return last.y;
+      return base.along_last_ridge(last).y;
     case EndCondition::Of::normal:
       return last.z;
   }
@@ -32,8 +33,7 @@ Eigen::VectorXd end_violation(const StripProblem& problem, const StripFold& fold
   Eigen::VectorXd violation(static_cast<Eigen::Index>(problem.ends.size()));
   for (std::size_t i = 0; i < problem.ends.size(); ++i) {
     const EndCondition& condition = problem.ends[i];
-    const double missed = condition.gradient.dot(
-                              end_vector(condition.of, fold, problem.base.quads)) -
+    const double missed = condition.gradient.dot(end_vector(condition.of, problem.base, fold)) -
                           condition.value;
     violation[static_cast<Eigen::Index>(i)] = condition.is_length() ? missed / problem.base.unit()
                                                                     : missed;
@@ -46,7 +46,7 @@ RowMatrix end_derivative(const StripProblem& problem, const StripFold& fold) {
   RowMatrix derivative(static_cast<Eigen::Index>(problem.ends.size()), problem.parameters());
   for (std::size_t i = 0; i < problem.ends.size(); ++i) {
     const EndCondition& condition = problem.ends[i];
-    const Vec3 v = end_vector(condition.of, fold, problem.base.quads);
+    const Vec3 v = end_vector(condition.of, problem.base, fold);
     const double scale = condition.is_length() ? 1.0 / problem.base.unit() : 1.0;
     for (std::size_t q = 0; q < all.size(); ++q) {
       const Vec3 velocity = condition.is_length() ? all[q].velocity(v) : Vec3(all[q].axis.cross(v));
@@ -70,6 +70,10 @@ double end_gap(const StripProblem& problem, const StripFold& fold) {
   return std::max(largest, std::sqrt(middle));
 }
 
+Frame last_frame(const StripBase& base, const StripParameters& p) {
+  return base.along_last_ridge(folded(base, p).quad(base.quads - 1));
+}
+
 Angle fold_into(const Frame& last, const Frame& facet) {
   return Angle::radians(std::atan2(-facet.x.dot(last.z), facet.x.dot(last.x)));
 }
@@ -77,7 +81,7 @@ Angle fold_into(const Frame& last, const Frame& facet) {
 Tightest far_fold(const StripProblem& problem, const StripParameters& p) {
   const int quads = problem.base.quads;
   if (!problem.far_facet) return {std::numeric_limits<double>::infinity(), quads};
-  const Angle angle = fold_into(folded(problem.base, p).quad(quads - 1), *problem.far_facet);
+  const Angle angle = fold_into(last_frame(problem.base, p), *problem.far_facet);
   return {fold_at(problem, p, quads).radius(angle.radians()), quads};
 }
 

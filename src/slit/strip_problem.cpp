@@ -149,7 +149,7 @@ class Rows {
   /// θ_M−2, θ_M−1 and the fold into the panel, whose derivative is that of the last quad's turn.
   void add_far_fold(double scale, const Frame& facet) {
     const int last = base_.quads - 1;
-    const Frame& quad = fold_.quad(last);
+    const Frame quad = base_.along_last_ridge(fold_.quad(last));
     residuals_[row_] = scale * (2.0 * p_[last] - p_[last - 1] - fold_into(quad, facet).radians());
     if (jacobian_) {
       const double sine = -facet.x.dot(quad.z), cosine = facet.x.dot(quad.x);
@@ -172,7 +172,7 @@ class Rows {
   void add_middles() {
     const double scale = std::sqrt(kEvenMiddles * base_.quads);
     const double start = 0.5 * (base_.start[0] + base_.start[1]) / base_.unit(),
-                 end = base_.end / base_.unit();
+                 end = 0.5 * (base_.end[0] + base_.end[1]) / base_.unit();
     for (int ridge = 1; ridge < base_.quads; ++ridge) {
       const int left = abscissa_index(base_.quads, ridge, 0);
       const double even = start + ridge * (end - start) / base_.quads;
@@ -186,7 +186,7 @@ class Rows {
     const double share_of_weight = problem_.objective == SlitObjective::energy ? kOfSpacing : 1.0;
     const double scale = std::sqrt(share_of_weight * problem_.weights.spacing / base_.quads);
     for (int side = 0; side < 2; ++side) {
-      const double mean = (base_.end - base_.start[side]) / base_.quads;
+      const double mean = (base_.end[side] - base_.start[side]) / base_.quads;
       for (int quad = 0; quad < base_.quads; ++quad) {
         const double share = (abscissa(base_, p_, quad + 1, side) -
                               abscissa(base_, p_, quad, side)) /

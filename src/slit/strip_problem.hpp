@@ -14,7 +14,7 @@ namespace planish::slit_detail {
 struct EndCondition {
   enum class Of { left_end, right_end, middle, along, across, normal };
   Of of = Of::left_end;  ///< points of the last ridge in units of the strip's length, or directions
-                         ///< of the last quad
+                         ///< of the last quad; `across` is that of the last ridge
   Vec3 gradient = Vec3::Zero();
   double value = 0.0;
   bool is_length() const { return of == Of::left_end || of == Of::right_end || of == Of::middle; }
@@ -66,8 +66,8 @@ struct StripProblem {
   StripBase base;
   std::vector<EndCondition> ends;
   bool mirrored = false;           ///< the strip continues smoothly in its mirror image
-  std::optional<Frame> far_facet;  ///< of the panel at the strip's end; the fold there counts for
-                                   ///< smoothness
+  std::optional<Frame> far_facet;  ///< of the panel at the strip's end, y along the last ridge; the
+                                   ///< fold there counts
   SlitObjective objective = SlitObjective::smooth;
   StripLoad load = {};  ///< of `SlitObjective::energy`
   SlitWeights weights;
@@ -107,7 +107,7 @@ Eigen::MatrixXd limit_curvature(const StripProblem& problem, const StripParamete
 bool is_shape(const StripBase& base, const StripParameters& p);
 
 /// What a condition is about, in space.
-Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads);
+Vec3 end_vector(EndCondition::Of of, const StripBase& base, const StripFold& fold);
 
 /// By how much end conditions are missed, in units of the strip's length or of a unit vector, and
 /// the derivative.
@@ -120,7 +120,11 @@ Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParame
 /// Largest distance of the end from where it must be, mm.
 double end_gap(const StripProblem& problem, const StripFold& fold);
 
-/// Angle of the fold at a strip's end, from its last quad to the panel there.
+/// That of the last quad, y along the last ridge.
+Frame last_frame(const StripBase& base, const StripParameters& p);
+
+/// Angle of the fold at a strip's end, from its last quad to the panel there; y of both along the
+/// last ridge.
 Angle fold_into(const Frame& last, const Frame& facet);
 
 /// The tightest fold: radius of the arc on the material that is bent with it (bent_fold.hpp).

@@ -45,6 +45,23 @@ TEST(SlitSheetJson, ReadsSlitsThatAreCurves) {
   EXPECT_NEAR(*sheet.strips[2].left_start, 500.0, 1e-9);
 }
 
+TEST(SlitSheetJson, ReadsSlitsThatEndInTheMiddle) {
+  json document = two_slits();
+  document["slits"] = json::parse(R"([{"points": [[0.42, 0.05], [0.8, 0.05]]},
+    {"points": [[0.42, 0.1], [0.7, 0.1]]}])");
+  const SlitSheet sheet = sheet_of_file(document);
+  EXPECT_NEAR(*sheet.strips[0].right_end, 800.0, 1e-9);
+  EXPECT_NEAR(*sheet.strips[1].left_end, 800.0, 1e-9);
+  EXPECT_NEAR(*sheet.strips[1].right_end, 700.0, 1e-9);
+  json list = slits_along_the_sheet();
+  list["sheet"].erase("strip_width");
+  list["sheet"]["strips"] = {{{"width", 0.05}, {"right_end", 0.8}},
+                             {{"width", 0.1}, {"left_end", 0.8}}};
+  const SlitSheet other = sheet_of_file(list);
+  EXPECT_EQ(other.strips[0].right_end, sheet.strips[0].right_end);
+  EXPECT_TRUE(other.joins_next(0));
+}
+
 TEST(SlitSheetJson, ReadsAnOutlineInPlaceOfTheWidth) {
   json document = two_slits();
   document["sheet"].erase("width");
@@ -64,7 +81,8 @@ TEST(SlitSheetJson, RefusesSlitsThatMakeNoStrips) {
     const auto file = parse_slits(document.dump(), "s.json", {});
     return file ? std::string("read") : file.error().where;
   };
-  EXPECT_EQ(refused([](json& d) { d["slits"][1]["bezier"][3][0] = 0.8; }), "s.json/slits/1");
+  // The other one would go on beside the uncut sheet, and is curved there.
+  EXPECT_EQ(refused([](json& d) { d["slits"][1]["bezier"][3][0] = 0.8; }), "s.json/slits/0");
   EXPECT_EQ(refused([](json& d) { d["slits"][0]["points"][1][1] = 0.02; }), "s.json/slits/0");
   EXPECT_EQ(refused([](json& d) { d["sheet"].erase("width"); }), "s.json/sheet");
   EXPECT_EQ(refused([](json& d) { d.erase("slits"); }), "s.json/sheet");

@@ -15,7 +15,7 @@ TEST(BentFold, OfAWedgeIsAsWideAsItsRidgesAreApart) {
   StripProblem problem = bare_problem(10);
   StripBase& base = problem.base;
   base.start = {0.0, 0.0};
-  base.end = 400.0;
+  base.end = {400.0, 400.0};
   base.sides = {EdgeCurve({{0, 0}, {400, 80}}, 0.0, 400.0),
                 EdgeCurve({{0, 200}, {400, 120}}, 0.0, 400.0)};
   EXPECT_NEAR(base.width(), 120.0, 1e-9);

@@ -17,7 +17,7 @@ constexpr double kThickness = 3.0;
 FoldedStrip flat_strip(const Vec3& origin, double tilt = 0.0) {
   Frame frame = frame_from_axes(origin, {-std::sin(tilt), 0, std::cos(tilt)},
                                 {std::cos(tilt), 0, std::sin(tilt)});
-  StripBase base{frame, {0.0, 20.0}, {0.0, 0.0}, 100.0, 4};
+  StripBase base{frame, {0.0, 20.0}, {0.0, 0.0}, {100.0, 100.0}, 4};
   return folded_strip(base, flat_parameters(base));
 }
 
@@ -141,7 +141,7 @@ TEST(Contacts, TakeTheNearerOfTwoStripsOnTopStretchByStretch) {
   // Turned in its plane about a place in the middle: over the left one at the one end, beside it at
   // the other.
   Frame turned = frame_from_axes({0, 18, -1}, Vec3::UnitZ(), {1, 0.08, 0});
-  const StripBase base{turned, {0.0, 20.0}, {0.0, 0.0}, 100.0, 4};
+  const StripBase base{turned, {0.0, 20.0}, {0.0, 0.0}, {100.0, 100.0}, 4};
   const auto some = all(folded_strip(base, flat_parameters(base)));
   EXPECT_EQ(some.front(), OnTop::left);
 }

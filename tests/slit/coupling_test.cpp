@@ -21,7 +21,7 @@ StripProblem upright(double across, int quads) {
   problem.base = {{Vec3::Zero(), Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()},
                   {across, across + 50.0},
                   {0.0, 0.0},
-                  600.0,
+                  {600.0, 600.0},
                   quads};
   return problem;
 }

@@ -18,7 +18,7 @@ StripProblem up_to_plane(double distance) {
   problem.base.facet = frame_from_axes({distance, 0, 0}, Vec3::UnitX(), Vec3::UnitY());
   problem.base.sides = {0.0, 40.0};
   problem.base.start = {100.0, 100.0};
-  problem.base.end = 300.0;
+  problem.base.end = {300.0, 300.0};
   problem.base.quads = 12;
   problem.ends = {{EndCondition::Of::left_end, Vec3::UnitX(), 0.0},
                   {EndCondition::Of::right_end, Vec3::UnitX(), 0.0},

@@ -18,7 +18,7 @@ inline StripBase some_base(int quads) {
   base.facet = frame_from_axes({120, -30, 55}, Vec3(0.3, -0.2, 0.9).normalized(), {1, 0.4, 0});
   base.sides = {35.0, 80.0};
   base.start = {200.0, 214.0};
-  base.end = 560.0;
+  base.end = {560.0, 560.0};
   base.quads = quads;
   return base;
 }

@@ -104,6 +104,21 @@ TEST(SlitCurves, MayBeginInTheMiddleOfTheSheet) {
   EXPECT_EQ((*strips)[2].edges[1].size(), 2u);
 }
 
+TEST(SlitCurves, MayEndInTheMiddleOfTheSheet) {
+  CurvedSlits curves = straight_slits();
+  curves.slits[2].back() = {700.0, 175.0};
+  curves.slits[3] = {{420, 240}, {650, 230}, {884, 230}};
+  const auto strips = strips_between(bare_sheet(), curves);
+  ASSERT_TRUE(strips) << strips.error().message;
+  EXPECT_EQ((*strips)[2].right_end, 700.0);
+  EXPECT_EQ((*strips)[3].left_end, 700.0);
+  EXPECT_FALSE((*strips)[3].right_end);
+  EXPECT_FALSE((*strips)[4].left_end);
+  // The strip's other edge is cut off where its last ridge lies, that of the next strip is not.
+  EXPECT_EQ((*strips)[3].edges[1].back(), Vec2(700, 230));
+  EXPECT_EQ((*strips)[4].edges[0].back(), Vec2(884, 230));
+}
+
 TEST(SlitCurves, LieWithinAnOutlineThatLeavesThePanelWhole) {
   CurvedSlits curves = straight_slits();
   curves.width = 0.0;
@@ -130,7 +145,19 @@ TEST(SlitCurves, AreRefusedWhereTheyMakeNoStrips) {
     return refused(curves);
   };
   using Slits = std::vector<std::vector<Vec2>>;
-  EXPECT_NE(with([](Slits& s) { s[1].back().x() = 700.0; }).find("Slit 2 ends at 700"),
+  EXPECT_NE(with([](Slits& s) {
+              s[1].back() = {420.0, 130.0};
+            }).find("begins and ends at 420"),
+            std::string::npos);
+  EXPECT_NE(with([](Slits& s) {
+              s[1].back().x() = 600.0;
+              s[2] = {{650, 120}, {884, 120}};
+            }).find("one ends before the other begins"),
+            std::string::npos);
+  EXPECT_NE(with([](Slits& s) {
+              s[1].back().x() = 700.0;
+              s[2].insert(s[2].begin() + 1, Vec2(800, 200));
+            }).find("Slit 3 is curved beside the uncut sheet, which begins at 700"),
             std::string::npos);
   EXPECT_NE(with([](Slits& s) { s[0].front().x() = -5.0; }).find("Slit 1 goes to"),
             std::string::npos);
@@ -195,7 +222,7 @@ TEST(SlitCurves, StripOnACylinderHasTheEnergyOfItsArea) {
   StripBase& base = problem.base;
   base.facet = frame_from_axes({0, 0, 0}, Vec3::UnitZ(), Vec3::UnitX());
   base.quads = 200;
-  base.end = 400.0;
+  base.end = {400.0, 400.0};
   const auto left = [](double x) { return 20.0 * std::sin(x / 60.0); };
   const auto right = [](double x) { return 120.0 - 70.0 * x * x / 160000.0; };
   std::vector<Vec2> chains[2];

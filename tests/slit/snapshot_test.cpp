@@ -18,7 +18,7 @@ TEST(Subdivided, KeepsEveryRidgeAndPutsOneBetween) {
     for (std::size_t side = 0; side < 2; ++side) {
       const Vec3 expected = 0.5 * (coarse.ridges[ridge / 2].folded[side] +
                                    coarse.ridges[(ridge + 1) / 2].folded[side]);
-      EXPECT_NEAR((fine.ridges[ridge].folded[side] - expected).norm(), 0.0, 1e-12 * base.end);
+      EXPECT_NEAR((fine.ridges[ridge].folded[side] - expected).norm(), 0.0, 1e-12 * base.end[0]);
     }
   for (std::size_t ridge = 1; ridge < 10; ridge += 2)
     EXPECT_EQ(fine.ridges[ridge].fold.radians(), 0.0);

@@ -17,7 +17,7 @@ constexpr int kQuads = 40;
 
 StripProblem flat_strip(const Frame& facet) {
   StripProblem problem;
-  problem.base = {facet, {0.0, kWidth}, {0.0, 0.0}, kLength, kQuads};
+  problem.base = {facet, {0.0, kWidth}, {0.0, 0.0}, {kLength, kLength}, kQuads};
   problem.objective = SlitObjective::energy;
   return problem;
 }

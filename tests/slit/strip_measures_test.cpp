@@ -104,7 +104,7 @@ TEST(StripRadii, CountTheFoldIntoAPanelAtItsEnd) {
   facet.x = Eigen::AngleAxisd(0.4, last.y) * last.x;
   facet.z = Eigen::AngleAxisd(0.4, last.y) * last.z;
   problem.far_facet = facet;
-  const double rest = problem.base.end -
+  const double rest = problem.base.end[0] -
                       std::max(abscissa(problem.base, p, 5, 0), abscissa(problem.base, p, 5, 1));
   EXPECT_NEAR(far_fold(problem, p).radius, 0.25 * rest / std::tan(0.2), 1e-9);
   EXPECT_EQ(far_fold(problem, p).ridge, 6);

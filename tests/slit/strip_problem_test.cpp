@@ -47,7 +47,7 @@ TEST(StripObjective, TakesTheBarrierOfSpacingsUpToAConstant) {
     double barrier = 0.0;
     for (int side = 0; side < 2; ++side)
       for (int i = 0; i < 6; ++i)
-        barrier += (problem.base.end - problem.base.start[side]) / 6 /
+        barrier += (problem.base.end[side] - problem.base.start[side]) / 6 /
                    (abscissa(problem.base, p, i + 1, side) - abscissa(problem.base, p, i, side));
     return residuals.squaredNorm() - barrier / 6;
   };

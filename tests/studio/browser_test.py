@@ -137,6 +137,12 @@ class Browser(StudioTest):
     def test_strips_of_their_own_widths(self):
         self.flow("strips")
 
+    def test_slits_are_curves(self):
+        self.flow("curves")
+
+    def test_outlines_are_dragged(self):
+        self.flow("outline")
+
     def test_panels_lean(self):
         self.flow("leaning")
 

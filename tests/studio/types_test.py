@@ -25,7 +25,7 @@ OPTIONS = {
                "materials": {"name": "m.csv", "content": "part;material\n*;steel\n"}, "process": "punch", "relief": "round", "bend_relief": "square", "rip_width": 0.3,
                "material": {"content": {"tension": {"power_law": {"strength": 500, "exponent": 0.2}}}}},
     "transition": {"piece": 0, "k": 0.4},
-    "slit": {"write_overlapping": False, "write_anyway": False, "arc_tolerance": 0.1, "bend_marks": "ticks", "tick_length": 3, "tangent_lines": True, "bend_text": True, "turn_to_blank": True},
+    "slit": {"write_overlapping": False, "write_anyway": False, "arc_tolerance": 0.1, "bend_marks": "ticks", "tick_length": 3, "tangent_lines": True, "bend_text": True, "turn_to_blank": True, "overbend": True},
     "connect": {"inside_radius": 1, "lateral": "arc", "trade_off": 0.5, "largest_span": 500, "trim": "no", "profile": "onshape", "splines": "arcs", "r12": True, "no_rules": True,
                 "k_table": {"name": "steel.csv", "content": "r/t, k\n1, 0.4\n"}, "rules": {"content": {"k_low": 0.1}}}}
 

@@ -28,6 +28,7 @@ export interface Overlay {
   ridges: number; // of a strip before it is subdivided
   loads: Pick<SlitSpec, 'loads' | 'symmetric'> | null; // of a slit sheet
   handles: boolean; // whether handles fit what is shown: not while it is partly folded
+  before: Vec3[][]; // outlines of strips before the last change
 }
 
 export const noOverlay: Overlay = {
@@ -39,6 +40,7 @@ export const noOverlay: Overlay = {
   gizmo: 'translate',
   loads: null,
   handles: true,
+  before: [],
   ridges: 10,
 };
 
@@ -52,13 +54,15 @@ export class HandleObjects {
     handles: Handles,
     anchors: AnchorSpec[],
     palette: Palette,
-    selected: { plate: string | null; anchor: number | null; numbered: string[] },
+    selected: { plate: string | null; anchor: number | null; numbered: string[]; before: Vec3[][] },
     scale: number,
     ridges: number,
     forces: Forces,
   ) {
     this.clear();
     this.forces(forces, palette);
+    const faint = this.line(palette.outline, { transparent: true, opacity: 0.3 });
+    for (const outline of selected.before) this.add(new LineLoop(through(outline), faint));
     for (const plate of handles.plates ?? [])
       if (plate.id === selected.plate)
         this.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
@@ -162,6 +166,10 @@ export interface RidgeEnd {
   side: 'left' | 'right';
   at: Vec3;
 }
+
+/** Around each strip: along its left edge and back along its right one. */
+export const stripOutlines = (handles: Handles): Vec3[][] =>
+  (handles.ridges ?? []).map((rows) => [...rows.map(([left]) => left), ...rows.map(([, right]) => right).reverse()]);
 
 /** Both ends of the original ridges, `count` quads per strip; those between come from subdivision. */
 export function ridgeEnds(handles: Handles, count: number): RidgeEnd[] {

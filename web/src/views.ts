@@ -7,7 +7,7 @@ import { addAnchor, moveAnchor } from './edits/slit.ts';
 import { FlatView, type PickedInFlat, type PickInFlat } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import { noGrips, type Grips } from './grips.ts';
-import type { RidgeEnd } from './handles.ts';
+import { stripOutlines, type RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
 import { Measuring } from './measure/measuring.ts';
 import { bendText, edgeText, pickedRow } from './picked.ts';
@@ -144,6 +144,8 @@ export class Views {
       state.selection !== before.selection ||
       anchors(state) !== anchors(before) ||
       loads(state) !== loads(before) ||
+      state.earlier !== before.earlier ||
+      state.shapeIsDraft !== before.shapeIsDraft ||
       state.fold !== before.fold ||
       state.gizmo !== before.gizmo ||
       isInMachine(state) !== isInMachine(before) ||
@@ -230,6 +232,12 @@ export class Views {
     return turnedPlace(at, (4 - (shape?.turn ?? 0)) % 4).map((v) => v / scale) as Vec2;
   }
 
+  /** Strips before the last change, as what is said beside the picture; not of another sheet. */
+  private before(state: State): Vec3[][] {
+    const was = state.shapeIsDraft ? state.result : state.earlier;
+    return was && state.document?.kind === 'slit' ? stripOutlines(was.handles) : [];
+  }
+
   private overlay(state: State) {
     const spec = state.input.spec as SlitSpec | null;
     return {
@@ -241,6 +249,7 @@ export class Views {
       gizmo: state.gizmo,
       loads: state.document?.kind === 'slit' ? spec : null,
       handles: state.fold > 0.999 && !isInMachine(state),
+      before: state.fold > 0.999 && !isInMachine(state) ? this.before(state) : [],
       ridges: spec?.ridges ?? 10,
     };
   }

@@ -97,6 +97,7 @@ struct Request : PatternChecks {
   ReliefOptions relief;
   JoinOptions join;
   std::optional<LengthUnit> units;  ///< of the report and of the DXF; empty: the file's
+  bool overbend = false;            ///< the mould is for strips that spring back
   int piece = 0;                    ///< which of several pieces is shown, from 0
   DxfOptions dxf;                   ///< its units are ignored: the report's are used
   std::map<std::string, OptionValue, std::less<>> own;  ///< of options that one maker alone has

@@ -26,6 +26,8 @@ struct FoldedStrip {
   /// Of each quad the flat corners of its left and of its right edge between its ridges, in their
   /// order along the strip; empty of strips whose edges are lines.
   std::vector<std::array<std::vector<Vec2>, 2>> borders = {};
+  bool ends_directed = false;  ///< its end is held in its direction: all of the last quad is bent
+                               ///< with the last ridge before it
 };
 
 /// From the corner where a strip ends to that of its neighbour on the right that faces it, mm;
@@ -38,6 +40,7 @@ struct PanelFacet {
   std::array<Vec2, 4> corners;  ///< flat: bottom left, top left, top right, bottom right
   Frame frame;                  ///< flat coordinates to space
   int strip = -1;               ///< the strip that begins at its top; −1: none
+  bool joined = true;           ///< to the facet before it
 };
 
 /// The folded sheet, or the modelled half of a symmetric one.
@@ -47,7 +50,9 @@ struct FoldedSlitSheet {
   bool symmetric = true;
   std::vector<PanelFacet> panel;
   std::vector<FoldedStrip> strips;
-  std::vector<PanelFacet> second_panel = {};  ///< where the strips end; empty if they end elsewhere
+  /// Where strips end: a second panel, or the uncut sheet beyond the ends of their slits, which in
+  /// symmetric sheets goes on to the symmetry line; empty if they end elsewhere.
+  std::vector<PanelFacet> second_panel = {};
 };
 
 /// Checks what all functions of a folded sheet rely on: numbers are finite, each strip has ridges

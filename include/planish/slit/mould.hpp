@@ -3,6 +3,7 @@
 #include <planish/base/result.hpp>
 #include <planish/geometry/mesh.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
+#include <planish/slit/slit_sheet.hpp>
 
 #include <array>
 #include <optional>
@@ -31,6 +32,10 @@ struct MouldOptions {
   std::optional<double> inset = {};
   Angle draft = Angle::degrees(5);  ///< quads that face `up` by less than this are left bare
   MouldForm form = MouldForm::ribs;
+  /// The mould is for strips of this material that spring back: bent on it one by one, each is bent
+  /// so far that it keeps its shape (overbend.hpp). Ribs of different strips then stand side by
+  /// side, not where the strips are. Needs a yield stress, and ribs.
+  std::optional<SlitMaterial> overbend = {};
 };
 
 /// A quad of a strip, counted over both halves of symmetric sheets, from one panel to the other.
@@ -92,11 +97,12 @@ struct Mould {
 /// plate half as thick as `base`, below the panels' free edges.
 ///
 /// Errors: `bad_option` (options not finite or outside their range, an inset that leaves no width
-/// of a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too
-/// thick for the folds there), `unsupported_shape` (no part of the strips faces `up`; a whole strip
-/// hangs above others, or walls are in the way: choose another `up` or the other side). `where`
-/// names an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads · those
-/// above or below them) for each lean tried.
+/// of a strip, overbending without a yield stress or in one body), `radius_too_small` (a facet
+/// between two mitres has no length: the sheet is too thick for the folds there),
+/// `unsupported_shape` (no part of the strips faces `up`; a whole strip hangs above others, or
+/// walls are in the way: choose another `up` or the other side). `where` names an option (JSON
+/// pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads · those above or below them)
+/// for each lean tried.
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options = {});
 
 /// All ribs in one mesh, each closed; or the one body.

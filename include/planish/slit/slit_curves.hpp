@@ -21,10 +21,11 @@ struct CurvedSlits {
 };
 
 /// The strips between slits, in a sheet of which all but the strips is given. Slits may be in any
-/// order and run either way; each begins anywhere and runs to where the strips end, panel height +
-/// half-length. The outline is straight at the panel: along both sides from 0 to the panel's height
-/// and across its ends. Errors: `invalid_input` where a slit or the outline does not do so, where
-/// they cross, or where a strip has no width; `where` is `/slits/2`.
+/// order and run either way; each begins and ends anywhere. Beside a strip whose other slit ends
+/// earlier, a slit or the outline is straight along from there on. The outline is straight at the
+/// panel: along both sides from 0 to the panel's height and across its ends. Errors:
+/// `invalid_input` where a slit or the outline does not do so, where they cross, lie one behind the
+/// other, or where a strip has no width; `where` is `/slits/2`.
 Result<std::vector<SlitStrip>> strips_between(const SlitSheet& sheet, const CurvedSlits& curves);
 
 }  // namespace planish

@@ -23,8 +23,12 @@ struct SlitStrip {
   std::optional<double> left_start = {}, right_start = {};
   std::optional<double> end = {};  ///< where it ends, along; default: panel height + half-length.
                                    ///< Not in symmetric sheets
+  /// Where the slits on its left and on its right end, along the sheet; default: where the strip
+  /// ends, or the other one ends. The strip's last ridge joins both; from there on the sheet is
+  /// uncut, and joins it to its neighbours.
+  std::optional<double> left_end = {}, right_end = {};
   /// Its left and right edge where that is a curve, as a chain of lines from the slit's start to
-  /// the strip's end; empty: a line along the sheet. With curves `width` is that at the start.
+  /// its end; empty: a line along the sheet. With curves `width` is that at the start.
   std::array<std::vector<Vec2>, 2> edges = {};
   friend bool operator==(const SlitStrip&, const SlitStrip&) = default;
 };
@@ -44,10 +48,15 @@ struct SlitSheet {
   double width() const;
   double breadth() const;
   double reach() const;
+  /// Where strips end, along, that have no end of their own.
+  double far_line() const { return panel_height + half_length; }
   bool has_strip(int strip) const { return strip >= 0 && strip < std::ssize(strips); }
-  /// Of strip i: across of its left edge, start of both slits, end.
+  /// Whether the uncut sheet beyond the end of the slit on its right joins a strip to the next.
+  bool joins_next(int strip) const;
+  /// Of strip i: across of its left edge, start and end of both slits, and the later end.
   double left_of(int strip) const;
   std::array<double, 2> start_of(int strip) const;
+  std::array<double, 2> ends_of(int strip) const;
   double end_of(int strip) const;
   /// Across of both edges where it ends, how long they are, and the area between them.
   std::array<double, 2> sides_at_end(int strip) const;

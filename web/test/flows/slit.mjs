@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { coarse, download, drag, enter, example, open, rested, state, timings } from '../driving.mjs';
 
 export async function slit({ page }) {
@@ -176,4 +177,68 @@ export async function loads({ page }) {
   await page.keyboard.press('Enter');
   await rested(page);
   assert.ok((await state(page, 's.problem')) || /not stable|N\/mm²/.test(await facts()), 'it is told');
+}
+
+/** An outline is dragged by its corners; the strips before are drawn faintly beside those that are. */
+export async function outline({ page }) {
+  const path = coarse(page, 'chair.json'),
+    { strips: _strips, strip_width: _width, ...sheet } = JSON.parse(readFileSync(path, 'utf8')).sheet;
+  writeFileSync(
+    path,
+    JSON.stringify({
+      ...JSON.parse(readFileSync(path, 'utf8')),
+      sheet,
+      slits: [120, 240].map((across) => ({ points: [420, 884].map((along) => [along, across]) })),
+      outline: [
+        {
+          points: [
+            [0, 0],
+            [420, 0],
+            [650, 0],
+            [884, 0],
+            [884, 360],
+            [650, 360],
+            [420, 360],
+            [0, 360],
+          ],
+        },
+      ],
+    }),
+  );
+  await open(page, [path]);
+  assert.equal(await state(page, 's.problem'), null);
+  const corners = () => state(page, 's.input.spec.outline[0].points'),
+    area = () => state(page, 's.shape.report.flat.area'),
+    faint = () =>
+      state(
+        page,
+        `views.folded.handles.group.children
+          .filter((c) => c.isLineLoop && c.material.opacity < 0.5)
+          .map((c) => [...c.geometry.attributes.position.array])`,
+      ),
+    edges = () => state(page, 's.shape.handles.ridges.map((r) => r[5][0])');
+  assert.equal((await faint()).length, 0, 'nothing is before the first shape');
+  const before = await area(),
+    middle = await edges();
+  await drag(page, await state(page, 'views.flat.project([650, 0])'), { x: 0, y: 6 }, 12);
+  await rested(page);
+  assert.equal(await state(page, 's.problem'), null);
+  const [along, across] = (await corners())[2];
+  assert.ok(across < -1 && Math.abs(along - 650) < 1, `dragged to ${along}, ${across}`);
+  assert.deepEqual(await state(page, 's.selection.point'), { curve: 'outline-0', index: 2 });
+  // A triangle on the side of each half.
+  const grown = 2 * 0.5 * (884 - 420) * -across;
+  assert.ok(Math.abs((await area()) - before - grown) < 0.01, `${await area()} is not ${grown} more than ${before}`);
+  const drawn = await faint();
+  assert.equal(drawn.length, 3, 'each strip is drawn as it was');
+  middle.forEach((at, strip) =>
+    at.forEach((v, k) => assert.ok(Math.abs(drawn[strip][3 * 5 + k] - v) < 0.01, `strip ${strip} was at ${at}`)),
+  );
+  assert.notDeepEqual(await edges(), middle);
+  await page.keyboard.press('Delete');
+  await rested(page);
+  assert.equal((await corners()).length, 7);
+  for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
+  await rested(page);
+  assert.ok(Math.abs((await area()) - before) < 1e-6);
 }
