@@ -54,10 +54,15 @@ class Remarks {
   std::vector<One> all_;
 };
 
+/// Whether the V is to be told beside the wanted one: makers' sizes are a quarter apart.
+bool is_other_size(const Stroke& stroke, double opening) {
+  constexpr double kOtherSize = 0.2;
+  return stroke.v_away > 0 || std::abs(opening - stroke.v_wanted) > kOtherSize * stroke.v_wanted;
+}
+
 /// Where tools leave another radius than the drawn one, or the V is not the wanted one.
 void note_tools(const StrokeInputs& inputs, Plan& plan) {
-  constexpr double kNarrow = 5.0;     // V in thicknesses (math.md#v-choice)
-  constexpr double kOtherSize = 0.2;  // of the wanted V: makers' sizes are a quarter apart
+  constexpr double kNarrow = 5.0;  // V in thicknesses (math.md#v-choice)
   const double thickness = inputs.work.thickness;
   Remarks remarks;
   for (const Stroke& stroke : plan.strokes) {
@@ -84,8 +89,7 @@ void note_tools(const StrokeInputs& inputs, Plan& plan) {
     }
     if (die->opening < kNarrow * thickness - tolerance::kWrittenDigits)
       remarks.add(say::narrow_v, {opening, {"least", kNarrow * thickness, unit::mm}}, stroke.bends);
-    if (stroke.v_away > 0 ||
-        std::abs(die->opening - stroke.v_wanted) > kOtherSize * stroke.v_wanted)
+    if (is_other_size(stroke, die->opening))
       remarks.add(
           say::other_v,
           {opening,

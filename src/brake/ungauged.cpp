@@ -54,6 +54,18 @@ std::optional<GaugeStop> opening_that_would_do(StageCache& cache, Setting stroke
   return std::nullopt;
 }
 
+/// Of edges on both sides that are, the one that lacks least.
+Remark out_of_range(std::vector<GaugeEdge> edges, const BackGauge& gauge) {
+  std::erase_if(edges, [&](const GaugeEdge& edge) { return is_in_range(edge, gauge); });
+  const GaugeEdge nearest = *std::ranges::min_element(edges, {}, [&](const GaugeEdge& edge) {
+    return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});
+  });
+  return remark_of(nearest.flange ? say::face_out_of_range : say::edge_out_of_range,
+                   {{"away", nearest.away, unit::mm},
+                    {"from", gauge.from, unit::mm},
+                    {"to", gauge.to, unit::mm}});
+}
+
 Remark what_is_untouched(StageCache& cache, const Setting& stroke) {
   const auto& machine = cache.inputs().tools.machine;
   if (!machine.gauge) return remark_of(say::no_back_gauge);
@@ -67,23 +79,10 @@ Remark what_is_untouched(StageCache& cache, const Setting& stroke) {
   }
   if (edges.empty())
     return remark_of(has_edge_aside(cache, stroke) ? say::edge_leans : say::no_parallel_edge);
-  const auto off = [&](const GaugeEdge& edge) {
-    return std::max({gauge.from - edge.away, edge.away - gauge.to, 0.0});
-  };
-  const auto nearest_of = [&](const std::vector<GaugeEdge>& of) {
-    return *std::ranges::min_element(of, {}, off);
-  };
-  GaugeEdge nearest = nearest_of(edges);
-  if (!is_in_range(nearest, gauge)) {
-    Setting other = stroke;
-    other.direction = -told.direction;
-    if (const auto there = all_facing(cache, other, gauge);
-        !there.empty() && off(nearest_of(there)) < off(nearest))
-      nearest = nearest_of(there);
-    return remark_of(nearest.flange ? say::face_out_of_range : say::edge_out_of_range,
-                     {{"away", nearest.away, unit::mm},
-                      {"from", gauge.from, unit::mm},
-                      {"to", gauge.to, unit::mm}});
+  if (std::ranges::none_of(edges, [&](const GaugeEdge& one) { return is_in_range(one, gauge); })) {
+    told.direction = -told.direction;
+    std::ranges::move(all_facing(cache, told, gauge), std::back_inserter(edges));
+    return out_of_range(edges, gauge);
   }
   std::erase_if(edges, [&](const GaugeEdge& edge) { return !is_in_range(edge, gauge); });
   if (const auto faces = untouched(edges, gauge)) return *faces;

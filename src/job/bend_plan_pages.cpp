@@ -19,7 +19,7 @@ namespace {
 /// What the force and the angles are for, and what the file names if that is another metal.
 std::string metal_of(const Bending& bending, const Report& report) {
   const bool other = report.plan &&
-                     std::ranges::count(report.plan->remarks, kOtherMetal, &Remark::code) > 0;
+                     std::ranges::count(report.plan->remarks, "other_metal", &Remark::code) > 0;
   std::string text = other ? report.material + ", reckoned as " : "";
   text += fmt::format("{} {} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
                       number_text(bending.plan.tensile_strength));
@@ -55,10 +55,7 @@ drawing::BendDrawing drawing_of(const Report& report, const Bending& bending) {
                                .layout = report.layout,
                                .machine = tools_of(bending).machine.name,
                                .bed = tools_of(bending).machine.length,
-                               .plan = report.plan ? &*report.plan : nullptr,
-                               .blocked = {},
-                               .obstacles = {},
-                               .proposals = {}};
+                               .plan = report.plan ? &*report.plan : nullptr};
   for (const BlockedBend& blocked : obstacles_of(report)) {
     drawing.blocked.push_back(blocked.bend);
     drawing.obstacles.push_back(told_of(blocked, report).sentence);

@@ -185,7 +185,7 @@ void note_metal(const Report& report, const Bending& bending, Plan& plan) {
   const bool chosen = !bending.metal.empty() ||
                       bending.plan.tensile_strength != PlanOptions{}.tensile_strength;
   if (chosen || report.material.empty() || is_mild_steel(report.material)) return;
-  plan.remarks.push_back({kOtherMetal, tell(say::other_metal, {{"material", report.material}})});
+  plan.remarks.push_back({"other_metal", tell(say::other_metal, {{"material", report.material}})});
 }
 
 }  // namespace

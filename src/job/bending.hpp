@@ -20,9 +20,6 @@ const BrakeTools& tools_of(const Bending& bending);
 Result<std::vector<BendId>> bends_named(const Report& report,
                                         const std::vector<std::string>& names);
 
-/// Code of the remark that the file names a metal that nothing was chosen for.
-constexpr const char* kOtherMetal = "other_metal";
-
 /// Why there is no plan: no order is possible, or none was found.
 Told cannot_be_bent(const Report& report, const Plan& plan, const Bending& bending);
 Told no_plan_found(const Plan& plan);

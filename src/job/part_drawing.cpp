@@ -18,11 +18,9 @@ namespace {
 
 std::string plan_words(const Report& report) {
   if (report.flat.bends.empty()) return "nothing to bend";
-  const auto has = [&](std::string_view code) {
-    return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.code == code; });
-  };
-  if (has("cannot_bend")) return "cannot be bent";
-  if (has("no_plan")) return "no order found";
+  const auto found = mapped(report.findings, &Finding::code);
+  if (std::ranges::count(found, "cannot_bend")) return "cannot be bent";
+  if (std::ranges::count(found, "no_plan")) return "no order found";
   return has_order(report.flat) ? "can be bent" : "not planned";
 }
 

@@ -344,9 +344,8 @@ Schema plan_schema() {
 
 std::string plan_text(const Plan& plan, const Report& report) {
   const Units units(report.units);
-  if (nothing_to_bend(plan))
-    return only_rolls(plan) ? "plan: no strokes: what is bent is rolled\n"
-                            : "plan: nothing to bend\n";
+  if (only_rolls(plan)) return "plan: no strokes: what is bent is rolled\n";
+  if (nothing_to_bend(plan)) return "plan: nothing to bend\n";
   if (!has_order(plan))
     return fmt::format("plan: {} ({} examined)\n",
                        plan.status == PlanStatus::infeasible ? "impossible" : "none found",

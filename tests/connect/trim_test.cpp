@@ -285,7 +285,7 @@ PlateStructure walled(const std::vector<Vec2>& floor, double high) {
 bool covers_itself(const Connection& made) {
   const auto pattern = flatten(made.sheet, {.root = made.root});
   EXPECT_TRUE(pattern);
-  return !pattern || !self_crossings(polygon_of({pattern->outer.loop}, 0.01).outer).empty();
+  return !pattern || !self_crossings(polygon_of({pattern->outer.loop, {}}, 0.01).outer).empty();
 }
 
 const std::vector<Vec2> kL{{0, 0}, {200, 0}, {200, 80}, {90, 80}, {90, 160}, {0, 160}};

@@ -42,12 +42,12 @@ struct BendDrawing {
   LengthUnit units = LengthUnit::mm;
   const FlatPattern& flat;
   const Layout& layout;
-  std::string machine = {};            ///< name of the press brake; may be empty
-  double bed = 0.0;                    ///< length of it
-  const Plan* plan = nullptr;          ///< null: there is none
-  std::vector<BendId> blocked;         ///< bends that cannot be pressed
-  std::vector<std::string> obstacles;  ///< sentences: why they cannot
-  std::vector<std::string> proposals;  ///< sentences: how the part could be bent
+  std::string machine = {};                 ///< name of the press brake; may be empty
+  double bed = 0.0;                         ///< length of it
+  const Plan* plan = nullptr;               ///< null: there is none
+  std::vector<BendId> blocked = {};         ///< bends that cannot be pressed
+  std::vector<std::string> obstacles = {};  ///< sentences: why they cannot
+  std::vector<std::string> proposals = {};  ///< sentences: how the part could be bent
   std::vector<FlangeName> flanges = {};
   std::vector<std::optional<FlangeCheck>> checks = {};  ///< of each stroke; may be left out
   std::vector<std::string> notes = {};                  ///< sentences: what else is to be known
