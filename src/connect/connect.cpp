@@ -1,7 +1,6 @@
 #include "alternatives.hpp"
 #include "assemble.hpp"
 #include "close_loops.hpp"
-#include "fit_check.hpp"
 #include "interrupted_bends.hpp"
 #include "join_tree.hpp"
 #include "loops.hpp"
@@ -11,12 +10,10 @@
 #include "taken_edges.hpp"
 #include "trim.hpp"
 
-#include <planish/base/union_find.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -122,51 +119,6 @@ void add_alternatives(const PlateStructure& structure, const ConnectOptions& opt
   }
 }
 
-/// Plates that touch others along their edges, which bends of plates that touch do not join to
-/// most of these.
-std::set<int> strays_of(const std::vector<BendFit>& fits, const std::vector<SharedEdge>& touching,
-                        int count) {
-  UnionFind touch(count), joined(count);
-  for (const SharedEdge& edge : touching) {
-    if (edge.from == edge.to) continue;
-    touch.unite(edge.plates[0], edge.plates[1]);
-    for (const BendFit& fit : fits)
-      if (std::ranges::is_permutation(fit.report.plates, edge.plates))
-        joined.unite(edge.plates[0], edge.plates[1]);
-  }
-  std::vector<int> sizes(count, 0);
-  for (int p = 0; p < count; ++p)
-    for (int q = 0; q < count; ++q)
-      sizes[p] += joined.same(p, q);
-  std::set<int> strays;
-  for (int p = 0; p < count; ++p)
-    for (int q = 0; q < count; ++q)
-      if (touch.same(p, q) && !joined.same(p, q) && sizes[p] <= sizes[q]) strays.insert(p);
-  return strays;
-}
-
-/// Finds which plates to join. Where a bend would lay a plate over another, as the walls in an
-/// inward corner of a floor, one of them hangs on a further plate that it touches. Those for which
-/// none is left come first the next time.
-Result<std::vector<BendFit>> fit_apart(const PlateStructure& structure, const Trimmed& trimmed,
-                                       const ConnectOptions& options, const Progress& progress) {
-  auto fits = fit_tree(structure, trimmed.plates, trimmed.shared, options, progress);
-  if (!fits || fits->size() < 2) return fits;  // pairs are checked as they are joined
-  Parts parts = parts_of(structure, trimmed.plates, 0);
-  parts.fits = *fits;
-  if (check_flat_together(parts, 0, options.k_factor)) return fits;
-  TreeRules rules{.together = true, .first = {}};
-  for (std::size_t before = 0; true; before = rules.first.size()) {
-    auto apart = fit_tree(structure, trimmed.plates, trimmed.shared, options, progress, rules);
-    if (!apart) return apart.error().code == code::cancelled ? apart : fits;
-    const std::set<int> strays = strays_of(*apart, trimmed.shared,
-                                           static_cast<int>(trimmed.plates.size()));
-    if (strays.empty()) return apart;
-    rules.first.insert(strays.begin(), strays.end());
-    if (rules.first.size() == before) return fits;
-  }
-}
-
 /// Joins plates in their places.
 Result<Connection> joined(const PlateStructure& structure, const Trimmed& trimmed,
                           const ConnectOptions& options, const Progress& progress) {
@@ -175,7 +127,7 @@ Result<Connection> joined(const PlateStructure& structure, const Trimmed& trimme
   const auto root = root_of(structure, plates);
   if (!root) return pass_on(root);
   const bool found = structure.bends.empty();
-  auto fits = found ? fit_apart(structure, trimmed, options, progress)
+  auto fits = found ? fit_tree(structure, plates, trimmed.shared, options, progress)
                     : fit_requested(structure, plates, options, progress);
   if (!fits) return pass_on(fits);
   // Numbered by the plates they join, so that a bend keeps its number when a plate moves.

@@ -7,14 +7,12 @@
 #include "sheets_meet.hpp"
 #include "tolerances.hpp"
 
-#include <planish/base/union_find.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/plane.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -79,60 +77,7 @@ Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
   return error_of(refuse::sheets_run_into_each_other, facts);
 }
 
-/// Some of the plates and the bends between them.
-Parts taken_out(const Parts& parts, const std::vector<int>& plates, const std::vector<int>& bends) {
-  Parts some{parts.thickness, {}, {}, {}, 0};
-  for (const int plate : plates) {
-    some.plates.push_back(parts.plates[plate]);
-    some.ids.push_back(parts.ids[plate]);
-  }
-  for (const int bend : bends) {
-    some.fits.push_back(parts.fits[bend]);
-    for (int& row : some.fits.back().report.plates)
-      row = static_cast<int>(std::ranges::find(plates, row) - plates.begin());
-  }
-  return some;
-}
-
-/// Plates and bends laid flat: the faces of the plates, and which faces cover each other.
-struct Laid {
-  std::vector<FaceId> plates;
-  std::vector<Overlap> twice;
-};
-Result<Laid> laid_flat(const Parts& parts, double k_factor) {
-  const auto made = assembled(parts);
-  if (!made) return pass_on(made);
-  const FlattenOptions options{.allowance = ConstantK{k_factor}, .root = made->root};
-  const auto layout = lay_out(made->sheet, options);
-  if (!layout) {
-    Error error = layout.error();
-    error.places.clear();  // which are of a sheet that nobody sees
-    return fail(std::move(error));
-  }
-  const double clearance = std::max(kContact * parts.thickness, 2.0 * options.curve_tolerance);
-  const auto faces = mapped(made->sheet.faces.ids(), [&](FaceId face) {
-    return polygon_of(layout->region(face), 0.25 * clearance);
-  });
-  return Laid{made->plate_faces, overlaps(faces, clearance, clearance * clearance)};
-}
-
-/// The refusal of a bend for an area that is covered twice.
-Result<void> covers(const Parts& parts, int bend, double area) {
-  Facts facts = plates_of(parts, bend);
-  facts.emplace_back("area", area, unit::mm2);
-  return fail(refuse::covers_itself, facts);
-}
-
 }  // namespace
-
-Result<void> check_span(const Parts& parts, int bend, const SpanLimit& limit) {
-  const double span = parts.fits[bend].report.reach;
-  if (span <= limit.most) return {};
-  Facts facts = plates_of(parts, bend);
-  facts.emplace_back("span", span, unit::mm);
-  facts.emplace_back("most", limit.most, unit::mm);
-  return fail(limit.given ? refuse::longer_than_given : refuse::longer_than_joined, facts);
-}
 
 Result<void> check_on_plates(const Parts& parts, int bend) {
   if (!parts.fits[bend].fold) {
@@ -174,40 +119,31 @@ Result<void> check_room(const Parts& parts, int bend) {
 }
 
 Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
-  const auto laid = laid_flat(taken_out(parts, parts.fits[bend].report.plates, {bend}), k_factor);
-  if (!laid) return pass_on(laid);
-  return laid->twice.empty() ? Result<void>() : covers(parts, bend, laid->twice.front().area);
-}
-
-Result<void> check_flat_together(const Parts& parts, int bend, double k_factor) {
-  UnionFind groups(static_cast<int>(parts.plates.size()));
-  for (const BendFit& fit : parts.fits)
-    for (const int plate : fit.report.plates)
-      groups.unite(plate, fit.report.plates.front());
-  const auto is_joined = [&](int plate) {
-    return groups.same(plate, parts.fits[bend].report.plates.front());
-  };
-  std::vector<int> plates, bends;
-  for (int plate = 0; plate < std::ssize(parts.plates); ++plate)
-    if (is_joined(plate)) plates.push_back(plate);
-  for (int other = 0; other < std::ssize(parts.fits); ++other)
-    if (const auto& rows = parts.fits[other].report.plates; !rows.empty() && is_joined(rows[0]))
-      bends.push_back(other);
-  const Parts joined = taken_out(parts, plates, bends);
-  const auto laid = laid_flat(joined, k_factor);
-  if (!laid) return pass_on(laid);
-  for (const Overlap& overlap : laid->twice) {
-    const auto plate_of = [&](int face) {
-      return static_cast<int>(std::ranges::find(laid->plates, FaceId{face}) - laid->plates.begin());
-    };
-    const std::array pair{plate_of(overlap.first), plate_of(overlap.second)};
-    const bool of_plates = std::max(pair[0], pair[1]) < std::ssize(laid->plates);
-    const bool of_one_bend = std::ranges::any_of(joined.fits, [&](const BendFit& fit) {
-      return std::ranges::is_permutation(fit.report.plates, pair);
-    });
-    if (of_plates && !of_one_bend) return covers(parts, bend, overlap.area);
+  const std::vector<int>& rows = parts.fits[bend].report.plates;
+  Parts alone{parts.thickness, {}, {}, {parts.fits[bend]}, 0};
+  for (const int plate : rows) {
+    alone.plates.push_back(parts.plates[plate]);
+    alone.ids.push_back(parts.ids[plate]);
   }
-  return {};
+  alone.fits.front().report.plates = {0, 1};
+  const auto made = assembled(alone);
+  if (!made) return pass_on(made);
+  const FlattenOptions options{.allowance = ConstantK{k_factor}, .root = made->root};
+  const auto layout = lay_out(made->sheet, options);
+  if (!layout) {
+    Error error = layout.error();
+    error.places.clear();  // which are of a sheet that nobody sees
+    return fail(std::move(error));
+  }
+  const double clearance = std::max(kContact * parts.thickness, 2.0 * options.curve_tolerance);
+  const auto faces = mapped(made->sheet.faces.ids(), [&](FaceId face) {
+    return polygon_of(layout->region(face), 0.25 * clearance);
+  });
+  const auto twice = overlaps(faces, clearance, clearance * clearance);
+  if (twice.empty()) return {};
+  Facts facts = plates_of(parts, bend);
+  facts.emplace_back("area", twice.front().area, unit::mm2);
+  return fail(refuse::covers_itself, facts);
 }
 
 Result<void> check_in_front(const Parts& parts, const std::vector<int>& rows, const BendFit& fit) {

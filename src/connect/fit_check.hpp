@@ -4,18 +4,7 @@
 
 #include <planish/base/result.hpp>
 
-#include <limits>
-
 namespace planish::connect_detail {
-
-/// The longest way from plate to plate that a bend bridges.
-struct SpanLimit {
-  double most = std::numeric_limits<double>::infinity();
-  bool given = false;
-};
-
-/// Error: `too_far_apart`, if a bend is longer.
-Result<void> check_span(const Parts& parts, int bend, const SpanLimit& limit);
 
 /// Whether both plates of a bend keep all of their material beside it and the other bends that they
 /// have so far, and meet it along some width, and whether a bend round their back leaves them room.
@@ -29,10 +18,6 @@ Result<void> check_room(const Parts& parts, int bend);
 /// Whether a bend and its two plates, alone, lie flat without covering each other. Errors:
 /// `overlap`, and those of `lay_out`.
 Result<void> check_flat(const Parts& parts, int bend, double k_factor);
-
-/// Whether plates that no bend joins cover each other when flat, of those that bends join to the
-/// plates of a bend so far. Errors as above.
-Result<void> check_flat_together(const Parts& parts, int bend, double k_factor);
 
 /// Refuses a bend that goes round the backs of the plates in `rows`, for the reason why none in
 /// front holds, if that is known.

@@ -13,6 +13,7 @@
 #include <planish/connect/codes.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -70,9 +71,24 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
   return rows;
 }
 
+/// The longest way from plate to plate that a bend bridges.
+struct SpanLimit {
+  double most = std::numeric_limits<double>::infinity();
+  bool given = false;
+};
+
+Result<void> check_span(const Parts& parts, int bend, const SpanLimit& limit) {
+  const double span = parts.fits[bend].report.reach;
+  if (span <= limit.most) return {};
+  Facts facts = plates_of(parts, bend);
+  facts.emplace_back("span", span, unit::mm);
+  facts.emplace_back("most", limit.most, unit::mm);
+  return fail(limit.given ? refuse::longer_than_given : refuse::longer_than_joined, facts);
+}
+
 /// A fit of bend number `bend`, between the plates in `rows`, is held against the others.
 FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows,
-                    const SpanLimit& limit, const ConnectOptions& options, bool together) {
+                    const SpanLimit& limit, const ConnectOptions& options) {
   const auto held = [&parts, bend, rows](const auto& check) {
     return [&parts, bend, rows, check](const BendFit& fit) {
       parts.fits[bend] = fit;
@@ -82,11 +98,9 @@ FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows
       return sound;
     };
   };
-  return {held([limit, &options, together](const Parts& all, int number) -> Result<void> {
+  return {held([limit](const Parts& all, int number) -> Result<void> {
             if (auto on_plates = check_on_plates(all, number); !on_plates) return on_plates;
-            if (auto span = check_span(all, number, limit); !span) return span;
-            if (!together) return {};
-            return check_flat_together(all, number, options.k_factor);
+            return check_span(all, number, limit);
           }),
           held([&options](const Parts& all, int number) {
             return check_flat(all, number, options.k_factor);
@@ -126,8 +140,7 @@ struct Problem {
   const std::vector<PlacedPlate>& plates;
   const std::vector<SharedEdge>& touching;
   const ConnectOptions& options;
-  const TreeRules& rules;
-  bool share_edges;
+  bool share_edges = false;
 
   /// Along an edge, or at least in a corner.
   bool touch(int a, int b, bool along_edge = false) const {
@@ -162,8 +175,7 @@ std::optional<Pair> measured(const Problem& problem, int a, int b, const TakenEd
   if (any && (!near || near->span > problem.largest_span(a, b)))
     near = nearest_choice(task, problem.options);
   if (!near) return std::nullopt;
-  const bool first = problem.rules.first.contains(a) || problem.rules.first.contains(b);
-  return Pair{first ? 0.0 : near->span / near->width, near->width, a, b, near->span};
+  return Pair{near->span / near->width, near->width, a, b, near->span};
 }
 
 /// Which pairs of plates are joined, and how far the search for their bend goes.
@@ -290,8 +302,7 @@ class Tree {
     const std::size_t bend = parts_.fits.size() - 1;
     auto fit = (any ? fit_any_choice : fit_first_choice)(
         problem_.task(pair.a, pair.b, taken_), problem_.options,
-        checks_at(parts_, bend, rows, problem_.span_limit(pair.a, pair.b), problem_.options,
-                  problem_.rules.together));
+        checks_at(parts_, bend, rows, problem_.span_limit(pair.a, pair.b), problem_.options));
     // Plates that share an edge are meant to be joined there, not by three quarters of a turn.
     if (fit && problem_.touch(pair.a, pair.b, true))
       if (auto front = check_in_front(parts_, rows, *fit); !front) fit = pass_on(front);
@@ -349,7 +360,7 @@ Result<std::vector<BendFit>> fit_all_requested(const PlateStructure& structure,
     FitTask task = task_of(structure, plates, taken, (*rows)[b], structure.bends[b]);
     task.pointer = bend_pointer(b);
     task.shares_edges = share_edges;
-    auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], limit, options, false));
+    auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], limit, options));
     if (!fit) return pass_on(fit);
     fit->report.plates = (*rows)[b];
     take(*fit, plates, taken);
@@ -373,10 +384,9 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
                                       const std::vector<SharedEdge>& touching,
-                                      const ConnectOptions& options, const Progress& progress,
-                                      const TreeRules& rules) {
+                                      const ConnectOptions& options, const Progress& progress) {
   return sharing_where_needed([&](bool share_edges) -> Result<std::vector<BendFit>> {
-    const Problem problem{structure, plates, touching, options, rules, share_edges};
+    const Problem problem{structure, plates, touching, options, share_edges};
     Tree tree(problem);
     // Whoever draws plates that touch means them to be joined there. Other choices than the first
     // only where plates would be left alone.

@@ -4,8 +4,6 @@
 
 #include <planish/base/progress.hpp>
 
-#include <set>
-
 namespace planish::connect_detail {
 
 /// Fits every requested bend, in order; those with given edges first, so that others do not take
@@ -14,19 +12,12 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
                                            const std::vector<PlacedPlate>& plates,
                                            const ConnectOptions& options, const Progress& progress);
 
-/// How a tree grows.
-struct TreeRules {
-  bool together = false;  ///< no bend may lay its plates over others that are joined already
-  std::set<int> first;    ///< plates whose pairs come before all others
-};
-
 /// Finds which plates to join into one sheet: those that touch where that is possible, then pairs
 /// with the smallest ratio of span to width first, each edge used once (a minimum spanning tree).
 /// Error: `no_bend_fits` if a plate remains unconnected.
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
                                       const std::vector<SharedEdge>& touching,
-                                      const ConnectOptions& options, const Progress& progress,
-                                      const TreeRules& rules = {});
+                                      const ConnectOptions& options, const Progress& progress);
 
 }  // namespace planish::connect_detail

@@ -122,26 +122,5 @@ TEST(CheckOnPlates, WantsRoomInFrontOfABendRoundTheBack) {
   EXPECT_TRUE(check_on_plates(facing, 0));
 }
 
-TEST(CheckFlatTogether, SeesPlatesCoverEachOtherThatNoBendJoins) {
-  // An inward corner at (90, 80), and a wall on each of its edges.
-  PlateStructure s;
-  s.thickness = 2;
-  s.plates = {
-      {"floor", {{0, 0, 0}, {200, 0, 0}, {200, 80, 0}, {90, 80, 0}, {90, 160, 0}, {0, 160, 0}}, {}},
-      rectangle_plate("along", {100, 88, 8}, {100, 0, 0}, {0, 0, 40}),
-      rectangle_plate("across", {98, 90, 8}, {0, 70, 0}, {0, 0, 40})};
-  s.bends = {{.between = {"floor", "along"}, .edges = {std::vector{2}, std::vector{0}}},
-             {.between = {"floor", "across"}, .edges = {std::vector{3}, std::vector{0}}}};
-  const Parts parts = parts_of(s);
-  ASSERT_EQ(parts.fits.size(), 2u);
-  for (const int bend : {0, 1}) {
-    EXPECT_TRUE(check_flat(parts, bend, 0.44));
-    const auto checked = check_flat_together(parts, bend, 0.44);
-    ASSERT_FALSE(checked);
-    EXPECT_EQ(checked.error().code, code::overlap);
-  }
-  EXPECT_TRUE(check_flat_together(parts_of(tray()), 0, 0.44));
-}
-
 }  // namespace
 }  // namespace planish::test

@@ -5,16 +5,12 @@
 
 #include <planish/connect/codes.hpp>
 #include <planish/connect/connect.hpp>
-#include <planish/geometry/region.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
 
 // Plates drawn up to each other, as a designer draws a box.
 
@@ -265,68 +261,6 @@ TEST(Trimming, IsLeftOutWherePlatesAreApart) {
   box.trim = false;
   const auto untouched = connect(box);
   EXPECT_TRUE(!untouched || untouched->trimmed.empty());
-}
-
-/// A floor with a wall on each edge.
-PlateStructure walled(const std::vector<Vec2>& floor, double high) {
-  PlateStructure s;
-  s.thickness = 2;
-  s.plates = {{"floor", {}, {}}};
-  const Vec3 up(0, 0, high);
-  for (std::size_t i = 0; i < floor.size(); ++i) {
-    const Vec2 &p = floor[i], &q = floor[(i + 1) % floor.size()];
-    const Vec3 from(p.x(), p.y(), 0), to(q.x(), q.y(), 0);
-    s.plates[0].outline.push_back(from);
-    s.plates.push_back({"wall" + std::to_string(i), {from, to, to + up, from + up}, {}});
-  }
-  return s;
-}
-
-bool covers_itself(const Connection& made) {
-  const auto pattern = flatten(made.sheet, {.root = made.root});
-  EXPECT_TRUE(pattern);
-  return !pattern || !self_crossings(polygon_of({pattern->outer.loop, {}}, 0.01).outer).empty();
-}
-
-const std::vector<Vec2> kL{{0, 0}, {200, 0}, {200, 80}, {90, 80}, {90, 160}, {0, 160}};
-const std::vector<Vec2> kT{{0, 0},     {300, 0},   {300, 80}, {200, 80},
-                           {200, 220}, {100, 220}, {100, 80}, {0, 80}};
-const std::vector<Vec2> kStairs{{0, 0},     {300, 0},   {300, 100}, {200, 100},
-                                {200, 200}, {100, 200}, {100, 300}, {0, 300}};
-
-std::vector<Vec2> u_shape(double from, double to) {
-  return {{0, 0}, {300, 0}, {300, 200}, {to, 200}, {to, 80}, {from, 80}, {from, 200}, {0, 200}};
-}
-
-TEST(Trimming, HangsAWallInAnInwardCornerOnTheNextOneThatItDoesNotCover) {
-  // Both walls of an inward corner fold into it. One hangs on the wall at its other end.
-  for (const auto& [floor, high] :
-       {std::pair{kL, 30.0}, {kT, 30.0}, {kStairs, 30.0}, {u_shape(140, 200), 50.0}})
-    for (const double mirror : {1.0, -1.0}) {
-      PlateStructure s = walled(floor, high);
-      for (Plate& plate : s.plates)
-        for (Vec3& p : plate.outline)
-          p.x() *= mirror;
-      const auto made = connect(s);
-      ASSERT_TRUE(made) << made.error().message;
-      ASSERT_EQ(made->bends.size(), floor.size());
-      EXPECT_FALSE(covers_itself(*made));
-      const auto count = static_cast<int>(floor.size());
-      for (const FittedBend& bend : made->bends) {
-        const int a = bend.plates[0], b = bend.plates[1];
-        const bool beside = std::min((a - b + count) % count, (b - a + count) % count) == 1;
-        EXPECT_TRUE(std::min(a, b) == 0 || beside) << "of plates that touch";
-      }
-    }
-}
-
-TEST(Trimming, LeavesAnOverlapThatNoOtherWallAvoids) {
-  // Each wall of the recess would cover another, wherever it hangs.
-  const auto made = connect(walled(u_shape(100, 200), 30));
-  ASSERT_TRUE(made) << made.error().message;
-  for (const FittedBend& bend : made->bends)
-    EXPECT_EQ(std::min(bend.plates[0], bend.plates[1]), 0);
-  EXPECT_TRUE(covers_itself(*made));
 }
 
 }  // namespace
