@@ -33,10 +33,9 @@ class Turning {
 
   std::vector<StrokeChoice> run_by_size() {
     for (std::size_t from = 0, to = 0; from < strokes_.size(); from = to) {
-      const auto ends = std::ranges::find_if(
-          strokes_.begin() + static_cast<std::ptrdiff_t>(from), strokes_.end(),
-          [&](const StrokeChoice& one) { return one.direction != strokes_[from].direction; });
-      to = static_cast<std::size_t>(ends - strokes_.begin());
+      to = from + 1;
+      while (to < strokes_.size() && strokes_[to].direction == strokes_[from].direction)
+        ++to;
       const std::vector<StrokeChoice> turned = turned_about(from, to);
       double here = 0.0, there = 0.0;
       for (std::size_t s = from; s < to; ++s) {
