@@ -19,8 +19,8 @@ BentWidths bent_widths(const FoldedStrip& strip, int ridge);
 /// Accuracy: 1e-12 for equal widths.
 Angle kept_fold(const SlitMaterial& material, double thickness, const BentWidths& bent, Angle fold);
 
-/// The fold that keeps another when it is let go, by bisection to rounding; 0 keeps 0. Without the
-/// right to turn by more than half a turn.
+/// The fold that keeps another when it is let go, by bisection to rounding, at most half a turn:
+/// where that keeps less, half a turn is the answer. 0 keeps 0.
 Angle overbent_fold(const SlitMaterial& material, double thickness, const BentWidths& bent,
                     Angle kept);
 
